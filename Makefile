@@ -1,8 +1,10 @@
 # make         set up what is needed and build every output
 # make test    set up and test everything
+# make test-fast   the tests that take less than a minute together: no compilers, no browser, no large inputs
+# make test-night  all tests with other random inputs each time, and twenty times as many of them
 # make fuzz    fuzz the C headers of all devices at the same time, for a minute each
 # make plants  run the examples of docs/plc.md for a million random scans each, against simulated devices
-# make accept  rewrite the tests' expectations; read the difference before you commit it
+# make accept  rewrite the tests' expectations, with RULE=code those of one rule; read the difference before you commit it
 # make soak    kill builds at random moments, and strike faults at every operation on files, for some minutes
 # make dist    build the wheel and the sdist into dist/
 # make sbom    write dist/sbom.json, the bill of materials of what an installation holds, as CycloneDX
@@ -25,7 +27,7 @@ UV := uv==0.13.8
 
 SBOM := build/sbom
 
-.PHONY: build test fuzz plants accept soak dist sbom bench pins clean
+.PHONY: build test test-fast test-night fuzz plants accept soak dist sbom bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -35,6 +37,12 @@ test: $(INSTALLED) $(if $(NPM),$(TOOLS))
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/pytest
+
+test-fast: $(INSTALLED)
+	$(BIN)/pytest --fast
+
+test-night: $(INSTALLED) $(if $(NPM),$(TOOLS))
+	FIELDSPEC_EXAMPLES=20 $(BIN)/pytest --hypothesis-profile=random
 
 fuzz: $(INSTALLED)
 	$(BIN)/python tests/c_output/fuzz.py
@@ -61,7 +69,7 @@ plants: $(INSTALLED)
 	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py -k whatever_happens
 
 accept: $(INSTALLED)
-	$(BIN)/pytest --accept
+	$(BIN)/pytest --accept $(if $(RULE),tests/test_cases.py tests/test_changes.py tests/test_rules.py -k "$(RULE) or page_of_")
 
 # The peers have an environment of their own.
 bench: $(INSTALLED_PEERS) $(if $(NPM),$(PEERS)/node_modules/.package-lock.json)

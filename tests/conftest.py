@@ -1,14 +1,67 @@
-"""What all tests share."""
+"""What all tests share: their options, and a cache of their own."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
+from hypothesis import settings
+
+TESTS = Path(__file__).parent
+
+SLOW = (
+    "audit/test_audit_page.py",
+    "audit/test_detection.py",
+    "c_output",
+    "docs_output",
+    "plc_memory",
+    "plc_output",
+    "test_add_a_device.py",
+    "test_audit_of_manuals.py",
+    "test_build.py",
+    "test_build_incremental.py",
+    "test_changes_never_raise.py",
+    "test_checks_never_raise.py",
+    "test_determinism.py",
+    "test_distribution.py",
+    "test_editor.py",
+    "test_faults.py",
+    "test_generated.py",
+    "test_inputs_bounded.py",
+    "test_kills.py",
+    "test_python_conversions.py",
+    "test_python_frames.py",
+    "test_python_heads.py",
+    "test_python_many.py",
+    "test_python_package.py",
+    "test_python_records.py",
+    "test_reading_any_input.py",
+    "test_reading_large.py",
+    "test_reading_yaml.py",
+    "test_readme.py",
+    "test_schema.py",
+    "test_versions_bad_input.py",
+    "test_versions_example.py",
+)
+"""Files and folders that `--fast` leaves out: they run compilers, a browser or builds, or try many random inputs."""
+
+# The same inputs on every machine; the other profile looks for new ones.
+settings.register_profile("fixed", derandomize=True, deadline=None)
+settings.register_profile("random", derandomize=False, deadline=None, print_blob=True)
+settings.load_profile("fixed")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--accept", action="store_true", help="rewrite what the tests expect")
+    parser.addoption("--fast", action="store_true", help="leave out the tests that take long")
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Leaves the slow tests out of a fast run, unless they are named on the command line."""
+    if not config.getoption("--fast"):
+        return None
+    return True if any(collection_path == TESTS / name for name in SLOW) else None
 
 
 @pytest.fixture(scope="session")

@@ -101,10 +101,10 @@ links:
     encoding: binary
     byte_order: big
     request: &frame
-      - {name: station, role: station, type: u8}
+      - {name: station, role: unit_address, type: u8}
       - {name: function, role: code, type: u8}
       - {name: body, role: body}
-      - {name: crc, role: check, algorithm: crc16_modbus, byte_order: little}
+      - {name: crc, role: checksum, algorithm: crc16_modbus, byte_order: little}
     response: *frame
 messages:
   - name: read_registers

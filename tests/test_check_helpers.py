@@ -7,9 +7,8 @@ from itertools import combinations, pairwise
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fieldspec.checks.addresses import free, merged
 from fieldspec.checks.finding import enumeration, longest_ascent, missing, near
-from fieldspec.model.value import Ranges
+from fieldspec.model.value import Ranges, merged, uncovered
 
 small = st.integers(min_value=-8, max_value=24)
 interval = st.tuples(small, small).map(sorted).map(tuple)
@@ -38,7 +37,7 @@ def test_merged_intervals_hold_the_same_numbers_and_do_not_touch(held: tuple[tup
 def test_free_addresses_are_those_that_nothing_takes(
     extent: tuple[int, int], taken: tuple[tuple[int, int], ...]
 ) -> None:
-    assert numbers(free(*extent, merged(taken))) == numbers([extent]) - numbers(taken)
+    assert numbers(uncovered(*extent, merged(taken))) == numbers([extent]) - numbers(taken)
 
 
 @given(st.lists(small, max_size=9))

@@ -64,7 +64,11 @@ def test_every_good_example_is_explained_with_exit_code_0(run: CommandLine, exam
     assert (found.code, found.err) == (0, "")
     assert example.message in found.lines[0]
     data = decoded(run, example.frame.hex(), "--direction", example.direction, *request)
-    assert (data["link"], data["direction"], data["error"]) == (example.link, example.direction, example.error)
+    assert (data["link"], data["direction"], data["error"]) == (
+        example.link,
+        example.direction,
+        example.exception_response,
+    )
     assert b"".join(bytes.fromhex(part["raw"]) for part in data["rows"] if part["kind"] != "mark")
     assert data["wrong"] is False
 
@@ -262,7 +266,7 @@ def test_decoding_a_frame_imports_nothing_that_it_does_not_use() -> None:
 def test_a_frame_of_an_example_is_explained_as_an_example(name: str) -> None:
     layout = newest(MADE_UP if name == "widget" else SPECS, name)
     good = [example for example in layout.device.examples.values() if not example.refused]
-    readings = {(e.frame, e.link, e.direction, e.message, e.error) for e in good}
+    readings = {(e.frame, e.link, e.direction, e.message, e.exception_response) for e in good}
     for example in good:
         held = read(layout, example.frame, FrameOptions()).explanation
         assert (held.frame, held.link, held.direction, held.message, held.error) in readings, example.id

@@ -38,7 +38,7 @@ def written(value: object, name: str = "") -> list[str]:
 
 @pytest.mark.parametrize(
     "example",
-    [e for e in WIDGET.device.examples.values() if not e.refused and not e.error],
+    [e for e in WIDGET.device.examples.values() if not e.refused and not e.exception_response],
     ids=lambda example: example.id,
 )
 def test_every_example_is_written_from_its_values(run: CommandLine, example: Example) -> None:

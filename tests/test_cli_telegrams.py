@@ -45,7 +45,9 @@ def test_every_example_is_explained_by_its_message_and_direction(run: CommandLin
     assert "ambiguous" not in found.out
 
 
-@pytest.mark.parametrize("example", [e for e in EXAMPLES.values() if not e.error], ids=lambda example: example.id)
+@pytest.mark.parametrize(
+    "example", [e for e in EXAMPLES.values() if not e.exception_response], ids=lambda example: example.id
+)
 def test_every_example_is_written_from_its_values(run: CommandLine, example: Example) -> None:
     link = newest(MADE_UP, "glider-x").device.links[example.link]
     options = [f"--{link.message_name}", example.message, "--direction", link.direction_name(example.direction)]

@@ -332,7 +332,7 @@ def test_errata_are_named_at_the_fact_that_they_touch() -> None:
 @pytest.mark.parametrize(("laid", "example"), [one for one in EXAMPLES if not one.values[1].refused])
 def test_every_example_is_recognised(laid: DeviceLayout, example: Example) -> None:
     found = recognised(laid, example.frame)
-    assert (example.link, example.direction, example.message, example.error) in found
+    assert (example.link, example.direction, example.message, example.exception_response) in found
 
 
 def test_a_frame_that_is_equal_in_both_directions_is_ambiguous() -> None:

@@ -22,28 +22,19 @@ OUTSIDE = {"node_modules", ".venv", "__pycache__"}
 STILL_TO_DO: dict[str, int] = {
     "audit": 289,
     "backends": 1,
-    "backends/c": 109,
     "backends/python": 189,
     "benchmarks": 75,
     "changes": 99,
     "checks": 107,
-    "classes.py": 28,
     "cli.py": 7,
     "commands": 224,
-    "diagnostics.py": 2,
     "explain": 61,
     "facts": 28,
     "layout": 30,
     "lists": 70,
-    "model": 8,
-    "pipeline.py": 11,
     "proofs": 37,
-    "reading": 114,
     "reference": 19,
     "render": 100,
-    "rules.py": 3,
-    "schema": 3,
-    "spreadsheet.py": 6,
     "tests": 1121,
 }
 """Folders whose old names have not been replaced yet, with how many of them are left. It is empty in the end."""
@@ -81,7 +72,8 @@ def names(path: Path) -> Iterator[tuple[int, str]]:
             if node.id not in EXEMPT or not is_attribute(node):
                 yield node.lineno, node.id
         elif isinstance(node, ast.arg):
-            yield node.lineno, node.arg
+            if node.arg != "frozen":  # the argument of `dataclass`, which `classes` has too
+                yield node.lineno, node.arg
         elif isinstance(node, ast.alias):
             yield from ((node.lineno, name) for name in (node.asname or "",) if name)
         elif isinstance(node, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and node.name:

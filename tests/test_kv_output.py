@@ -59,7 +59,7 @@ EXAMPLES = [
     for layout in versions
     for example in layout.device.examples.values()
     if example.message
-    and not (example.refused or example.error or layout.messages[example.message].message.accesses)
+    and not (example.refused or example.exception_response or layout.messages[example.message].message.accesses)
     and layout.links[example.link].link.encoding == "binary"
 ]
 

@@ -26,7 +26,7 @@ def _in_form(layout: Any, example: Any, link: str) -> bytes:
     module = made(layout)
     decoded = getattr(link_of(module, example.link), f"decode_{example.direction}")(example.frame)
     spoken = link_of(module, link)
-    if example.error:
+    if example.exception_response:
         frame = spoken.encode_error(decoded.station, decoded.code, decoded.exception)
     else:
         frame = getattr(spoken, f"encode_{example.direction}")(decoded.station, decoded.message)

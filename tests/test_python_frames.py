@@ -58,13 +58,16 @@ def encode(layout: DeviceLayout, example: Example, values: dict[str, Any], code:
     module = made(layout)
     spoken, frame = link_of(module, example.link), layout.links[example.link].frame(example.direction)
     body = built(
-        module, layout, body_of(layout, example.link, example.direction, example.message, example.error), values
+        module,
+        layout,
+        body_of(layout, example.link, example.direction, example.message, example.exception_response),
+        values,
     )
-    station = frame.role("station")
+    station = frame.role("unit_address")
     first = [values[station.name]] if station else []
     plain = {part.name: head_value(module, part, values[part.name]) for part in frame.head if given_part(part)}
     named = {name if name not in KEYWORDS else f"{name}_": held for name, held in plain.items()}
-    if example.error:
+    if example.exception_response:
         made_frame = spoken.encode_error(*first, code, body, **named)
     else:
         made_frame = getattr(spoken, f"encode_{example.direction}")(*first, body, **named)
@@ -89,7 +92,7 @@ def head_of(layout: DeviceLayout, link: str, direction: str, decoded: Any) -> di
     """The parts of the head of what was decoded, by the names of the spec, but for the code."""
     found = {}
     for part in layout.links[link].frame(direction).head:
-        if part.role == "station":
+        if part.role == "unit_address":
             found[part.name] = decoded.station
         elif given_part(part):
             name = part.name if hasattr(decoded, part.name) else f"{part.name}_"
@@ -138,8 +141,8 @@ def test_a_frame_is_read_or_refused_as_the_reference_does(name: str, data: st.Da
         p.name: p.value.ranges.low if p.value and p.value.ranges else 1
         for p in layout.links[link].frame(direction).head
     }
-    stations = layout.links[link].link.stations
-    station = layout.links[link].frame(direction).role("station")
+    stations = layout.links[link].link.unit_addresses
+    station = layout.links[link].frame(direction).role("unit_address")
     if stations and stations.ranges and station:
         heads[station.name] = stations.ranges.low
     try:
@@ -175,7 +178,7 @@ def made_of(layout: DeviceLayout, link: str, direction: str, message: str, frame
     """What the generated codec finds in a frame: whether it is a refusal, the code, the head, the body."""
     decoded = decode(layout, link, direction, message, frame)
     head, coded = head_of(layout, link, direction, decoded), layout.links[link].frame(direction).role("code")
-    refusal = layout.links[link].link.error
+    refusal = layout.links[link].link.exception_response
     if refusal is not None and hasattr(decoded, "exception"):
         return True, decoded.code, head, raws(decoded.exception, layout.records[refusal.record])
     content = decoded.message
@@ -204,7 +207,7 @@ def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: by
         data = bytearray(reference.parts(frame))
     except CodecError:
         return frame
-    length, check = shape.role("length"), shape.check
+    length, check = shape.role("length"), shape.checksum
     if len(data) < shape.head_size + shape.tail_size:
         return frame
     units = length.number(len(data)) if length is not None else None

@@ -28,7 +28,7 @@ MADE: dict[str, tuple[tuple[str, str], ...]] = {
     **{
         f"{check}_check": (
             WIDE,
-            (BODY, BODY.replace("body}\n", f"body}}\n      - {{name: check, role: check, algorithm: {check}}}\n")),
+            (BODY, BODY.replace("body}\n", f"body}}\n      - {{name: check, role: checksum, algorithm: {check}}}\n")),
         )
         for check in CHECKSUMS
     },
@@ -68,7 +68,7 @@ def test_a_frame_is_read_as_the_reference_reads_it(name: str, data: st.DataObjec
     frame = bytearray(link.encode("request", "read_parameter", READ))
     for _ in range(data.draw(st.integers(0, 2))):
         frame[data.draw(st.integers(0, len(frame) - 1))] ^= data.draw(st.sampled_from([1, 0x80, 0xFF]))
-    check = layout.links["channel"].request.check
+    check = layout.links["channel"].request.checksum
     if check is not None and data.draw(st.booleans()):
         at = len(frame) - check.size
         frame[at:] = CHECKSUMS[check.algorithm](bytes(frame[:at])).to_bytes(check.size, "little")
@@ -89,7 +89,7 @@ def test_a_part_that_is_always_the_same_is_no_argument_and_is_looked_at(name: st
     request = module.channel.decode_request(bytes(frame))
     assert request.__match_args__ == ("station", "message", "reference")
     frame[2] ^= 1
-    check = layout.links["channel"].request.check
+    check = layout.links["channel"].request.checksum
     if check is not None:
         frame[-check.size :] = CHECKSUMS[check.algorithm](bytes(frame[: -check.size])).to_bytes(check.size, "little")
     with pytest.raises(CodecError) as caught:

@@ -49,7 +49,7 @@ def facts(parameter: Any) -> dict[str, Any]:
 def facts_of(row: Parameter, held: ParameterSet, place: int) -> dict[str, Any]:
     """The same of the spec."""
     value, number = row.value, row.number + place
-    ranges = value.written_ranges
+    ranges = value.writable_ranges
     full = ranges is None or ranges.intervals == ((value.type.low, value.type.high),)
     narrow = value.type.kind is Kind.INTEGER and value.const is None and not full
     plain = not (value.enum or value.flags or value.const is not None)

@@ -18,7 +18,7 @@ links:
     byte_order: big
     doc: Of the protocol.
     request:
-      - {name: station, role: station, type: u8}
+      - {name: station, role: unit_address, type: u8}
       - {name: function, role: code, type: u8, doc: Says which message it is.}
       - {name: body, role: body}
   - {name: ascii, encoding: hex_ascii}
@@ -179,7 +179,7 @@ def test_what_a_device_says_is_laid_over_its_protocol_by_name_and_deeply() -> No
 uses: [{protocol: wire}]
 links:
   - name: rtu
-    stations: {range: 1..16}
+    unit_addresses: {range: 1..16}
     request: [{name: function, label: 功能}]
 messages:
   - {name: read, request: [{name: count, range: 1..16}]}
@@ -191,9 +191,9 @@ enums:
     )
     rtu = model.links["rtu"]
     assert (rtu.encoding, rtu.doc) == ("binary", "Of the protocol.")
-    assert rtu.stations is not None
+    assert rtu.unit_addresses is not None
     assert [(part.name, part.role, part.label) for part in rtu.request] == [
-        ("station", "station", ""),
+        ("station", "unit_address", ""),
         ("function", "code", "功能"),
         ("body", "body", ""),
     ]
@@ -304,7 +304,7 @@ def test_parameters_take_what_they_lack_from_the_defaults_of_their_set() -> None
         ("flags: [{name: a, type: u8, bits: [{name: b, bits: «5..1»}]}]\n", "wrong_form"),
         ("flags: [{name: a, type: u8, bits: [{bit: «1»}]}]\n", "missing_key"),
         ("lookups: [{name: a, columns: [{name: b}], rows: [{cells: «[1, 2]»}]}]\n", "wrong_size"),
-        ("links: [{name: a, request: [{name: b, role: «check»}]}]\n", "wrong_form"),
+        ("links: [{name: a, request: [{name: b, role: «checksum»}]}]\n", "wrong_form"),
         (
             "registers: [{group: a, rows: [{at: 1, name: b, type: u8, count: 3, element_sources: «L5-99999»}]}]\n",
             "sources_present",

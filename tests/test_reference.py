@@ -76,7 +76,7 @@ def test_another_modbus_stack_reads_the_same_from_a_frame(layout: DeviceLayout, 
     assert pdu.dev_id == found["station"]
     code = layout.messages[example.message].message.code
     assert code is not None
-    assert pdu.function_code == (code | 0x80 if example.error else code)
+    assert pdu.function_code == (code | 0x80 if example.exception_response else code)
     for name, value in found.items():
         if name in PDU:
             held = getattr(pdu, PDU[name])

@@ -15,7 +15,7 @@ import jsonschema_rs
 import pytest
 from jsonschema.protocols import Validator
 
-from fieldspec.reading.nodes import plain_data
+from fieldspec.reading.nodes import json_data
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.yaml_reader import decoded, parsed
 from fieldspec.schema import described, schema
@@ -79,7 +79,7 @@ def content(path: Path) -> object:
     node, found = parsed(file)
     assert node is not None
     assert not found
-    return plain_data(typed(node)[0])
+    return json_data(typed(node)[0])
 
 
 def test_schema_is_in_its_form(accept: bool) -> None:

@@ -44,31 +44,33 @@ else:
     def dataclass(*, slots, frozen=False, eq=True, kw_only=False):
         """Makes a class of data of one that has annotations."""
         assert slots
-        return lambda cls: _made(cls, frozen, eq, kw_only)
+        return lambda cls: _data_class(cls, frozen, eq, kw_only)
 
     def attributes(cls):
         """The names of the attributes of a class of data, in order."""
         return tuple(cls._fields)
 
-    def replace(held, /, **changes):
+    def replace(instance, /, **changes):
         """The same object with some attributes changed."""
-        return held.__class__._replaced(held, **changes)
+        return instance.__class__._replaced(instance, **changes)
 
-    def _made(cls, frozen, eq, kw_only):
-        fields = {name: one for base in cls.__mro__[:0:-1] for name, one in base.__dict__.get("_fields", {}).items()}
+    def _data_class(cls, frozen, eq, kw_only):
+        fields = {
+            name: field for base in cls.__mro__[:0:-1] for name, field in base.__dict__.get("_fields", {}).items()
+        }
         space = dict(cls.__dict__)
         assert "__post_init__" not in space, f"{cls.__name__}: nothing is called when an object is made"
         own = [name for name, kind in space.get("__annotations__", {}).items() if not kind.startswith("ClassVar")]
         for name in own:
-            given = space.pop(name, _MISSING)
-            one = given if isinstance(given, _Field) else _Field(given, _MISSING, True, True)
-            one.name, one.kw_only = name, kw_only
-            fields[name] = one
+            default = space.pop(name, _MISSING)
+            attribute = default if isinstance(default, _Field) else _Field(default, _MISSING, True, True)
+            attribute.name, attribute.kw_only = name, kw_only
+            fields[name] = attribute
         for name in ("__dict__", "__weakref__"):
             space.pop(name, None)
         space |= {
             "__slots__": tuple(own),
-            "__match_args__": tuple(one.name for one in fields.values() if not one.kw_only),
+            "__match_args__": tuple(attribute.name for attribute in fields.values() if not attribute.kw_only),
             "__dataclass_fields__": _StandardFields(),
             "__new__": _constructor,
             "__reduce__": _reduce,
@@ -78,16 +80,16 @@ else:
         }
         shared = {"__repr__": _repr}
         if eq:
-            compared = [one.name for one in fields.values() if one.compare]
-            space["_compared"] = staticmethod(attrgetter(*compared) if compared else lambda held: ())
+            compared = [attribute.name for attribute in fields.values() if attribute.compare]
+            space["_compared"] = staticmethod(attrgetter(*compared) if compared else lambda instance: ())
             shared |= {"__eq__": _eq, "__hash__": _hash if frozen else None}
         if frozen:
             space |= {"__setattr__": _refused, "__delattr__": _refused}
-        made = type(cls)(cls.__name__, cls.__bases__, {**shared, **space})
-        made.__qualname__ = cls.__qualname__
+        result = type(cls)(cls.__name__, cls.__bases__, {**shared, **space})
+        result.__qualname__ = cls.__qualname__
         for method in space.values():
-            _point(method, cls, made)
-        return made
+            _point(method, cls, result)
+        return result
 
     def _point(method, old, new):
         """Lets a method that says `super()` mean the class with slots."""
@@ -95,53 +97,53 @@ else:
             if cell.cell_contents is old:
                 cell.cell_contents = new
 
-    def _constructor(cls, /, *given, **named):
+    def _constructor(cls, /, *values, **named):
         """Writes the constructor of a class, when its first object is made."""
-        owner = next(one for one in cls.__mro__ if "_fields" in one.__dict__)
-        owner.__new__ = staticmethod(_written(owner))
-        return owner.__new__(cls, *given, **named)
+        owner = next(base for base in cls.__mro__ if "_fields" in base.__dict__)
+        owner.__new__ = staticmethod(_compiled_constructor(owner))
+        return owner.__new__(cls, *values, **named)
 
-    def _written(owner):
-        positional = [one for one in owner._fields.values() if not one.kw_only]
-        named = [one for one in owner._fields.values() if one.kw_only]
+    def _compiled_constructor(owner):
+        positional = [attribute for attribute in owner._fields.values() if not attribute.kw_only]
+        named = [attribute for attribute in owner._fields.values() if attribute.kw_only]
         parameters = [*map(_parameter, positional), *(["*"] if named else []), *map(_parameter, named)]
-        return _compiled(owner, f"made(cls, {', '.join(parameters)})", "cls", _value)
+        return _compiled(owner, f"make(cls, {', '.join(parameters)})", "cls", _value)
 
-    def _parameter(one):
-        if one.default is _MISSING and one.factory is _MISSING:
-            return one.name
-        return f"{one.name}=_default_{one.name}"
+    def _parameter(attribute):
+        if attribute.default is _MISSING and attribute.factory is _MISSING:
+            return attribute.name
+        return f"{attribute.name}=_default_{attribute.name}"
 
-    def _value(one):
-        if one.factory is _MISSING:
-            return one.name
-        return f"_factory_{one.name}() if {one.name} is _MISSING else {one.name}"
+    def _value(attribute):
+        if attribute.factory is _MISSING:
+            return attribute.name
+        return f"_factory_{attribute.name}() if {attribute.name} is _MISSING else {attribute.name}"
 
-    def _replacer(owner, held, /, **changes):
+    def _replacer(owner, instance, /, **changes):
         """Writes the function that copies objects of a class, when the first is copied."""
         parameters = "".join(f", {name}=_MISSING" for name in owner._fields)
-        head = f"made(held, /, *{parameters})" if parameters else "made(held, /)"
+        head = f"make(held, /, *{parameters})" if parameters else "make(held, /)"
         owner._replaced = staticmethod(_compiled(owner, head, "held.__class__", _copied))
-        return owner._replaced(held, **changes)
+        return owner._replaced(instance, **changes)
 
-    def _copied(one):
-        return f"held.{one.name} if {one.name} is _MISSING else {one.name}"
+    def _copied(attribute):
+        return f"held.{attribute.name} if {attribute.name} is _MISSING else {attribute.name}"
 
     def _compiled(owner, head, final, value):
         """A function that makes an object and gives each attribute a value."""
         lines = [f"def {head}:", f"    self = _new({'_open' if owner._frozen else final})"]
-        lines += [f"    self.{one.name} = {value(one)}" for one in owner._fields.values()]
+        lines += [f"    self.{attribute.name} = {value(attribute)}" for attribute in owner._fields.values()]
         lines += [f"    self.__class__ = {final}"] if owner._frozen else []
         lines += ["    return self"]
         space = {"_new": object.__new__, "_open": _opened(owner), "_MISSING": _MISSING}
-        for one in owner._fields.values():
-            space[f"_default_{one.name}"] = one.default
-            space[f"_factory_{one.name}"] = one.factory
+        for attribute in owner._fields.values():
+            space[f"_default_{attribute.name}"] = attribute.default
+            space[f"_factory_{attribute.name}"] = attribute.factory
         exec("\n".join(lines), space)
-        made = space["made"]
-        made.__qualname__ = f"{owner.__qualname__}.__new__"
-        made.__module__ = owner.__module__
-        return made
+        function = space["make"]
+        function.__qualname__ = f"{owner.__qualname__}.__new__"
+        function.__module__ = owner.__module__
+        return function
 
     def _opened(owner):
         """A class of the same form that is not frozen; of a class that is, it is made when its first object is."""
@@ -158,8 +160,12 @@ else:
         return hash(self._compared(self))
 
     def _repr(self):
-        shown = ", ".join(f"{one.name}={getattr(self, one.name)!r}" for one in self._fields.values() if one.repr)
-        return f"{self.__class__.__qualname__}({shown})"
+        values = ", ".join(
+            f"{attribute.name}={getattr(self, attribute.name)!r}"
+            for attribute in self._fields.values()
+            if attribute.repr
+        )
+        return f"{self.__class__.__qualname__}({values})"
 
     def _reduce(self):
         return _again, (self.__class__, {name: getattr(self, name) for name in self._fields})
@@ -177,14 +183,16 @@ else:
     class _StandardFields:
         """What `dataclasses` asks a class for, made when it asks."""
 
-        def __get__(self, held, owner):
+        def __get__(self, instance, owner):
             from dataclasses import field, make_dataclass
 
-            def standard(one):
-                factory = {} if one.factory is _MISSING else {"default_factory": one.factory}
-                default = {} if one.default is _MISSING else {"default": one.default}
-                return field(repr=one.repr, compare=one.compare, kw_only=one.kw_only, **factory, **default)
+            def standard(attribute):
+                factory = {} if attribute.factory is _MISSING else {"default_factory": attribute.factory}
+                default = {} if attribute.default is _MISSING else {"default": attribute.default}
+                return field(
+                    repr=attribute.repr, compare=attribute.compare, kw_only=attribute.kw_only, **factory, **default
+                )
 
-            named = [(name, "object", standard(one)) for name, one in owner._fields.items()]
+            named = [(name, "object", standard(attribute)) for name, attribute in owner._fields.items()]
             owner.__dataclass_fields__ = make_dataclass(owner.__name__, named).__dataclass_fields__
             return owner.__dataclass_fields__

@@ -40,12 +40,12 @@ class Diagnostic:
         return self.span.order(), self.code, self.message
 
 
-def in_order(found: Iterable[Diagnostic]) -> list[Diagnostic]:
+def in_order(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
     """Findings by file and place, each once."""
-    unique = {(d.code, d.message, d.span.file.path, d.span.start): d for d in found}
+    unique = {(d.code, d.message, d.span.file.path, d.span.start): d for d in findings}
     return sorted(unique.values(), key=Diagnostic.order)
 
 
-def has_errors(found: Iterable[Diagnostic]) -> bool:
+def has_errors(findings: Iterable[Diagnostic]) -> bool:
     """Whether any finding stops a build."""
-    return any(d.severity is Severity.ERROR for d in found)
+    return any(d.severity is Severity.ERROR for d in findings)

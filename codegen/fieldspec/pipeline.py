@@ -20,8 +20,8 @@ def load(files: Mapping[str, bytes], only: frozenset[str] = frozenset()) -> Proj
 
 def checked(project: Project) -> list[Diagnostic]:
     """All findings of all files and devices, in order."""
-    found = [finding for spec in project.devices.values() for finding in findings(spec)]
-    return in_order([*project.findings, *found])
+    device_findings = [finding for spec in project.devices.values() for finding in findings(spec)]
+    return in_order([*project.findings, *device_findings])
 
 
 def layouts(spec: DeviceSpec, ran: Outcome | None = None) -> list[DeviceLayout]:
@@ -30,12 +30,15 @@ def layouts(spec: DeviceSpec, ran: Outcome | None = None) -> list[DeviceLayout]:
     `ran` is what running everything on the device has given, where that is known.
     """
     if ran is not None:
-        made, shared = ran.layouts, ran.shared
+        by_version, shared = ran.layouts, ran.shared
     else:
-        made = {version: device_layout(spec.at(version)[0]) for version in spec.versions()}
-        shared = equal_versions(spec, {version: layout.identity for version, layout in made.items()})
+        by_version = {version: device_layout(spec.at(version)[0]) for version in spec.versions()}
+        shared = equal_versions(spec, {version: layout.identity for version, layout in by_version.items()})
     return [
-        replace(made[version], equal_versions=tuple(one for one, other in shared.items() if other == version))
+        replace(
+            by_version[version],
+            equal_versions=tuple(version_id for version_id, other in shared.items() if other == version),
+        )
         for version in spec.versions()
     ]
 
@@ -47,18 +50,18 @@ def findings(spec: DeviceSpec) -> list[Diagnostic]:
 
 def refusals(versions: list[DeviceLayout], names: Iterable[str]) -> list[Diagnostic]:
     """What forbids some outputs of one device, asked before any of them is made."""
-    return [found for name in names for found in OUTPUTS[name].refusals(versions)]
+    return [finding for name in names for finding in OUTPUTS[name].refusals(versions)]
 
 
 def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(OUTPUTS)) -> dict[str, bytes]:
     """The files of some outputs of some devices, by path relative to the folder of generated files."""
     devices = list(devices)
-    made: dict[str, bytes] = {}
+    contents: dict[str, bytes] = {}
     for name in names:
-        made |= shared(name)
+        contents |= shared(name)
         for versions in devices:
-            made |= output(name, versions)
-    return made
+            contents |= output(name, versions)
+    return contents
 
 
 def output(name: str, versions: list[DeviceLayout]) -> dict[str, bytes]:
@@ -73,12 +76,12 @@ def shared(name: str) -> dict[str, bytes]:
 
 def _contents(name: str, files: Files) -> dict[str, bytes]:
     """What is written of files; a workbook that is there several times is packed once."""
-    workbooks = {id(held): held for held in files.values() if not isinstance(held, str)}
+    workbooks = {id(content): content for content in files.values() if not isinstance(content, str)}
     if workbooks:
         from fieldspec.lists.packing import packed
 
-        bytes_of = {key: packed(held) for key, held in workbooks.items()}
+        bytes_of = {key: packed(workbook) for key, workbook in workbooks.items()}
     return {
-        f"{name}/{path}": held.encode("utf-8") if isinstance(held, str) else bytes_of[id(held)]
-        for path, held in files.items()
+        f"{name}/{path}": content.encode("utf-8") if isinstance(content, str) else bytes_of[id(content)]
+        for path, content in files.items()
     }

@@ -92,22 +92,22 @@ def page() -> str:
     blocks = [_INTRODUCTION]
     for stage, title in _TITLES.items():
         blocks.append(f"## {title}\n")
-        for held in all_rules():
-            if held.stage == stage:
-                blocks += _entry(held)
+        for rule in all_rules():
+            if rule.stage == stage:
+                blocks += _entry(rule)
     return "\n".join(blocks)
 
 
 def changes_page() -> str:
     """The documentation of all rules of changes, as Markdown."""
-    return "\n".join([_CHANGES, *(line for held in change_rules() for line in _entry(held, "##"))])
+    return "\n".join([_CHANGES, *(line for rule in change_rules() for line in _entry(rule, "##"))])
 
 
-def _entry(held: Rule, heading: str = "###") -> Iterator[str]:
-    yield f"{heading} {held.code}\n"
-    if held.classes:
-        yield f"**Class:** {', '.join(f'`{name}`' for name in held.classes)}\n"
-    texts = (held.what, f"**Why:** {held.why}", f"**Example:** {held.example}", f"**Cure:** {held.cure}")
+def _entry(rule: Rule, heading: str = "###") -> Iterator[str]:
+    yield f"{heading} {rule.code}\n"
+    if rule.classes:
+        yield f"**Class:** {', '.join(f'`{name}`' for name in rule.classes)}\n"
+    texts = (rule.what, f"**Why:** {rule.why}", f"**Example:** {rule.example}", f"**Cure:** {rule.cure}")
     for text in texts:
         yield textwrap.fill(text, 118, break_long_words=False, break_on_hyphens=False) + "\n"
 

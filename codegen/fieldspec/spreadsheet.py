@@ -24,11 +24,11 @@ _NUMBER = re.compile(r"[-+]?[0-9]+(\.[0-9]+)?")
 
 def clean(text: str) -> str:
     """A cell's text in one line: no control characters, single blanks, no apostrophe before a sign of a formula."""
-    shown = text
+    line = text
     if not text.isprintable():
-        shown = "".join(" " if unicodedata.category(sign) in ("Cc", "Cf", "Cs", "Zl", "Zp") else sign for sign in text)
-    shown = " ".join(shown.split())
-    return shown[1:] if shown[:1] == "'" and shown[1:2] in FORMULA_SIGNS else shown
+        line = "".join(" " if unicodedata.category(sign) in ("Cc", "Cf", "Cs", "Zl", "Zp") else sign for sign in text)
+    line = " ".join(line.split())
+    return line[1:] if line[:1] == "'" and line[1:2] in FORMULA_SIGNS else line
 
 
 def guarded(text: str) -> str:
@@ -39,19 +39,19 @@ def guarded(text: str) -> str:
 
 def csv_text(rows: Iterable[Sequence[Cell]], line_end: str = "\r\n") -> str:
     """Rows as RFC 4180 has them: commas, quotes where they are needed, doubled within. Texts become one line each."""
-    made = io.StringIO()
-    writer = csv.writer(made, lineterminator=line_end)
-    shown = _CellTexts()
-    writer.writerows([shown[cell] if isinstance(cell, str) else cell for cell in row] for row in rows)
-    return made.getvalue()
+    output = io.StringIO()
+    writer = csv.writer(output, lineterminator=line_end)
+    texts = _CellTexts()
+    writer.writerows([texts[cell] if isinstance(cell, str) else cell for cell in row] for row in rows)
+    return output.getvalue()
 
 
 class _CellTexts(dict[str, str]):
     """Texts as cells have them, each worked out once, since most of a table's texts are in several of its rows."""
 
     def __missing__(self, text: str) -> str:
-        self[text] = shown = guarded(clean(text))
-        return shown
+        self[text] = cell_text = guarded(clean(text))
+        return cell_text
 
 
 @dataclass(frozen=True, slots=True)

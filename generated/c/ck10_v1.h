@@ -2114,9 +2114,6 @@ static inline ck10_codec_status ck10_point_check(const ck10_point *in)
     if (!ck10_point_command_known((int64_t)in->command) && in->command != 65535u) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!((in->command <= 11u) || (in->command == 65535u))) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     if (!(in->waiting_time <= 60000u)) {
         return CK10_ERR_OUT_OF_RANGE;
     }
@@ -2153,9 +2150,6 @@ static inline ck10_codec_status ck10_point_check(const ck10_point *in)
     }
     if (!ck10_check_in_position_known((int64_t)in->check_in_position)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(in->check_in_position <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     if (!(in->push_torque_ratio >= 20u && in->push_torque_ratio <= 90u)) {
         return CK10_ERR_OUT_OF_RANGE;
@@ -4092,9 +4086,6 @@ static inline ck10_codec_status ck10_reg_soft_limit_stop_encode(uint32_t value, 
     if (!ck10_soft_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 2u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -4128,9 +4119,6 @@ static inline ck10_codec_status ck10_reg_hard_limit_stop_encode(uint32_t value, 
 {
     if (!ck10_hard_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -4290,9 +4278,6 @@ static inline ck10_codec_status ck10_reg_homing_method_encode(uint32_t value, ui
     if (!ck10_homing_method_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 7u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -4326,9 +4311,6 @@ static inline ck10_codec_status ck10_reg_homing_direction_encode(uint32_t value,
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -4547,9 +4529,6 @@ static inline ck10_codec_status ck10_reg_motor_direction_encode(uint32_t value, 
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -4810,9 +4789,6 @@ static inline ck10_codec_status ck10_reg_emergency_stop_mode_encode(uint32_t val
     if (!ck10_emergency_stop_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 4u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -4846,9 +4822,6 @@ static inline ck10_codec_status ck10_reg_emergency_brake_mode_encode(uint32_t va
 {
     if (!ck10_emergency_brake_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -4885,9 +4858,6 @@ static inline ck10_codec_status ck10_reg_operation_mode_encode(uint32_t value, u
     if (!ck10_operation_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 5u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -4922,9 +4892,6 @@ static inline ck10_codec_status ck10_reg_switch_function_encode(uint32_t value, 
     if (!ck10_switch_function_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -4958,9 +4925,6 @@ static inline ck10_codec_status ck10_reg_baud_rate_encode(uint32_t value, uint8_
 {
     if (!ck10_baud_rate_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 4u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -4998,9 +4962,6 @@ static inline ck10_codec_status ck10_reg_save_position_encode(uint32_t value, ui
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -5034,9 +4995,6 @@ static inline ck10_codec_status ck10_reg_show_motor_number_encode(uint32_t value
 {
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -6605,9 +6563,6 @@ static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_encode(uint32_t v
     if (!ck10_soft_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 2u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -6640,9 +6595,6 @@ static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_encode(uint32_t v
 {
     if (!ck10_hard_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -6795,9 +6747,6 @@ static inline ck10_codec_status ck10_reg_flash_homing_method_encode(uint32_t val
     if (!ck10_homing_method_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 7u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -6829,9 +6778,6 @@ static inline ck10_codec_status ck10_reg_flash_homing_direction_encode(uint32_t 
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -7040,9 +6986,6 @@ static inline ck10_codec_status ck10_reg_flash_motor_direction_encode(uint32_t v
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -7291,9 +7234,6 @@ static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_encode(uint32
     if (!ck10_emergency_stop_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 4u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -7326,9 +7266,6 @@ static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_encode(uint3
 {
     if (!ck10_emergency_brake_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -7363,9 +7300,6 @@ static inline ck10_codec_status ck10_reg_flash_operation_mode_encode(uint32_t va
     if (!ck10_operation_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 5u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -7398,9 +7332,6 @@ static inline ck10_codec_status ck10_reg_flash_switch_function_encode(uint32_t v
 {
     if (!ck10_switch_function_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -7435,9 +7366,6 @@ static inline ck10_codec_status ck10_reg_flash_baud_rate_encode(uint32_t value, 
     if (!ck10_baud_rate_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 4u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -7471,9 +7399,6 @@ static inline ck10_codec_status ck10_reg_flash_save_position_encode(uint32_t val
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -7506,9 +7431,6 @@ static inline ck10_codec_status ck10_reg_flash_show_motor_number_encode(uint32_t
 {
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;

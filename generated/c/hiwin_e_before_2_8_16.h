@@ -5713,9 +5713,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_motor_type_encod
     if (!hiwin_e_motor_type_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 2u)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
-    }
     hiwin_e_store_u16_be(out, value);
     return HIWIN_E_OK;
 }
@@ -5802,9 +5799,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_applicati
 {
     if (!hiwin_e_gantry_application_mode_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!((value == 1u) || (value == 2u) || (value == 11u))) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u16_be(out, value);
     return HIWIN_E_OK;
@@ -6509,9 +6503,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
     if (!hiwin_e_gantry_parameter_command_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 3u)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
-    }
     hiwin_e_store_u16_be(out, value);
     return HIWIN_E_OK;
 }
@@ -6544,9 +6535,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
 {
     if (!hiwin_e_gantry_parameter_status_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value >= (-6) && value <= 2)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
@@ -7111,9 +7099,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_enco
     if (!hiwin_e_drive_reset_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    if (!(value >= (-1) && value <= 2)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
-    }
     hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
 }
@@ -7141,9 +7126,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_e
 {
     if (!hiwin_e_parameter_save_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value >= 0 && value <= 1)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
@@ -7177,9 +7159,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_mastership_encod
 {
     if (!hiwin_e_mastership_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value >= 0 && value <= 1)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;

@@ -2485,9 +2485,6 @@ static inline tc100_codec_status tc100_reg_torque_search_direction_encode(uint16
     if (!tc100_torque_search_direction_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -2546,9 +2543,6 @@ static inline tc100_codec_status tc100_reg_servo_encode(uint16_t value, uint8_t 
     if (!tc100_servo_command_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -2606,9 +2600,6 @@ static inline tc100_codec_status tc100_reg_motion_command_encode(uint16_t value,
 {
     if (!tc100_motion_command_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 12u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;
@@ -2711,9 +2702,6 @@ static inline tc100_codec_status tc100_reg_parameter_storage_encode(uint16_t val
 {
     if (!tc100_parameter_storage_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;
@@ -2897,9 +2885,6 @@ static inline tc100_codec_status tc100_reg_pulse_rotation_direction_encode(uint1
     if (!tc100_rotation_direction_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -2932,9 +2917,6 @@ static inline tc100_codec_status tc100_reg_pulse_input_form_encode(uint16_t valu
 {
     if (!tc100_pulse_input_form_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 2u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;
@@ -3218,9 +3200,6 @@ static inline tc100_codec_status tc100_reg_control_mode_encode(uint16_t value, u
     if (!tc100_control_mode_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -3254,9 +3233,6 @@ static inline tc100_codec_status tc100_reg_servo_at_power_on_encode(uint16_t val
 {
     if (!tc100_servo_command_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;
@@ -3480,9 +3456,6 @@ static inline tc100_codec_status tc100_reg_moving_state_rule_encode(uint16_t val
     if (!tc100_moving_state_rule_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -3650,9 +3623,6 @@ static inline tc100_codec_status tc100_reg_homing_mode_encode(uint16_t value, ui
 {
     if (!tc100_homing_mode_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 7u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;
@@ -3938,9 +3908,6 @@ static inline tc100_codec_status tc100_reg_baud_rate_encode(uint16_t value, uint
     if (!tc100_baud_rate_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 4u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -3974,9 +3941,6 @@ static inline tc100_codec_status tc100_reg_data_bits_encode(uint16_t value, uint
     if (!tc100_data_bits_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -4008,9 +3972,6 @@ static inline tc100_codec_status tc100_reg_parity_encode(uint16_t value, uint8_t
 {
     if (!tc100_parity_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 2u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;
@@ -4076,9 +4037,6 @@ static inline tc100_codec_status tc100_reg_protocol_encode(uint16_t value, uint8
     if (!tc100_protocol_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -4109,9 +4067,6 @@ static inline tc100_codec_status tc100_reg_action_status_encode(uint16_t value, 
 {
     if (!tc100_action_status_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 2u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;

@@ -2507,9 +2507,6 @@ static inline tc100_codec_status tc100_reg_torque_search_direction_encode(uint16
     if (!tc100_torque_search_direction_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -2568,9 +2565,6 @@ static inline tc100_codec_status tc100_reg_servo_encode(uint16_t value, uint8_t 
     if (!tc100_servo_command_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -2628,9 +2622,6 @@ static inline tc100_codec_status tc100_reg_motion_command_encode(uint16_t value,
 {
     if (!tc100_motion_command_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 12u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;
@@ -2733,9 +2724,6 @@ static inline tc100_codec_status tc100_reg_parameter_storage_encode(uint16_t val
 {
     if (!tc100_parameter_storage_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;
@@ -2919,9 +2907,6 @@ static inline tc100_codec_status tc100_reg_pulse_rotation_direction_encode(uint1
     if (!tc100_rotation_direction_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -2954,9 +2939,6 @@ static inline tc100_codec_status tc100_reg_pulse_input_form_encode(uint16_t valu
 {
     if (!tc100_pulse_input_form_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 2u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;
@@ -3240,9 +3222,6 @@ static inline tc100_codec_status tc100_reg_control_mode_encode(uint16_t value, u
     if (!tc100_control_mode_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -3276,9 +3255,6 @@ static inline tc100_codec_status tc100_reg_servo_at_power_on_encode(uint16_t val
 {
     if (!tc100_servo_command_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;
@@ -3502,9 +3478,6 @@ static inline tc100_codec_status tc100_reg_moving_state_rule_encode(uint16_t val
     if (!tc100_moving_state_rule_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -3672,9 +3645,6 @@ static inline tc100_codec_status tc100_reg_homing_mode_encode(uint16_t value, ui
 {
     if (!tc100_homing_mode_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 7u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;
@@ -3960,9 +3930,6 @@ static inline tc100_codec_status tc100_reg_baud_rate_encode(uint16_t value, uint
     if (!tc100_baud_rate_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 4u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -3996,9 +3963,6 @@ static inline tc100_codec_status tc100_reg_data_bits_encode(uint16_t value, uint
     if (!tc100_data_bits_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -4030,9 +3994,6 @@ static inline tc100_codec_status tc100_reg_parity_encode(uint16_t value, uint8_t
 {
     if (!tc100_parity_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 2u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;
@@ -4098,9 +4059,6 @@ static inline tc100_codec_status tc100_reg_protocol_encode(uint16_t value, uint8
     if (!tc100_protocol_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return TC100_ERR_OUT_OF_RANGE;
-    }
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
@@ -4131,9 +4089,6 @@ static inline tc100_codec_status tc100_reg_action_status_encode(uint16_t value, 
 {
     if (!tc100_action_status_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 2u)) {
-        return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u16_be(out, value);
     return TC100_OK;

@@ -87,7 +87,7 @@ def test_the_bytes_of_every_example_hold_its_values_where_the_model_has_them(
     seen: Counter[str] = Counter()
     reference = codec(layout)
     for example in layout.device.examples.values():
-        if not example.message or example.error or example.refused:
+        if not example.message or example.exception_response or example.refused:
             continue
         data = body(layout, example)
         record = layout.messages[example.message].data(example.direction).of_data(data)

@@ -183,7 +183,7 @@ class Proof:
             assert part.value is not None
             values[part.name] = self.out(part.value, self.world.type_of(part.value), queue.next("VAR_OUTPUT"))
         self._body_out(message, message.response, queue, values)
-        error = link.link.error
+        error = link.link.exception_response
         if error is not None and status == "refused":
             values = {}
             for one in _given(self.world.layout.records[error.record]):

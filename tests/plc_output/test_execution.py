@@ -68,7 +68,9 @@ def test_every_response_of_an_example_is_parsed_to_its_values(prover: Proof) -> 
                 assert status == "unknown_code", (example.id, message.name)
             elif meaning.error:
                 assert status == "refused", example.id
-                assert values == without(layout.records[link.link.error.record], meaning.values), example.id
+                assert values == without(layout.records[link.link.exception_response.record], meaning.values), (
+                    example.id
+                )
             else:
                 heads = {part.name for part in link.response.head}
                 given = {name: held for name, held in meaning.head.items() if name in heads & set(values)}

@@ -255,9 +255,9 @@ TEXTS: dict[type, Texts] = {
     Link: {
         **_FACT,
         **_named("title", "message_name", "request_name", "response_name"),
-        "stations": _beside("stations", "rule", "notes", "sources"),
+        "unit_addresses": _beside("unit_addresses", "rule", "notes", "sources"),
         "serial": _beside("serial", "sources"),
-        "error": _beside("error", "sources"),
+        "exception_response": _beside("exception_response", "sources"),
         "silence": attrgetter("silence_sources"),
     },
     Part: _OF_VALUE,

@@ -12,7 +12,7 @@ from fieldspec.changes.evidence import EVIDENCE, Around
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Place
-from fieldspec.model.link import CHECK_SIZES, Part
+from fieldspec.model.link import CHECKSUM_SIZES, Part
 from fieldspec.model.record import Field
 from fieldspec.model.value import Value
 
@@ -50,7 +50,7 @@ class Sizes:
         """The bytes of a field with all its elements, or of a part of a frame; 0 for the body."""
         if isinstance(field, Part):
             if field.algorithm:
-                return CHECK_SIZES.get(field.algorithm, 0)
+                return CHECKSUM_SIZES.get(field.algorithm, 0)
             return field.value.size if field.value is not None else 0
         # What depends on another field lies last, and moves nothing.
         size = field.value.size if field.value is not None else self.record(field.record)

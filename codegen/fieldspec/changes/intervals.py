@@ -12,7 +12,7 @@ from fieldspec.model.enums import Flags
 from fieldspec.model.link import Link
 from fieldspec.model.record import Field
 from fieldspec.model.registers import ParameterSet
-from fieldspec.model.value import Kind, Primitive, Ranges, Value
+from fieldspec.model.value import Kind, Primitive, Ranges, Value, merged, uncovered
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +34,7 @@ def bounded(both: Comparison) -> Iterator[Bounded]:
         old, new = _of_values(held)
         if old is not None and new is not None:
             yield Bounded(held, name, "the range", "range", old, new)
-        old, new = held.old.written_ranges, held.new.written_ranges
+        old, new = held.old.writable_ranges, held.new.writable_ranges
         if (held.old.write_ranges or held.new.write_ranges) and (old or new) and held.old.type == held.new.type:
             whole = _whole(held.new.type)
             yield Bounded(held, name, "the range of writing", "write_range", old or whole, new or whole)
@@ -46,9 +46,10 @@ def bounded(both: Comparison) -> Iterator[Bounded]:
         if before is not None and after is not None:
             yield Bounded(field, named(field.new), "the number of elements", "repeat", before, after)
     for link in both.of(Link):
-        before, after = (side.stations.ranges if side.stations else None for side in (link.old, link.new))
+        before, after = (side.unit_addresses.ranges if side.unit_addresses else None for side in (link.old, link.new))
         if before is not None or after is not None:
-            yield Bounded(link, named(link.new), "the address of a station", "stations", before or ANY, after or ANY)
+            what = "the address of a station"
+            yield Bounded(link, named(link.new), what, "unit_addresses", before or ANY, after or ANY)
     for word in both.of(Flags):
         if word.old.type == word.new.type and (word.old.ranges is not None or word.new.ranges is not None):
             whole = _whole(word.new.type)
@@ -88,19 +89,9 @@ def _length(value: Value) -> Ranges:
 
 def without(some: Ranges, others: Ranges) -> Ranges:
     """The numbers of some intervals that lie in none of the others, in order."""
-    left: list[tuple[int, int]] = []
-    taken = sorted(others.intervals)
-    for low, high in sorted(some.intervals):
-        at = low
-        for first, last in taken:
-            if last < at or first > high:
-                continue
-            if first > at:
-                left.append((at, first - 1))
-            at = max(at, last + 1)
-        if at <= high:
-            left.append((at, high))
-    return Ranges(tuple(dict.fromkeys(left)))
+    taken = merged(others.intervals)
+    holes = (hole for low, high in sorted(some.intervals) for hole in uncovered(low, high, taken))
+    return Ranges(tuple(dict.fromkeys(holes)))
 
 
 def text(ranges: Ranges) -> str:

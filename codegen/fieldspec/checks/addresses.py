@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
-from operator import itemgetter
 
 from fieldspec.checks.sizes import Sizes
 from fieldspec.classes import dataclass
@@ -13,7 +11,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import Field
 from fieldspec.model.registers import Parameter, ParameterSet, Register, Table
-from fieldspec.model.value import Kind, Value
+from fieldspec.model.value import Kind, Value, merged
 
 SPACE = 0x10000
 """How many addresses a space has at most: a frame carries them in 16 bits."""
@@ -72,33 +70,6 @@ def _elements(fact: Fact, space: str, key: str, first: int, words: int, stride: 
     for number in range(min(count, SPACE // stride + 1)):
         at = first + number * stride
         yield Block(space, at, at + words - 1, fact, key, fact.name)
-
-
-def merged(intervals: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
-    """The same addresses in intervals that are sorted and do not touch."""
-    joined: list[tuple[int, int]] = []
-    for low, high in sorted(intervals):
-        if joined and low <= joined[-1][1] + 1:
-            joined[-1] = joined[-1][0], max(joined[-1][1], high)
-        else:
-            joined.append((low, high))
-    return joined
-
-
-def free(first: int, last: int, taken: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
-    """The parts of `first` to `last` that no interval of `taken`, as `merged` gives them, reaches into."""
-    holes = []
-    at = first
-    for index in range(bisect_left(taken, first, key=itemgetter(1)), len(taken)):
-        low, high = taken[index]
-        if low > last:
-            break
-        if low > at:
-            holes.append((at, low - 1))
-        at = max(at, high + 1)
-    if at <= last:
-        holes.append((at, last))
-    return holes
 
 
 def on_wire(held: ParameterSet, parameter: Parameter) -> tuple[int, int]:

@@ -22,14 +22,14 @@ _CODE = "broadcast_apart"
 
 def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
     for link in device.links.values():
-        stations = link.stations
+        stations = link.unit_addresses
         if stations is None or stations.broadcast is None:
             continue
         if stations.ranges is not None and stations.broadcast in stations.ranges:
             text = f"{stations.broadcast} is the address of all, and of a station too"
             there = label(stations.place, "range", "the stations")
             yield finding(_CODE, stations.place, "broadcast", text, "put one of them right", there)
-        part = next((part for part in link.request if part.role == "station" and part.value), None)
+        part = next((part for part in link.request if part.role == "unit_address" and part.value), None)
         value = part.value if part is not None else None
         if value is None or value.type.kind is not Kind.INTEGER:
             continue

@@ -31,10 +31,12 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
         if part is None or part.value is None:
             continue
         high = part.value.type.high
-        if link.error is not None and not 0 < link.error.flag <= high:
-            text = f"{part.name} is {part.value.type.name} and cannot hold the bit {link.error.flag:#x}"
+        if link.exception_response is not None and not 0 < link.exception_response.flag <= high:
+            text = f"{part.name} is {part.value.type.name} and cannot hold the bit {link.exception_response.flag:#x}"
             help = "put the bit or the part's type right"
-            yield finding(_CODE, link.place, "error", text, help, label(part.place, "type", part.value.type.name))
+            yield finding(
+                _CODE, link.place, "exception_response", text, help, label(part.place, "type", part.value.type.name)
+            )
         for message in messages_on(device, link):
             if message.code is not None and message.code > high:
                 text = f"the code {message.code:#x} does not fit {part.name}, which is {part.value.type.name}"
@@ -45,7 +47,7 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
 
 
 def _marked(link: Link, message: Message) -> Iterator[Diagnostic]:
-    if link.error is not None and message.code is not None and message.code & link.error.flag:
-        text = f"the code {message.code:#x} has the bit {link.error.flag:#x}, which marks a refusal"
-        there = label(link.place, "error", f"refusals on {link.name}")
+    if link.exception_response is not None and message.code is not None and message.code & link.exception_response.flag:
+        text = f"the code {message.code:#x} has the bit {link.exception_response.flag:#x}, which marks a refusal"
+        there = label(link.place, "exception_response", f"refusals on {link.name}")
         yield finding(_CODE, message.place, "code", text, "put the code or the bit right", there)

@@ -29,11 +29,11 @@ _REFUSED = {"read": "wo", "write": "ro"}
 def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
     addresses = Addresses(device)
     legal = Legal(device)
-    refused = {reply.reply_to for reply in device.examples.values() if reply.error}
+    refused = {reply.reply_to for reply in device.examples.values() if reply.exception_response}
     for example in device.examples.values():
         message = device.messages.get(example.message)
         access = device.register_access(message) if message is not None else None
-        if message is None or access is None or example.error or example.refused:
+        if message is None or access is None or example.exception_response or example.refused:
             continue
         if example.id in refused:
             continue

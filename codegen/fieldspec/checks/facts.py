@@ -4,10 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from fieldspec.model.attributes import descendants
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import Case, Field, Record
-from fieldspec.model.value import Value
+from fieldspec.model.registers import Register
+from fieldspec.model.value import Signal, Value
+
+
+def facts(device: Device) -> Iterator[Fact]:
+    """All facts in the order of the spec's sections, each before those that it contains."""
+    return (item for item in descendants(device) if isinstance(item, Fact))
+
+
+def values(device: Device) -> Iterator[tuple[Fact, Value]]:
+    """Every fact that states a value, with the value.
+
+    What a field takes as a whole from its signal, and a register from the one of which it is a copy, is stated there.
+    """
+    registers = {register.name: register for register in device.registers()}
+    for fact in facts(device):
+        value = getattr(fact, "value", None)
+        if isinstance(value, Value):
+            original: Signal | Register | None = None
+            if isinstance(fact, Field):
+                original = device.signals.get(fact.signal)
+            elif isinstance(fact, Register):
+                original = registers.get(fact.copy_of)
+            if original is None or original.value != value:
+                yield fact, value
 
 
 def layers(device: Device) -> Iterator[Record]:
@@ -25,7 +50,7 @@ def fields(device: Device) -> Iterator[Field]:
 
 
 def cases(field: Field) -> tuple[Case, ...]:
-    """What may lie in a field; nothing where it has a type of its own."""
+    """The types that a field can have by another field; nothing where it has a type of its own."""
     return field.choice.cases if field.choice is not None else ()
 
 
@@ -35,86 +60,11 @@ def lists(device: Device) -> Iterator[Sequence[Fact]]:
         yield group.registers
     for layer in layers(device):
         yield layer.fields
-    for word in device.flags.values():
-        yield word.bits
-        yield word.states
-    for held in device.parameters.values():
-        yield held.parameters
-        for parameter in held.parameters:
+    for flags in device.flags.values():
+        yield flags.bits
+        yield flags.states
+    for parameter_set in device.parameters.values():
+        yield parameter_set.parameters
+        for parameter in parameter_set.parameters:
             yield parameter.subindices
     yield tuple(device.signals.values())
-
-
-def values(device: Device) -> Iterator[tuple[Fact, Value]]:
-    """Everything that states a value, with the value: parts of frames, signals, fields, registers and parameters.
-
-    What a field takes as a whole from its signal, and a register from the one of which it is a copy, is stated there.
-    """
-    for link in device.links.values():
-        for part in (*link.request, *link.response):
-            if part.value is not None:
-                yield part, part.value
-    for signal in device.signals.values():
-        yield signal, signal.value
-    for field in fields(device):
-        placed = device.signals.get(field.signal)
-        if field.value is not None and (placed is None or placed.value != field.value):
-            yield field, field.value
-        for case in cases(field):
-            yield case, case.value
-    registers = list(device.registers())
-    originals = {}
-    if any(register.copy_of for register in registers):
-        originals = {register.name: register for register in registers}
-    for register in registers:
-        original = originals.get(register.copy_of)
-        if original is None or original.value != register.value:
-            yield register, register.value
-    for held in device.parameters.values():
-        for parameter in held.parameters:
-            yield parameter, parameter.value
-            for subindex in parameter.subindices:
-                yield subindex, subindex.value
-
-
-def facts(device: Device) -> Iterator[Fact]:
-    """All facts in the order of the spec's sections, each before those that it holds."""
-    for link in device.links.values():
-        yield link
-        yield from link.request
-        yield from link.response
-    for message in device.messages.values():
-        yield message
-        yield from _of_layer(message.request)
-        yield from _of_layer(message.response)
-    for record in device.records.values():
-        yield record
-        yield from _of_layer(record)
-    for enum in device.enums.values():
-        yield enum
-        yield from enum.members
-    for flags in device.flags.values():
-        yield flags
-        yield from flags.bits
-        yield from flags.states
-    yield from device.spaces.values()
-    for group in device.groups:
-        yield group
-        yield from group.registers
-    yield from device.tables.values()
-    for held in device.parameters.values():
-        yield held
-        for parameter in held.parameters:
-            yield parameter
-            yield from parameter.subindices
-    yield from device.signals.values()
-    yield from device.conversions.values()
-    yield from device.lookups
-    yield from device.limits
-    yield from device.tasks
-
-
-def _of_layer(layer: Record) -> Iterator[Fact]:
-    for field in layer.fields:
-        yield field
-        yield from cases(field)

@@ -11,7 +11,7 @@ from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label, Severity
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact, Place
-from fieldspec.model.value import Ranges
+from fieldspec.model.value import Ranges, merged, uncovered
 from fieldspec.source import Span
 
 Check: TypeAlias = Callable[[Device], Iterator[Diagnostic]]
@@ -77,18 +77,8 @@ def outside(ranges: Ranges | None, low: int, high: int) -> bool:
 
 def missing(ranges: Ranges, have: Collection[int]) -> list[tuple[int, int]]:
     """The parts of the intervals that none of the values lies in, in order."""
-    gaps = []
-    inside = sorted(set(have))
-    for low, high in sorted(ranges.intervals):
-        at = low
-        for value in inside:
-            if at <= value <= high:
-                if value > at:
-                    gaps.append((at, value - 1))
-                at = value + 1
-        if at <= high:
-            gaps.append((at, high))
-    return gaps
+    known = merged((value, value) for value in have)
+    return [hole for low, high in sorted(ranges.intervals) for hole in uncovered(low, high, known)]
 
 
 def near(word: str, known: Collection[str]) -> str:

@@ -13,11 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.addresses import extents, free, merged
+from fieldspec.checks.addresses import extents
 from fieldspec.checks.finding import addresses, finding, label, longest_ascent
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Register, RegisterGroup
+from fieldspec.model.value import merged, uncovered
 
 
 def gaps_declared(device: Device) -> Iterator[Diagnostic]:
@@ -39,7 +40,7 @@ def _undeclared(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[
     ends = rows[0]
     for row in rows[1:]:
         if row.address > ends.end:
-            for low, high in free(ends.end, row.address - 1, known):
+            for low, high in uncovered(ends.end, row.address - 1, known):
                 yield _hole(group, ends, row, low, high)
         ends = max(ends, row, key=lambda register: register.end)
 
@@ -66,6 +67,6 @@ def _wrong(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagn
             if low < first or high > last:
                 text = f"the gap {addresses(low, high)} leaves the group at {addresses(first, last)}"
                 yield finding("gaps_declared", gap.place, "at", text, help)
-            elif free(low, high, taken) != [(low, high)]:
+            elif uncovered(low, high, taken) != [(low, high)]:
                 text = f"the gap {addresses(low, high)} holds a register or table"
                 yield finding("gaps_declared", gap.place, "at", text, help)

@@ -66,11 +66,11 @@ def _of_links(device: Device, direction: str, sizes: Sizes) -> Iterator[Diagnost
         for message in messages_on(device, shape.link):
             data = message.request if direction == "request" else message.response
             yield from _of_data(shape, part, f"{direction} of {message.name}", (message.place, direction), data, sizes)
-        error = shape.link.error
+        error = shape.link.exception_response
         if direction == "response" and error is not None and error.record in device.records:
             record = device.records[error.record]
             yield from _of_data(
-                shape, part, f"refusal on {shape.link.name}", (shape.link.place, "error"), record, sizes
+                shape, part, f"refusal on {shape.link.name}", (shape.link.place, "exception_response"), record, sizes
             )
 
 

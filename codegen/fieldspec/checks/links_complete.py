@@ -26,7 +26,7 @@ from fieldspec.model.link import Link, Part
 from fieldspec.model.value import Kind
 
 _CODE = "links_complete"
-_NUMBERS = ("station", "code", "length")
+_NUMBERS = ("unit_address", "code", "length")
 _GREATEST_SIZE = 4
 
 
@@ -38,9 +38,9 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
         for direction in ("request", "response"):
             yield from _of_parts(device, link, direction, link.parts(direction))
         yield from _messages_distinct(device, link)
-        if link.error is not None and not any(part.role == "code" for part in link.response):
+        if link.exception_response is not None and not any(part.role == "code" for part in link.response):
             text = f"the link {link.name} marks refusals in the code, but its responses have none"
-            yield finding(_CODE, link.place, "error", text, "give the part with the code the role `code`")
+            yield finding(_CODE, link.place, "exception_response", text, "give the part with the code the role `code`")
 
 
 def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
@@ -57,7 +57,7 @@ def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
 
 def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...]) -> Iterator[Diagnostic]:
     roles = Counter(part.role for part in parts)
-    for role in (*_NUMBERS, "body", "check"):
+    for role in (*_NUMBERS, "body", "checksum"):
         if roles[role] > 1 or (role == "body" and not roles[role]):
             text = f"the {direction} of {link.name} has {roles[role]} parts with the role {role}"
             help = "each role comes once, and `body` must be there"
@@ -67,13 +67,13 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
     names = [part.name for part in parts]
     if len(set(names)) == len(names) and roles["body"] == 1:
         for part in parts:
-            if part.role in ("length", "check"):
+            if part.role in ("length", "checksum"):
                 yield from _of_span(link, direction, part)
     roles_in_order = [part.role for part in parts]
     for role in _NUMBERS:
         if role in roles_in_order and "body" in roles_in_order[: roles_in_order.index(role)]:
             part = parts[roles_in_order.index(role)]
-            text = f"the {role} {part.name} stands behind the body"
+            text = f"the {role.replace('_', ' ')} {part.name} stands behind the body"
             yield finding(_CODE, part.place, "name", text, "what says how to read the body stands before it")
     for part in parts[roles_in_order.index("body") :] if "body" in roles_in_order else ():
         if part.role == "plain" and part.value is not None and part.value.const is None and not part.reserved:
@@ -86,7 +86,7 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
     """Whether codecs can take the value of a part for a number."""
     if part.value is None:
         return
-    kind = part.value.type
+    kind, role = part.value.type, part.role.replace("_", " ")
     if part.role == "plain":
         if kind.kind is not Kind.INTEGER:
             text = f"the part {part.name} is {kind.name}, which is no number"
@@ -97,10 +97,10 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
             there = label(enum.place, "name", "the enum")
             yield finding(_CODE, part.place, "enum", text, "give the enum `open: true`", there)
     elif kind.kind is not Kind.INTEGER:
-        text = f"the {part.role} {part.name} is {kind.name}, which is no number"
+        text = f"the {role} {part.name} is {kind.name}, which is no number"
         yield finding(_CODE, part.place, "type", text, "give it an integer type")
     elif kind.signed or kind.size > _GREATEST_SIZE:
-        text = f"the {part.role} {part.name} is {kind.name}; it has no sign and at most {_GREATEST_SIZE} bytes"
+        text = f"the {role} {part.name} is {kind.name}; it has no sign and at most {_GREATEST_SIZE} bytes"
         yield finding(_CODE, part.place, "type", text, "give it an integer type from `u8` to `u32`")
 
 

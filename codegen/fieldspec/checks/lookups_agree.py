@@ -18,7 +18,7 @@ from itertools import permutations
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.fact import PlainValue
+from fieldspec.model.fact import ScalarValue
 from fieldspec.model.texts import Lookup, LookupRow
 
 _FEWEST = 4
@@ -26,7 +26,7 @@ _SMALL = 4
 _COMPARED = 20
 """With how many earlier tables one is compared."""
 
-_Cells = dict[PlainValue, tuple[PlainValue, LookupRow]]
+_Cells = dict[ScalarValue, tuple[ScalarValue, LookupRow]]
 
 
 def lookups_agree(device: Device) -> Iterator[Diagnostic]:

@@ -29,7 +29,7 @@ class Legal:
         `written` says that the number is written, for which a value may have a range of its own.
         """
         if written:
-            value = value.as_written()
+            value = value.for_writing()
         if value.type.kind is Kind.FLOAT and value.ranges is not None and value.sentinel(number) is None:
             return "" if number in value.ranges else f"lies outside of {value.ranges.text()}"
         if value.type.kind not in (Kind.INTEGER, Kind.BOOLEAN):
@@ -52,8 +52,12 @@ _QUANTITY = re.compile(r"([-+]?[0-9]{1,20}(?:\.[0-9]{1,20})?)(?: (?=.)|(?=[^0-9 
 def body(device: Device, example: Example) -> tuple[Field, ...]:
     """The fields of an example's body; none where a reference of the example dangles."""
     link = device.links.get(example.link)
-    if example.error:
-        record = device.records.get(link.error.record) if link is not None and link.error is not None else None
+    if example.exception_response:
+        record = (
+            device.records.get(link.exception_response.record)
+            if link is not None and link.exception_response is not None
+            else None
+        )
         return record.fields if record is not None else ()
     message = device.messages.get(example.message)
     if message is None:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.addresses import free, merged, wire_numbers
+from fieldspec.checks.addresses import wire_numbers
 from fieldspec.checks.facts import values
 from fieldspec.checks.finding import enumeration, finding, interval, label, plural, range_key
 from fieldspec.diagnostics import Diagnostic, Label
@@ -22,7 +22,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import Field
 from fieldspec.model.registers import ParameterSet
-from fieldspec.model.value import Kind, Value
+from fieldspec.model.value import Kind, Value, merged, uncovered
 
 _CODE = "parameter_numbers_within_range"
 
@@ -65,8 +65,10 @@ def _compared(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> 
         return
     numbers = wire_numbers(sets)
     taken = merged(value.ranges.intervals) if value.ranges is not None else [(value.type.low, value.type.high)]
-    refused = [hole for low, high in numbers for hole in free(low, high, taken)]
-    unlisted = [hole for low, high in taken for hole in free(low, high, numbers)] if value.ranges is not None else []
+    refused = [hole for low, high in numbers for hole in uncovered(low, high, taken)]
+    unlisted = (
+        [hole for low, high in taken for hole in uncovered(low, high, numbers)] if value.ranges is not None else []
+    )
     if refused or unlisted:
         faults = []
         if refused:

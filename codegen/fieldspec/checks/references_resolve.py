@@ -24,7 +24,17 @@ from fieldspec.model.texts import Example, Lookup
 from fieldspec.model.value import UNSPECIFIED, ParameterPart, Value
 
 _PARTS = frozenset(
-    ("causes", "elements", "error", "frame_length", "data_words", "restated", "rows", "serial", "stations")
+    (
+        "causes",
+        "elements",
+        "exception_response",
+        "frame_length",
+        "data_words",
+        "restated",
+        "rows",
+        "serial",
+        "unit_addresses",
+    )
 )
 """What a path may name below a fact that is none itself."""
 
@@ -48,8 +58,10 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _named(table.place, "space", "address space", table.space, device.spaces)
         yield from _named(table.place, "record", "record", table.record, device.records)
     for link in device.links.values():
-        if link.error is not None:
-            yield from _named(link.place, "error", "record", link.error.record, device.records)
+        if link.exception_response is not None:
+            yield from _named(
+                link.place, "exception_response", "record", link.exception_response.record, device.records
+            )
     for flags in device.flags.values():
         yield from _of_flags(device, flags)
     registers = {register.name for register in device.registers()}
@@ -191,16 +203,16 @@ def _of_example(device: Device, example: Example) -> Iterator[Diagnostic]:
     yield from _named(place, "link", "link", example.link, device.links)
     yield from _named(place, "message", "message", example.message, device.messages)
     yield from _named(place, "reply_to", "example", example.reply_to, device.examples)
-    if not example.message and not example.refused and not example.error:
+    if not example.message and not example.refused and not example.exception_response:
         text = f"nothing says which message {example.id} is"
         yield finding("references_resolve", place, "message", text, "name it, or say why it is `refused`")
     link, message = device.links.get(example.link), device.messages.get(example.message)
     if link is not None and message is not None and not sent_on(link, message):
         text = f"{message.name} is not sent on the link {link.name}"
         yield finding("references_resolve", place, "link", text, "name the link, or the message, of the frame")
-    if example.error and link is not None and link.error is None:
-        text = f"the link {link.name} has no `error`, so no reply can refuse a request"
-        yield finding("references_resolve", place, "error", text, "describe the refusal in the link")
+    if example.exception_response and link is not None and link.exception_response is None:
+        text = f"the link {link.name} has no `exception_response`, so no reply can refuse a request"
+        yield finding("references_resolve", place, "exception_response", text, "describe the refusal in the link")
     request = device.examples.get(example.reply_to)
     if request is not None and (request.direction, example.direction) != ("request", "response"):
         text = f"{example.id} cannot reply to {request.id}: only a response replies, and to a request"

@@ -47,10 +47,10 @@ def _echoed(device: Device, reply: Example) -> Iterator[tuple[str, str]]:
     """The fields of a reply that repeat one of the request, with the name of that one."""
     link = device.links.get(reply.link)
     if link is not None:
-        asked = [part.name for part in link.request if part.role == "station"]
-        given = [part.name for part in link.response if part.role == "station"]
+        asked = [part.name for part in link.request if part.role == "unit_address"]
+        given = [part.name for part in link.response if part.role == "unit_address"]
         yield from zip(given, asked, strict=False)
-    if not reply.error:
+    if not reply.exception_response:
         for field in body(device, reply):
             if field.same_as:
                 yield field.name, field.same_as

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from fieldspec.checks.addresses import merged
 from fieldspec.checks.finding import enumeration, hexadecimal, interval
 from fieldspec.checks.sizes import Sizes, sent_on
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, Member
-from fieldspec.model.fact import Fact, PlainValue
-from fieldspec.model.link import CHECK_STARTS, Link, Part
+from fieldspec.model.fact import Fact, ScalarValue
+from fieldspec.model.link import CHECKSUM_STARTS, Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, Subindex, Table
 from fieldspec.model.texts import Limit
-from fieldspec.model.value import Conversion, Ranges, Signal, Value, exact_scale, intervals
+from fieldspec.model.value import Conversion, Ranges, Signal, Value, exact_scale, intervals, merged
 
 _RANGES = ("range", "repeat", "enum_values")
 _ADDRESSES = ("at", "code", "refusal_code", "initial", "wire_number")
@@ -23,7 +22,7 @@ _NAMES = ("applies_to", "messages", "available_since")
 Intervals = tuple[tuple[Decimal, Decimal], ...]
 
 
-def claimed_value(key: str, written: PlainValue) -> object:
+def claimed_value(key: str, written: ScalarValue) -> object:
     """What a claim says under a key, in the form that `said` gives."""
     if key in _RANGES:
         pairs = intervals(str(written))
@@ -74,7 +73,7 @@ def _all_statements(device: Device, sizes: Sizes, fact: Fact) -> dict[str, objec
     if isinstance(fact, Parameter):
         return {**_value(device, fact.value), **_parameter(device, fact)}
     if isinstance(fact, Part):
-        return {"initial": CHECK_STARTS.get(fact.algorithm), **(_value(device, fact.value) if fact.value else {})}
+        return {"initial": CHECKSUM_STARTS.get(fact.algorithm), **(_value(device, fact.value) if fact.value else {})}
     if isinstance(fact, Signal | Case | Subindex):
         count = {"count": _length(fact.indices)} if isinstance(fact, Subindex) else {}
         return {**_value(device, fact.value), **count}
@@ -109,15 +108,15 @@ def _other(device: Device, fact: Fact) -> dict[str, object]:
         if fact.low is None or fact.high is None:
             return both
         return {**both, "range": ((fact.low, fact.high),), "unit_range": ((fact.low, fact.high),)}
-    if isinstance(fact, Link) and fact.stations is not None:
-        return {"range": _merged(fact.stations.ranges)}
+    if isinstance(fact, Link) and fact.unit_addresses is not None:
+        return {"range": _merged(fact.unit_addresses.ranges)}
     return {}
 
 
 def _refusal_code(device: Device, message: Message) -> int | None:
     """The code of a refusal, where all links on which a message is sent mark it in one way."""
     links = [link for link in device.links.values() if sent_on(link, message)]
-    marks = {link.error.flag if link.error is not None else None for link in links}
+    marks = {link.exception_response.flag if link.exception_response is not None else None for link in links}
     mark = marks.pop() if len(marks) == 1 else None
     return None if mark is None or message.code is None else message.code | mark
 

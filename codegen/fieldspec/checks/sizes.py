@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
-from fieldspec.model.link import CHECK_SIZES, Link, Part
+from fieldspec.model.link import CHECKSUM_SIZES, Link, Part
 from fieldspec.model.record import Field, Message, Record
 
 MOST_LEVELS = 64
@@ -136,5 +136,5 @@ def shapes(device: Device, direction: str) -> list[Shape]:
 
 def _size(part: Part) -> int:
     if part.algorithm:
-        return CHECK_SIZES.get(part.algorithm, 0)
+        return CHECKSUM_SIZES.get(part.algorithm, 0)
     return part.value.size if part.value is not None else 0

@@ -65,8 +65,8 @@ def cited_places(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, .
         for row in lookup.rows:
             yield f"a row of {lookup.name}", row.place, row.sources, True
     for link in device.links.values():
-        if link.stations is not None:
-            yield f"the stations of {link.name}", link.stations.place, link.stations.sources, False
+        if link.unit_addresses is not None:
+            yield f"the stations of {link.name}", link.unit_addresses.place, link.unit_addresses.sources, False
     for example in device.examples.values():
         yield example.id, example.place, example.sources, example.origin == "printed"
     for erratum in device.errata:

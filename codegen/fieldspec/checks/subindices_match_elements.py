@@ -13,11 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.addresses import free, merged
 from fieldspec.checks.finding import enumeration, finding, interval, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Parameter
+from fieldspec.model.value import merged, uncovered
 
 _CODE = "subindices_match_elements"
 
@@ -39,11 +39,11 @@ def _of_parameter(parameter: Parameter) -> Iterator[Diagnostic]:
                 text = f"{inner.name or interval(low, high)} is element {interval(low, high)} of {parameter.name}"
                 help = "put the sub-index or the number of elements right"
                 yield finding(_CODE, inner.place, "index", text, help, count)
-            elif free(low, high, merged(taken)) != [(low, high)]:
+            elif uncovered(low, high, merged(taken)) != [(low, high)]:
                 text = f"element {interval(low, high)} of {parameter.name} is described twice"
                 yield finding(_CODE, inner.place, "index", text, "put one of the sub-indices right")
             taken.append((low, high))
-    holes = free(0, last, merged(taken))
+    holes = uncovered(0, last, merged(taken))
     if holes:
         text = f"nothing says what element {enumeration([interval(*hole) for hole in holes])} of {parameter.name} holds"
         help = "transcribe the missing elements, or allow it with a reason"

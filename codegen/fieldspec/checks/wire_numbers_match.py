@@ -13,12 +13,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.addresses import free, on_wire, wire_numbers
+from fieldspec.checks.addresses import on_wire, wire_numbers
 from fieldspec.checks.finding import addresses, finding, hexadecimal, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Place
 from fieldspec.model.registers import ParameterSet
+from fieldspec.model.value import uncovered
 
 _CODE = "wire_numbers_match"
 
@@ -54,7 +55,7 @@ def _claimed(held: ParameterSet, other: ParameterSet) -> Iterator[Diagnostic]:
     for low, high in held.numbers.intervals if held.numbers is not None else ():
         claims.append((held.base + low, held.base + high, held.name, held.place, "numbers"))
     for low, high, name, place, key in claims:
-        if free(low, high, taken) != [(low, high)]:
+        if uncovered(low, high, taken) != [(low, high)]:
             text = f"{name} has {addresses(low, high)} on the wire, where {other.name} has numbers too"
             there = label(other.place, "base", f"{other.name} has {addresses(taken[0][0], taken[-1][1])}")
             help = "put a number, a base or the space of one of the sets right"

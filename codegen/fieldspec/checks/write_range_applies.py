@@ -32,7 +32,7 @@ def write_range_applies(device: Device) -> Iterator[Diagnostic]:
             for field in layer.fields:
                 yield from _in_frame(device, field, field)
     for link in device.links.values():
-        record = device.records.get(link.error.record) if link.error is not None else None
+        record = device.records.get(link.exception_response.record) if link.exception_response is not None else None
         for field in record.fields if record is not None else ():
             yield from _in_frame(device, field, field)
 

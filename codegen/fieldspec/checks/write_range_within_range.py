@@ -17,7 +17,7 @@ from fieldspec.checks.finding import finding, label, range_key
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.value import Kind, Ranges, Value
+from fieldspec.model.value import Kind, Ranges, Value, merged, uncovered
 
 _CODE = "write_range_within_range"
 _HELP = "put one of them right"
@@ -46,11 +46,5 @@ def _compared(fact: Fact, value: Value, written: Ranges) -> Iterator[Diagnostic]
 
 def _beyond(written: Ranges, read: list[tuple[int, int]]) -> int | None:
     """The first number that lies in none of some intervals; None where there is none."""
-    for low, high in written.intervals:
-        at = low
-        for first, last in sorted(read):
-            if first <= at <= last:
-                at = last + 1
-        if at <= high:
-            return at
-    return None
+    known = merged(read)
+    return next((holes[0][0] for low, high in written.intervals if (holes := uncovered(low, high, known))), None)

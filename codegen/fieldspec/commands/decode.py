@@ -174,7 +174,7 @@ class Log:
         link = self.layout.links[request.link]
         if held.chosen == "likeliest" and link.response.role("code") is None and link.request.role("code") is None:
             return None  # nothing says that it is a request at all
-        station, stations = link.request.role("station"), link.link.stations
+        station, stations = link.request.role("unit_address"), link.link.unit_addresses
         if station and stations and request.values.get(station.name) == stations.broadcast:
             return None
         return OpenRequest(request, False)

@@ -214,7 +214,7 @@ def _count_of(layout: DeviceLayout, way: _Way, name: str, held: object) -> objec
 def _fields(layout: DeviceLayout, way: _Way) -> list[str]:
     """What can be given: the parts of the head that no other part decides, and the fields of the body."""
     shape = layout.links[way.link].frame(way.direction)
-    head = [part.name for part in shape.head if part.role in ("station", "plain") and not part.reserved]
+    head = [part.name for part in shape.head if part.role in ("unit_address", "plain") and not part.reserved]
     body = body_of(layout, way.link, way.direction, way.message, False)
     return [*head, *(field.name for field in body.fields if field.field.measures is None)]
 

@@ -200,7 +200,7 @@ class _Frame:
 
     def _cut(self, data: bytes) -> tuple[bytes, bytes]:
         """The parts, and what follows them: the length part and the check may say that the frame ends earlier."""
-        length, check = self.shape.role("length"), self.shape.check
+        length, check = self.shape.role("length"), self.shape.checksum
         if length is None or check is None or not self.wrapped.whole:
             return data, b""
         number = whole(data[length.offset : length.offset + length.size], length.order)
@@ -233,7 +233,7 @@ class _Frame:
 
     def _part_text(self, part: PartLayout, raw: bytes) -> DecodedValue:
         """What the bytes of a part say, with what its role adds."""
-        if part.role == "check":
+        if part.role == "checksum":
             return self._checked(part, raw)
         assert part.value is not None
         if part.reserved:
@@ -247,7 +247,7 @@ class _Frame:
         self.values[part.name] = read.number
         if part.role == "code":
             return self._code(part, read)
-        if part.role == "station":
+        if part.role == "unit_address":
             return self._station(read)
         return read
 
@@ -269,7 +269,7 @@ class _Frame:
 
     def _code(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
         """The message that a code names. A response may mark it as a refusal."""
-        code, refusal = read.number, self.link.error
+        code, refusal = read.number, self.link.exception_response
         assert isinstance(code, int)
         if refusal is not None and self.direction == "response" and code & refusal.flag:
             self.error = True
@@ -292,7 +292,7 @@ class _Frame:
         return read.judged(False, f"{expected.message.code:02X}", "unknown_code")
 
     def _station(self, read: DecodedValue) -> DecodedValue:
-        stations = self.link.stations
+        stations = self.link.unit_addresses
         if stations is None or stations.ranges is None:
             return read
         if read.number == stations.broadcast:
@@ -303,8 +303,8 @@ class _Frame:
 
     def _record(self) -> RecordLayout | None:
         """The record of the body; None where nothing says what it holds."""
-        if self.error and self.link.error is not None:
-            return self.layout.records[self.link.error.record]
+        if self.error and self.link.exception_response is not None:
+            return self.layout.records[self.link.exception_response.record]
         return self.laid.data(self.direction) if self.laid else None
 
     def _body(self) -> tuple[list[ExplanationRow], tuple[ExplanationRow, ...]]:

@@ -138,7 +138,7 @@ def _read_as(
     again = None if row.reason else _again(fact.value, field, row)
     if again is None:
         return replace(row, meanings=(element.meaning, *row.meanings), notes=(*row.notes, *fact.notes))
-    read = decode_value(device, fact.value.as_written() if written else fact.value, *again, reserved=fact.reserved)
+    read = decode_value(device, fact.value.for_writing() if written else fact.value, *again, reserved=fact.reserved)
     if element.parameter.trigger and not written:
         read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     errata = (*row.errata, *errata_at(device, element.parameter.place.path))

@@ -95,7 +95,7 @@ def read(
 def _examples(layout: DeviceLayout, frame: bytes) -> frozenset[Reading]:
     """The readings of the examples of the spec that have exactly these bytes."""
     return frozenset(
-        (example.link, example.direction, example.message, example.error)
+        (example.link, example.direction, example.message, example.exception_response)
         for example in layout.device.examples.values()
         if example.frame == frame
     )
@@ -151,7 +151,7 @@ def _answer(layout: DeviceLayout, frame: bytes, asked: OpenRequest) -> ChosenRea
 
 def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanation) -> Iterator[str]:
     """Where a response does not fit its request."""
-    for role in ("station", "code"):
+    for role in ("unit_address", "code"):
         ours = layout.links[request.link].request.role(role)
         theirs = layout.links[request.link].response.role(role)
         want = request.values.get(ours.name) if ours else None

@@ -193,7 +193,7 @@ def _row(layout: DeviceLayout, span: Span, holder: Holder, spot: Spot, operation
     found = span.bytes_of(holder.address, holder.value.size)
     at, raw = found if found else (0, b"")
     if found:
-        value = holder.value.as_written() if operation == "write" else holder.value
+        value = holder.value.for_writing() if operation == "write" else holder.value
         read = decode_value(layout.device, value, raw, holder.order, holder.swapped, holder.reserved)
         if holder.trigger and operation == "read":
             read = replace(read, verdict="", reason="")  # what starts something does not answer what was written

@@ -192,9 +192,9 @@ def _link(link: Link) -> Iterator[FactRow]:
         if mark:
             cells: FactRow = {"name": name, "bytes": len(mark), "printed_name": mark.hex(" ").upper()}
             yield row("mark", f"{path}/{name}", link.sources, **cells)
-    if link.error is not None:
-        cells = {"name": "error", "code": link.error.flag, "type": link.error.record}
-        yield row("refusal", f"{path}/error", link.error.sources or link.sources, **cells)
+    if link.exception_response is not None:
+        cells = {"name": "error", "code": link.exception_response.flag, "type": link.exception_response.record}
+        yield row("refusal", f"{path}/error", link.exception_response.sources or link.sources, **cells)
     for name, silence, unit in (
         ("characters", link.silence_characters, "character"),
         ("milliseconds", link.silence_milliseconds, "ms"),
@@ -214,7 +214,7 @@ def _link(link: Link) -> Iterator[FactRow]:
 
 
 def _stations(link: Link) -> Iterator[FactRow]:
-    stations = link.stations
+    stations = link.unit_addresses
     if stations is None:
         return
     path, sources = stations.place.path, stations.sources or link.sources

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import Orders, RecordLayout
-from fieldspec.model.link import CHECK_SIZES, Link, Part
+from fieldspec.model.link import CHECKSUM_SIZES, Link, Part
 from fieldspec.model.record import Message
 from fieldspec.model.value import Value
 
@@ -69,7 +69,7 @@ class PartLayout:
     @property
     def is_argument(self) -> bool:
         """Whether users give its value."""
-        return self.role in ("station", "plain") and self.constant is None
+        return self.role in ("unit_address", "plain") and self.constant is None
 
     def at(self, length: int) -> int:
         """Where it begins in a frame whose parts have so many bytes."""
@@ -104,9 +104,9 @@ class FrameLayout:
         return next((part for part in self.parts if part.role == role), None)
 
     @property
-    def check(self) -> PartLayout | None:
-        """The check."""
-        return self.role("check")
+    def checksum(self) -> PartLayout | None:
+        """The checksum, None where the frame has none."""
+        return self.role("checksum")
 
     @property
     def constants(self) -> tuple[PartLayout, ...]:
@@ -167,8 +167,8 @@ def _frame(link: Link, direction: str) -> FrameLayout:
                 value,
                 part.algorithm,
                 order,
-                start=place(first) if part.role == "check" else 0,
-                stop=stop if part.role == "check" else None,
+                start=place(first) if part.role == "checksum" else 0,
+                stop=stop if part.role == "checksum" else None,
                 unit_size=part.unit_size,
                 base=around - sum(sizes[first : last + 1]) - part.plus * part.unit_size if part.role == "length" else 0,
                 constant=fill,
@@ -181,5 +181,5 @@ def _frame(link: Link, direction: str) -> FrameLayout:
 
 def _size(part: Part) -> int:
     if part.algorithm:
-        return CHECK_SIZES[part.algorithm]
+        return CHECKSUM_SIZES[part.algorithm]
     return part.value.size if part.value else 0

@@ -15,6 +15,9 @@ from fieldspec.model.value import Value
 
 Words = tuple[object, ...]
 
+_HASHED_ROLES = {"checksum": "check", "unit_address": "station"}
+"""Words that the hash has in place of roles: another name for a role is no change on the wire."""
+
 
 def identity(
     device: Device,
@@ -62,18 +65,19 @@ def _value(value: Value | None) -> Words:
 def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
     for laid in links.values():
         link = laid.link
-        stations = (link.stations.ranges, link.stations.broadcast) if link.stations else ()
-        error = (link.error.flag, link.error.record) if link.error else ()
+        stations = (link.unit_addresses.ranges, link.unit_addresses.broadcast) if link.unit_addresses else ()
+        error = (link.exception_response.flag, link.exception_response.record) if link.exception_response else ()
         yield "link", link.name, link.encoding, link.start.hex(), link.end.hex(), error, stations, list(laid.messages)
         for frame in (laid.request, laid.response):
             for part in frame.parts:
-                yield part.name, part.role, part.offset, part.size, part.algorithm, part.order, *_value(part.value)
+                role = _HASHED_ROLES.get(part.role, part.role)
+                yield part.name, role, part.offset, part.size, part.algorithm, part.order, *_value(part.value)
                 yield from _span(part)
 
 
 def _span(part: PartLayout) -> Iterator[Words]:
     """What a part counts or covers, and whether it is reserved; nothing where it is as in most frames."""
-    usual = part.role != "check" or (part.start, part.stop) == (0, part.offset)
+    usual = part.role != "checksum" or (part.start, part.stop) == (0, part.offset)
     if not usual or (part.unit_size, part.base, part.reserved) != (1, 0, False):
         yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
 

@@ -35,7 +35,7 @@ class MeaningError(ValueError):
 
 def body_of(layout: DeviceLayout, link: str, direction: str, message: str, error: bool) -> RecordLayout:
     """The record in the body of a frame."""
-    refusal = layout.links[link].link.error
+    refusal = layout.links[link].link.exception_response
     if error and refusal is not None:
         return layout.records[refusal.record]
     return layout.messages[message].data(direction)
@@ -48,8 +48,8 @@ def raw_values(layout: DeviceLayout, example: Example) -> dict[str, Raw]:
     """
     parts = layout.links[example.link].frame(example.direction).head
     body: RecordLayout | None = None
-    if example.message or example.error:
-        body = body_of(layout, example.link, example.direction, example.message, example.error)
+    if example.message or example.exception_response:
+        body = body_of(layout, example.link, example.direction, example.message, example.exception_response)
     return raw_of(layout.device, parts, body, example.values)
 
 

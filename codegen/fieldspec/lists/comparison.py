@@ -239,7 +239,7 @@ def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator
     if "scale" in aspects and (scale := _scale(texts.get("scale", ""))) is not None and scale != value.scale:
         yield Difference("scale", f"{value.scale:f}", texts["scale"])
     default = value.default if value.const is None else value.const
-    ranges = value.written_ranges
+    ranges = value.writable_ranges
     held = (
         ("min", ranges.low if ranges else None, row.low),
         ("max", ranges.high if ranges else None, row.high),

@@ -46,7 +46,7 @@ def row(item: Item) -> dict[str, Cell]:
     value, source = item.value, item.source
     many = item.count > 1
     default = None if value is None else value.default if value.const is None else value.const
-    ranges = None if value is None else value.written_ranges
+    ranges = None if value is None else value.writable_ranges
     return {
         "space": item.space,
         "address": item.address,

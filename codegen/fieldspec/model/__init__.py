@@ -1,1 +1,1 @@
-"""What a device is, in frozen and complete dataclasses. One noun a file."""
+"""What a device is, in frozen and complete dataclasses. One kind of object a file."""

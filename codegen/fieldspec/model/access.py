@@ -1,4 +1,4 @@
-"""What may be done with a value: `ro`, `rw` or `wo`, and an empty text where the manual does not say it."""
+"""Access to a value: `ro`, `rw`, `wo`, or empty where the manual does not say it."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ def writable(access: str) -> bool:
 
 
 def narrowed(container: str, inner: str) -> str:
-    """The access of what lies in a container: what both allow. Where one of them says nothing, the other holds.
+    """The access that a container and its content both allow. Where one of them is empty, the other one applies.
 
-    Empty where nothing is left: a check refuses `ro` within `wo`, and the other way round.
+    Empty where nothing is left: a rule refuses `ro` within `wo`, and the reverse.
     """
     if not container or not inner:
         return container or inner

@@ -1,4 +1,4 @@
-"""Address spaces: which addresses there are, what one of them holds, and how the manual numbers them."""
+"""Address spaces: their addresses, the unit at one address, and the numbers that the manual prints."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from fieldspec.model.value import Ranges
 from fieldspec.source import SourceFile, Span
 
 WORD = "word"
-"""The unit of spaces in which registers and tables lie."""
+"""The unit of the spaces of registers and tables."""
 
 WHOLE = Ranges(((0, 0xFFFF),))
-"""The addresses of a space of which the spec says nothing: all that 16 bits carry."""
+"""The addresses of a space without stated bounds: all 16 bit numbers."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AddressSpace(Fact):
-    """Addresses that messages of their own read and write.
+    """Addresses that have their own messages for reading and writing.
 
-    `unit` is what one address holds: `word`, `byte` or `bit`. `first_number` is the number that the manual prints for
-    the address 0.
+    `unit` is the unit at one address: `word`, `byte` or `bit`. `first_number` is the number that the manual prints for
+    address 0.
     """
 
     title: str
@@ -39,4 +39,4 @@ WORDS = AddressSpace(
     bounds=WHOLE,
     first_number=0,
 )
-"""The one space of a device that declares none."""
+"""The space of a device that declares none."""

@@ -115,14 +115,18 @@ class Device:
 
     def sets(self, name: str) -> list[ParameterSet]:
         """The set of parameters with a name, or all sets of the space with that name."""
-        found = self.parameters.get(name)
-        return [found] if found is not None else [held for held in self.parameters.values() if held.space == name]
+        named = self.parameters.get(name)
+        return (
+            [named]
+            if named is not None
+            else [parameter_set for parameter_set in self.parameters.values() if parameter_set.space == name]
+        )
 
     def parameter_at(self, name: str, wire_number: int) -> tuple[ParameterSet, int] | None:
         """The set, of those with a name or a space, that has a number on the wire, and the number in the set."""
-        for held in self.sets(name):
-            if held.holds(wire_number - held.base):
-                return held, wire_number - held.base
+        for parameter_set in self.sets(name):
+            if parameter_set.holds(wire_number - parameter_set.base):
+                return parameter_set, wire_number - parameter_set.base
         return None
 
     @property

@@ -44,7 +44,7 @@ class Place:
         return key in self.values
 
 
-PlainValue: TypeAlias = bool | int | Decimal | str | None
+ScalarValue: TypeAlias = bool | int | Decimal | str | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +70,7 @@ class Claim:
 
     place: Place
     sources: tuple[Citation, ...]
-    values: Mapping[str, PlainValue]
+    values: Mapping[str, ScalarValue]
 
 
 PRINTED, INFERRED, STANDARD, COMPUTED, REPORTED = "printed", "inferred", "standard", "computed", "reported"
@@ -103,7 +103,7 @@ class Report:
     place: Place
     by: str
     how: str
-    values: Mapping[str, PlainValue]
+    values: Mapping[str, ScalarValue]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,4 +1,4 @@
-"""How frames look on one kind of line."""
+"""Links: the frames of one kind of line."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from fieldspec.classes import dataclass, field
 from fieldspec.model.fact import Citation, Fact, Place
 from fieldspec.model.value import Ranges, Value
 
-CHECK_SIZES = {"crc16_modbus": 2, "lrc": 1, "sum8": 1}
-"""The bytes of each check algorithm's result."""
+CHECKSUM_SIZES = {"crc16_modbus": 2, "lrc": 1, "sum8": 1}
+"""The bytes of each algorithm's checksum."""
 
-CHECK_STARTS = {"crc16_modbus": 0xFFFF, "lrc": 0, "sum8": 0}
-"""The value from which each check algorithm begins."""
+CHECKSUM_STARTS = {"crc16_modbus": 0xFFFF, "lrc": 0, "sum8": 0}
+"""The value from which each algorithm begins."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,11 +25,11 @@ class PartSpan:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Part(Fact):
-    """One part of a frame. Its role is station, code, length, body, check or plain.
+    """One part of a frame. Its role is unit_address, code, length, body, checksum or plain.
 
-    `byte_order` is that of a check; empty where the spec leaves it to the algorithm. `span` is what a length counts, in
-    units of `unit_size` bytes and `plus` more, or what a check covers. A `reserved` part has no meaning: its constant
-    or 0 is sent, and anything is received.
+    `byte_order` is that of a checksum; it is empty where the spec leaves it to the algorithm. `span` is what a length
+    counts, in units of `unit_size` bytes and `plus` more, or what a checksum covers. A `reserved` part has no meaning:
+    its constant or 0 is sent, and anything is received.
     """
 
     role: str
@@ -43,8 +43,8 @@ class Part(Fact):
 
 
 @dataclass(frozen=True, slots=True)
-class ErrorReply:
-    """The bit in the code that marks a refusal, and the record in its body."""
+class ExceptionResponse:
+    """The bit in the code that marks an exception response, and the record in its body."""
 
     flag: int
     record: str
@@ -52,7 +52,7 @@ class ErrorReply:
 
 
 @dataclass(frozen=True, slots=True)
-class Stations:
+class UnitAddresses:
     """The addresses on the line."""
 
     place: Place
@@ -80,7 +80,7 @@ class Serial:
 class Link(Fact):
     """A frame: `start`, the encoded parts, `end`. Requests go to the device, responses come from it.
 
-    `message_name`, `request_name` and `response_name` are what the manual calls a message and the two directions.
+    `message_name`, `request_name` and `response_name` are the manual's names of a message and of the two directions.
     """
 
     title: str
@@ -94,26 +94,26 @@ class Link(Fact):
     message_name: str
     request_name: str
     response_name: str
-    error: ErrorReply | None
-    stations: Stations | None
+    exception_response: ExceptionResponse | None
+    unit_addresses: UnitAddresses | None
     serial: Serial | None
     silence_characters: Decimal | None
     silence_milliseconds: Decimal | None
     silence_sources: tuple[Citation, ...]
 
     def span(self, direction: str, part: Part) -> tuple[int, int] | None:
-        """The numbers of the first and the last part that a length counts or a check covers; None for unknown names.
+        """The indices of the first and the last part that a length counts or a checksum covers; None for unknown names.
 
-        Without names, a length counts the whole frame, and a check covers what stands before it. One that begins
-        behind itself goes on to the end.
+        Without names, a length counts the whole frame, and a checksum covers everything before it. A span that begins
+        after its own part extends to the end of the frame.
         """
         parts = self.parts(direction)
-        names = [one.name for one in parts]
+        names = [inner.name for inner in parts]
         if not {part.span.first, part.span.last} <= {"", *names}:
             return None
         own, end = names.index(part.name), len(parts) - 1
         first = names.index(part.span.first) if part.span.first else 0
-        last = own - 1 if part.role == "check" and first <= own else end
+        last = own - 1 if part.role == "checksum" and first <= own else end
         return first, names.index(part.span.last) if part.span.last else last
 
     def parts(self, direction: str) -> tuple[Part, ...]:
@@ -121,5 +121,5 @@ class Link(Fact):
         return self.request if direction == "request" else self.response
 
     def direction_name(self, direction: str) -> str:
-        """What the manual calls a direction."""
+        """The name of a direction in the manual."""
         return self.request_name if direction == "request" else self.response_name

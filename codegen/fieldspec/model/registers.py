@@ -169,7 +169,14 @@ class ParameterSet(Fact):
 
     def numbered(self, number: int) -> Parameter | None:
         """The parameter with a number of the set."""
-        return next((one for one in self.parameters if one.number <= number < one.number + one.count), None)
+        return next(
+            (
+                parameter
+                for parameter in self.parameters
+                if parameter.number <= number < parameter.number + parameter.count
+            ),
+            None,
+        )
 
     def holds(self, number: int) -> bool:
         """Whether the set has a number, with or without a row."""

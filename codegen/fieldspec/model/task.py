@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.classes import dataclass
-from fieldspec.model.fact import Citation, Fact, Place, PlainValue
+from fieldspec.model.fact import Citation, Fact, Place, ScalarValue
 
 ACTIONS = ("write", "set", "clear", "pulse", "send", "read", "wait")
 """What a step does with its target."""
@@ -22,7 +22,7 @@ class Step:
     place: Place
     action: str
     target: str
-    value: PlainValue
+    value: ScalarValue
     argument: str
     values: Mapping[str, object]
     arguments: Mapping[str, str]

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from decimal import Decimal
 
 from fieldspec.classes import dataclass
-from fieldspec.model.fact import Citation, Fact, Place, PlainValue
+from fieldspec.model.fact import Citation, Fact, Place, ScalarValue
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +69,7 @@ class Example:
     link: str
     direction: str
     message: str
-    error: bool
+    exception_response: bool
     refused: str
     reply_to: str
     frame: bytes
@@ -120,7 +120,7 @@ class LookupRow:
     """A cell for each column."""
 
     place: Place
-    cells: tuple[PlainValue, ...]
+    cells: tuple[ScalarValue, ...]
     notes: str
     sources: tuple[Citation, ...]
     only: tuple[str, ...]

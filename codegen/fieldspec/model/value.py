@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from decimal import Context, Decimal
 from enum import Enum
+from operator import itemgetter
 
-from fieldspec.classes import TYPE_CHECKING, dataclass, replace
+from fieldspec.classes import TYPE_CHECKING, attributes, dataclass, replace
 from fieldspec.model.fact import Citation, Fact
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
     from fractions import Fraction
 
 
 class Kind(Enum):
-    """What a primitive holds."""
+    """The kind of value that a primitive type encodes."""
 
     INTEGER = "integer"
     FLOAT = "float"
@@ -24,7 +27,7 @@ class Kind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Primitive:
-    """A type: its name, its width in bytes (0 where a length says it), and the letter that `struct` gives it."""
+    """A type: its name, its size in bytes (0 where a length gives it), and its letter in `struct`."""
 
     name: str
     kind: Kind
@@ -34,12 +37,12 @@ class Primitive:
 
     @property
     def low(self) -> int:
-        """The least integer that it holds."""
+        """The least integer of the type."""
         return -(1 << (8 * self.size - 1)) if self.signed else 0
 
     @property
     def high(self) -> int:
-        """The greatest integer that it holds; 1 for a boolean."""
+        """The greatest integer of the type; 1 for a boolean."""
         if self.kind is Kind.BOOLEAN:
             return 1
         return (1 << (8 * self.size - self.signed)) - 1
@@ -67,7 +70,7 @@ PRIMITIVES = {
 
 @dataclass(frozen=True, slots=True)
 class Ranges:
-    """Intervals of whole numbers, both ends included, in the order of the spec."""
+    """Intervals of whole numbers with both ends, in the order of the spec."""
 
     intervals: tuple[tuple[int, int], ...]
 
@@ -89,6 +92,33 @@ class Ranges:
         return ", ".join(f"{low}" if low == high else f"{low}..{high}" for low, high in self.intervals)
 
 
+def merged(intervals: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
+    """The same whole numbers in as few intervals as possible, in ascending order."""
+    result: list[tuple[int, int]] = []
+    for low, high in sorted(intervals):
+        if result and low <= result[-1][1] + 1:
+            result[-1] = result[-1][0], max(result[-1][1], high)
+        else:
+            result.append((low, high))
+    return result
+
+
+def uncovered(low: int, high: int, merged_intervals: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
+    """The parts of `low` to `high` that are in none of some intervals, which `merged` has put in order."""
+    holes = []
+    start = low
+    for index in range(bisect_left(merged_intervals, low, key=itemgetter(1)), len(merged_intervals)):
+        first, last = merged_intervals[index]
+        if first > high:
+            break
+        if first > start:
+            holes.append((start, first - 1))
+        start = max(start, last + 1)
+    if start <= high:
+        holes.append((start, high))
+    return holes
+
+
 def intervals(text: str) -> tuple[tuple[Decimal, Decimal], ...]:
     """`0..127, 10000..10127` as pairs of exact numbers."""
     pairs = []
@@ -99,7 +129,7 @@ def intervals(text: str) -> tuple[tuple[Decimal, Decimal], ...]:
 
 
 def whole_intervals(text: str) -> tuple[tuple[int, int], ...] | None:
-    """The same as pairs of whole numbers, or None where a bound is written as a fraction."""
+    """The intervals of a text as pairs of whole numbers; None where a bound has a decimal point."""
     pairs = []
     for part in text.split(", "):
         low, _, high = part.partition("..")
@@ -120,11 +150,11 @@ def _number(text: str) -> Decimal:
 
 @dataclass(frozen=True, slots=True)
 class Handling:
-    """Which memory a value is in, what reading does to it, and which fact says the same the other way round.
+    """The memory of a value, what reading does to it, and the fact with the opposite sense.
 
-    `memory` is `volatile`, `nonvolatile`, or empty where the manual does not say it. `saved_by` is the path of what
-    saves a value that would be lost with the power. `endurance` is how often it may be written: a number, `limited`,
-    `unlimited`, or empty. `opposite_of` is a path, empty where there is none.
+    `memory` is `volatile`, `nonvolatile`, or empty where the manual does not say it. `saved_by` is the path of the fact
+    that saves a value which would be lost without power. `endurance` is the number of writes that the memory endures: a
+    number, `limited`, `unlimited`, or empty. `opposite_of` is a path, or empty.
     """
 
     memory: str = ""
@@ -135,7 +165,10 @@ class Handling:
 
 
 UNSPECIFIED = Handling()
-"""What is known where the manual says nothing."""
+"""The handling of a value of which the manual says nothing."""
+
+HANDLING_KEYS = attributes(Handling)
+"""The keys of the language that state it: they have the names of its attributes."""
 
 
 # Wide enough for the product of a 64-bit count and any scale that the language takes.
@@ -144,9 +177,9 @@ _EXACT = Context(prec=120)
 
 @dataclass(frozen=True, slots=True)
 class Sentinel:
-    """A value that stands for something else than a quantity: a count, of a float a number.
+    """A value that stands for a state and not for a quantity: a count, or a number for a float.
 
-    Of a float that is no number, `value` is its bits, and `is_nan` says so; every NaN stands for it.
+    For a NaN, `value` has its bits and `is_nan` is true; every NaN that is read means this state.
     """
 
     value: int
@@ -157,13 +190,13 @@ class Sentinel:
 
     @property
     def text(self) -> str:
-        """What it is on the wire: `65535`, or `NaN 0x7FC00000`."""
+        """The value on the wire: `65535`, or `NaN 0x7FC00000`."""
         return f"NaN 0x{self.value:08X}" if self.is_nan else str(self.value)
 
 
 @dataclass(frozen=True, slots=True)
 class ParameterPart:
-    """That a value is the number, the value, or all values, of a set of numbered parameters, or of a space of sets."""
+    """What a value is in an access to numbered parameters of a set or of a space: number, subindex or value."""
 
     set: str
     part: str
@@ -175,8 +208,7 @@ class Value:
     """A value on the wire: `size` in bytes; value in the unit = raw * scale + offset.
 
     `scale_text` is the scale as the spec writes it. `ranges`, `write_ranges`, `default` and `const` are raw counts.
-    `write_ranges` are given where others may be written than reading gives. `enum` and `flags` are names, empty where
-    there is none.
+    `write_ranges` is None where the same values may be read and written. `enum` and `flags` are names, or empty.
     """
 
     type: Primitive
@@ -197,13 +229,13 @@ class Value:
     write_ranges: Ranges | None = None
 
     @property
-    def written_ranges(self) -> Ranges | None:
-        """The counts that may be written, None where nothing bounds them but the type. Sentinels may be, too."""
+    def writable_ranges(self) -> Ranges | None:
+        """The counts that may be written, beside sentinels; None where only the type bounds them."""
         return self.ranges if self.write_ranges is None else self.write_ranges
 
     @property
     def scaled(self) -> bool:
-        """Whether the value in the unit is another number than the raw one."""
+        """Whether the quantity differs from the raw value."""
         return self.scale != 1 or self.offset != 0
 
     def sentinel(self, raw: float) -> Sentinel | None:
@@ -218,23 +250,23 @@ class Value:
         return any(sentinel.is_nan for sentinel in self.sentinels)
 
     def as_answer(self, trigger: bool) -> Value:
-        """The value as a device answers it: a constant binds only what is written.
+        """The value in a response: a constant binds only what is written.
 
-        What reading a `trigger` gives is not what was written, so a closed enum does not bind the answer either.
+        Reading a `trigger` does not return what was written, so a closed enum does not bind the response either.
         """
         enum = "" if trigger else self.enum
         return self if self.const is None and enum == self.enum else replace(self, const=None, enum=enum)
 
-    def as_written(self) -> Value:
-        """The value as it may be written: its range is that of writing."""
+    def for_writing(self) -> Value:
+        """The value with the range of writing as its range."""
         return self if self.write_ranges is None else replace(self, ranges=self.write_ranges, write_ranges=None)
 
     def in_unit(self, raw: int) -> Decimal:
-        """A raw count in the unit, exactly."""
+        """The exact quantity of a raw count."""
         return _EXACT.add(_EXACT.multiply(raw, self.scale), self.offset)
 
     def from_unit(self, number: Decimal) -> int | None:
-        """The raw count of a value in the unit, or None where it is no whole number of counts."""
+        """The raw count of a quantity; None where it is not a whole number of counts."""
         from fractions import Fraction
 
         raw = (Fraction(number) - Fraction(self.offset)) / Fraction(self.scale)
@@ -242,7 +274,7 @@ class Value:
 
 
 def exact_scale(text: str) -> Decimal | None:
-    """`100/2^14` as an exact number, or None where it is none with at most 60 decimals."""
+    """`100/2^14` as an exact number; None where that has more than 60 decimals."""
     above, _, below = text.partition("/")
     base, _, power = below.partition("^")
     divisor = int(base) ** int(power or "1")
@@ -259,7 +291,7 @@ def exact_scale(text: str) -> Decimal | None:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Signal(Fact):
-    """A value that fields of messages place. `direction` is request or response, empty where it is not printed."""
+    """A value that fields of messages place. `direction` is request, response, or empty where it is not printed."""
 
     value: Value
     direction: str

@@ -87,7 +87,7 @@ def example_proven(layout: DeviceLayout, reference: DeviceCodec, example: Exampl
         text = f"the frame is a {decoded.message.name}, not a {example.message}"
         yield Diagnostic("meaning_matches_bytes", text, example.place["message"], help="name the right message")
         return
-    if decoded.error != example.error:
+    if decoded.error != example.exception_response:
         kind = "an error reply" if decoded.error else "no error reply"
         text = f"the frame is {kind}"
         yield Diagnostic("meaning_matches_bytes", text, example.place["frame"], help="give or remove `error: true`")
@@ -193,7 +193,7 @@ def _bytes(reference: DeviceCodec, example: Example, decoded: Decoded, written: 
             example.direction,
             example.message,
             {name: value for name, value in given.items() if name not in measured},
-            error=example.error,
+            error=example.exception_response,
             code=code,
         )
     except CodecError as error:

@@ -6,18 +6,18 @@ from collections.abc import Iterator
 
 from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.fact import ScalarValue
+from fieldspec.model.value import HANDLING_KEYS
 from fieldspec.reading.findings import near
-from fieldspec.reading.nodes import Mapping, Node, Scalar, ScalarValue, Sequence, identity
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, identity
 from fieldspec.schema import schema
 
 _FACT = frozenset(schema()["$defs"]["fact"]["properties"])
 _VALUE = frozenset(schema()["$defs"]["value"]["properties"])
 # What a field takes from its signal, and a register from the one of which it is a copy.
 _OF_SIGNAL = _VALUE | {"name", "printed_name", "label", "doc"}
-# What whoever reads or writes a value must know of the memory in which it is: a copy is in another one.
-_OF_MEMORY = frozenset({"clears_on_read", "memory", "saved_by", "endurance", "opposite_of"})
 _NOT_COPIED = (_FACT - {"since", "until", "only", "inferred", "unverified", "doc"}) | {
-    *_OF_MEMORY,
+    *HANDLING_KEYS,  # a copy is in a memory of its own
     "at",
     "decimal",
     "number",
@@ -38,21 +38,21 @@ def expanded(tree: Mapping) -> tuple[Mapping, list[Diagnostic]]:
         ("messages", work.message),
         ("records", work.record),
     ):
-        held = tree.values.get(section)
-        if isinstance(held, Sequence):
-            tree = tree.with_value(section, _each(held, change))
+        facts = tree.values.get(section)
+        if isinstance(facts, Sequence):
+            tree = tree.with_value(section, _each(facts, change))
     groups = tree.values.get("registers")
     if isinstance(groups, Sequence):
-        items = [made for group in groups.items for made in (group, *work.copies(group))]
+        items = [item for group in groups.items for item in (group, *work.copies(group))]
         tree = tree.with_value("registers", replace(groups, items=tuple(items)))
-    return tree, work.found
+    return tree, work.findings
 
 
 class _Expansion:
     """What is written out of one tree, and what cannot be."""
 
     def __init__(self, tree: Mapping) -> None:
-        self.found: list[Diagnostic] = []
+        self.findings: list[Diagnostic] = []
         self.signals = _named(tree.values.get("signals"))
         self.flags = _named(tree.values.get("flags"))
         self.enums = _named(tree.values.get("enums"))
@@ -102,9 +102,11 @@ class _Expansion:
                 yield self._copy(group, copy)
 
     def _copy(self, group: Mapping, copy: Mapping) -> Mapping:
-        held = group.values.get("rows")
-        originals = [row for row in held.items if isinstance(row, Mapping)] if isinstance(held, Sequence) else []
-        prints = self._prints(copy, _named(held))
+        group_rows = group.values.get("rows")
+        originals = (
+            [row for row in group_rows.items if isinstance(row, Mapping)] if isinstance(group_rows, Sequence) else []
+        )
+        prints = self._prints(copy, _named(group_rows))
         prefix, base = _scalar(copy, "prefix").text, _scalar(copy, "base")
         first = _integer(originals[0].values.get("at")) if originals else 0
         rows = []
@@ -131,20 +133,24 @@ class _Expansion:
             for key, value in printed.items():
                 row = row.with_value(key, value)
             rows.append(row)
-        made = copy
-        for key in _OF_COPY & made.values.keys():
-            made = made.without(key)
+        result = copy
+        for key in _OF_COPY & result.values.keys():
+            result = result.without(key)
         for key in ("defaults", "order", "allow"):
             if key in group.values:
-                made = made.with_value(key, group.values[key])
-        made = made.with_value("defaults", _elsewhere(made.values["defaults"])) if "defaults" in made.values else made
-        return made.with_value("rows", Sequence(copy.file, copy.start, copy.end, tuple(rows)))
+                result = result.with_value(key, group.values[key])
+        result = (
+            result.with_value("defaults", _elsewhere(result.values["defaults"]))
+            if "defaults" in result.values
+            else result
+        )
+        return result.with_value("rows", Sequence(copy.file, copy.start, copy.end, tuple(rows)))
 
     def _prints(self, copy: Mapping, originals: dict[str, Mapping]) -> dict[str, dict[str, Node]]:
         """What is printed for each register of a copy, by the name of its original."""
         prints: dict[str, dict[str, Node]] = {}
-        held = copy.values.get("rows")
-        for row in held.items if isinstance(held, Sequence) else ():
+        printed_rows = copy.values.get("rows")
+        for row in printed_rows.items if isinstance(printed_rows, Sequence) else ():
             if isinstance(row, Mapping) and self._known(row.values.get("of"), originals, "register in this group"):
                 name = _scalar(row, "of").text
                 prints[name] = {key: value for key, value in row.values.items() if key != "of"}
@@ -156,13 +162,13 @@ class _Expansion:
             return None
         if name.text not in have:
             text = f"there is no {what} `{name.text}`"
-            self.found.append(Diagnostic("references_resolve", text, name.span, help=near(name.text, have)))
+            self.findings.append(Diagnostic("references_resolve", text, name.span, help=near(name.text, have)))
         return have.get(name.text)
 
 
 def _elsewhere(defaults: Node) -> Node:
     """The defaults of a group, for rows that are in another memory."""
-    for key in sorted(_OF_MEMORY & defaults.values.keys()) if isinstance(defaults, Mapping) else ():
+    for key in sorted(defaults.values.keys() & HANDLING_KEYS) if isinstance(defaults, Mapping) else ():
         assert isinstance(defaults, Mapping)
         defaults = defaults.without(key)
     return defaults
@@ -175,8 +181,8 @@ def _each(items: Sequence, change: object) -> Sequence:
 
 def _named(items: Node | None) -> dict[str, Mapping]:
     """The mappings of a list by name."""
-    held = items.items if isinstance(items, Sequence) else ()
-    return {name: item for item in held if isinstance(item, Mapping) and (name := identity(item)) is not None}
+    nodes = items.items if isinstance(items, Sequence) else ()
+    return {name: item for item in nodes if isinstance(item, Mapping) and (name := identity(item)) is not None}
 
 
 def _masks(flags: Mapping) -> Iterator[Mapping]:
@@ -200,17 +206,17 @@ def _numbers(enum: Mapping) -> Iterator[Mapping]:
 
 
 def _member(of: Mapping, value: Node) -> Mapping:
-    made = Mapping(of.file, of.start, of.end, {})
+    member = Mapping(of.file, of.start, of.end, {})
     for key in ("name", "printed_name", "label", "doc", "source", "since", "until", "only"):
         if key in of.values:
-            made = made.with_value(key, of.values[key])
-    return made.with_value("value", value)
+            member = member.with_value(key, of.values[key])
+    return member.with_value("value", value)
 
 
 def _scalar(mapping: Mapping, key: str) -> Scalar:
-    held = mapping.values[key]
-    assert isinstance(held, Scalar)
-    return held
+    scalar = mapping.values[key]
+    assert isinstance(scalar, Scalar)
+    return scalar
 
 
 def _integer(node: Node | None) -> int:

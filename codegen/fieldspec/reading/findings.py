@@ -25,13 +25,13 @@ _LONGEST = 60
 _SEARCHED = 2000
 
 
-def bounded(found: list[Diagnostic]) -> list[Diagnostic]:
+def bounded(findings: list[Diagnostic]) -> list[Diagnostic]:
     """The first findings, and one that says that there are more."""
-    if len(found) <= MOST_FINDINGS:
-        return found
+    if len(findings) <= MOST_FINDINGS:
+        return findings
     text = f"more than {MOST_FINDINGS} findings; the rest is not listed"
-    more = Diagnostic("too_many_findings", text, found[MOST_FINDINGS].span, help="mend the first ones")
-    return [*found[:MOST_FINDINGS], more]
+    more = Diagnostic("too_many_findings", text, findings[MOST_FINDINGS].span, help="mend the first ones")
+    return [*findings[:MOST_FINDINGS], more]
 
 
 def quoted(text: str) -> str:
@@ -46,6 +46,6 @@ def near(word: str, known: Collection[str]) -> str:
     close = get_close_matches(word, known, 1) if len(known) <= _SEARCHED else []
     if close:
         return f"did you mean `{close[0]}`?"
-    listed = [f"`{one}`" for one in sorted(known)]
-    more = "" if len(listed) <= _LONGEST else ", ..."
-    return "it can be " + ", ".join(listed[:_LONGEST]) + more if listed else "there is none"
+    names = [f"`{name}`" for name in sorted(known)]
+    more = "" if len(names) <= _LONGEST else ", ..."
+    return "it can be " + ", ".join(names[:_LONGEST]) + more if names else "there is none"

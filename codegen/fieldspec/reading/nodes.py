@@ -7,12 +7,11 @@ from decimal import Decimal
 from typing import TypeAlias
 
 from fieldspec.classes import dataclass, field
+from fieldspec.model.fact import ScalarValue
 from fieldspec.source import SourceFile, Span
 
 # Nobody changes a node that is built. They are not frozen, because frozen ones take five times as long to build, and
 # most of a short run is reading.
-
-ScalarValue: TypeAlias = bool | int | Decimal | str | None
 
 
 @dataclass(slots=True)
@@ -105,9 +104,9 @@ def identity(node: Node) -> str | None:
     """The name by which a path knows an item of a list."""
     if isinstance(node, Mapping):
         for key in ("name", "id", "group", "line", "protocol"):
-            held = node.values.get(key)
-            if isinstance(held, Scalar):
-                return held.text
+            scalar = node.values.get(key)
+            if isinstance(scalar, Scalar):
+                return scalar.text
     return None
 
 
@@ -128,17 +127,17 @@ def copied(node: Node) -> Node:
     return Mapping(node.file, node.start, node.end, values, node.keys)
 
 
-def plain_data(node: Node) -> object:
-    """The node as plain Python data; decimals become floats, for validation only."""
+def json_data(node: Node) -> object:
+    """The node as data of JSON, for validation only: decimals become floats."""
     if isinstance(node, Scalar):
         return float(node.value) if isinstance(node.value, Decimal) else node.value
     if isinstance(node, Sequence):
-        return [plain_data(item) for item in node.items]
-    return {key: plain_data(value) for key, value in node.values.items()}
+        return [json_data(item) for item in node.items]
+    return {key: json_data(value) for key, value in node.values.items()}
 
 
 def exact(node: Node) -> object:
-    """The node as plain Python data with exact decimals."""
+    """The node as Python data with exact decimals."""
     if isinstance(node, Scalar):
         return node.value
     if isinstance(node, Sequence):
@@ -164,14 +163,14 @@ def find(node: Node, path: str) -> Node | None:
 def keys(node: Node, path: str) -> list[str | int] | None:
     """The keys and numbers that lead to the node at a path, or None where it leads nowhere."""
     at: Node = node
-    found: list[str | int] = []
+    path_keys: list[str | int] = []
     for step in path.split("/"):
         steps = _keys(at, step)
         if steps is None:
             return None
         at = node_at(at, steps)
-        found += steps
-    return found
+        path_keys += steps
+    return path_keys
 
 
 def _keys(node: Node, step: str) -> list[str | int] | None:
@@ -186,12 +185,12 @@ def _keys(node: Node, step: str) -> list[str | int] | None:
             return None if inner is None else [number, *inner]
         return [number]
     if isinstance(node, Mapping):
-        held = _inner(node, step)
-        if held is None:
+        pair = _inner(node, step)
+        if pair is None:
             return None
-        key, below = held
-        inner = [] if key == step else _keys(below, step)
-        return None if inner is None else [key, *inner]
+        key, value = pair
+        below = [] if key == step else _keys(value, step)
+        return None if below is None else [key, *below]
     return None
 
 
@@ -239,9 +238,9 @@ def _inner(mapping: Mapping, step: str) -> tuple[str, Node] | None:
     if step in mapping.values:
         return step, mapping.values[step]
     for key in ("rows", "members", "fields", "bits"):
-        held = mapping.values.get(key)
-        if isinstance(held, Sequence) and _index(held, step) is not None:
-            return key, held
+        value = mapping.values.get(key)
+        if isinstance(value, Sequence) and _index(value, step) is not None:
+            return key, value
     return None
 
 
@@ -271,8 +270,8 @@ def _step(node: Node, step: str) -> Node | None:
         inner = _inner(node, step)
         if inner is None:
             return None
-        key, held = inner
-        return held if key == step else _step(held, step)
+        key, value = inner
+        return value if key == step else _step(value, step)
     return None
 
 
@@ -295,7 +294,7 @@ def _changed(node: Node, steps: list[str], change: Change) -> Node | None:
         inner = _inner(node, step)
         if inner is None:
             return None
-        key, held = inner
-        new = _changed(held, rest if key == step else steps, change)
+        key, value = inner
+        new = _changed(value, rest if key == step else steps, change)
         return None if new is None else node.with_value(key, new)
     return None

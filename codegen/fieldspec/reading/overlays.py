@@ -73,7 +73,7 @@ def applied(tree: Mapping, overlay: Mapping, silent: Silent) -> tuple[Mapping, l
     ):
         for entry in mappings(overlay.values.get(part)):
             apply(entry)
-    return _accepting(work.tree, overlay), work.found
+    return _accepting(work.tree, overlay), work.findings
 
 
 def _accepting(tree: Mapping, overlay: Mapping) -> Mapping:
@@ -94,10 +94,10 @@ class _Application:
     def __init__(self, tree: Mapping, silent: Silent) -> None:
         self.tree = tree
         self.silent = silent
-        self.found: list[Diagnostic] = []
+        self.findings: list[Diagnostic] = []
 
     def _refuse(self, code: str, text: str, node: Node, help: str, *labels: Label) -> None:
-        self.found.append(Diagnostic(code, text, node.span, labels, help))
+        self.findings.append(Diagnostic(code, text, node.span, labels, help))
 
     def _at(self, entry: Mapping, key: str = "fact") -> tuple[list[str | int], Node] | None:
         """The keys of the fact that an entry is about, and the fact; what is not there is a finding."""
@@ -121,10 +121,10 @@ class _Application:
 
     def change(self, entry: Mapping) -> None:
         """Sets keys of a fact that have the values that they should have had."""
-        held = self._at(entry)
-        if held is None:
+        place = self._at(entry)
+        if place is None:
             return
-        at, fact = held
+        at, fact = place
         if not isinstance(fact, Mapping):
             self._refuse("overlay_fact_missing", "this is no fact", entry.values["fact"], "name a fact, not a list")
             return
@@ -168,27 +168,27 @@ class _Application:
 
     def _typed(self, at: list[str | int], new: Mapping) -> None:
         """Puts a mapping in its place, typed as the schema wants it there."""
-        node, found = typed_at(new, schema_path(at))
-        self.found += found
-        if not found:
+        node, findings = typed_at(new, schema_path(at))
+        self.findings += findings
+        if not findings:
             self._put(at, node)
 
     def remove(self, entry: Mapping) -> None:
         """Takes a fact out of its list."""
-        held = self._at(entry)
-        if held is None:
+        place = self._at(entry)
+        if place is None:
             return
-        if not isinstance(held[0][-1], int):
+        if not isinstance(place[0][-1], int):
             self._refuse("overlay_fact_missing", "this is no fact", entry.values["fact"], "name an item of a list")
             return
-        self._put(held[0], None)
+        self._put(place[0], None)
 
     def rename(self, entry: Mapping) -> None:
         """Gives a fact another name, wherever the spec refers to it."""
-        held = self._at(entry)
-        if held is None:
+        place = self._at(entry)
+        if place is None:
             return
-        at, fact = held
+        at, fact = place
         to, path = entry.values["to"], entry.values["fact"]
         assert isinstance(to, Scalar)
         assert isinstance(path, Scalar)
@@ -232,23 +232,23 @@ class _Application:
             at, node = [*at, inner], node.values[inner]
         assert isinstance(node, Sequence)
         name = identity(item)
-        taken = next((one for one in node.items if name is not None and identity(one) == name), None)
+        taken = next((item for item in node.items if name is not None and identity(item) == name), None)
         if taken is not None:
             label = Label(taken.span, "this one")
             help = "change it under `changes`, or give another name"
             self._refuse("overlay_name_taken", f"there is a {quoted(name or '')} already", item, help, label)
             return
-        new, found = typed_at(item, (*schema_path(at), "items"))
-        self.found += found
+        new, findings = typed_at(item, (*schema_path(at), "items"))
+        self.findings += findings
         place = self._behind(entry, node, new)
-        if not found and place is not None:
+        if not findings and place is not None:
             self._put(at, Sequence(node.file, node.start, node.end, (*node.items[:place], new, *node.items[place:])))
 
-    def _behind(self, entry: Mapping, held: Sequence, new: Node) -> int | None:
+    def _behind(self, entry: Mapping, siblings: Sequence, new: Node) -> int | None:
         """The number that a new item gets in its list."""
         after = entry.values.get("after")
         if isinstance(after, Scalar):
-            names = [identity(item) for item in held.items]
+            names = [identity(item) for item in siblings.items]
             if after.text not in names:
                 text = f"there is no {quoted(after.text)} in this list"
                 hint = near(after.text, [name for name in names if name])
@@ -258,9 +258,9 @@ class _Application:
         for key in _ORDERED_BY:
             own = _number(new, key)
             if own is not None:
-                later = (n for n, item in enumerate(held.items) if (_number(item, key) or 0) > own)
-                return next(later, len(held.items))
-        return len(held.items)
+                later = (n for n, item in enumerate(siblings.items) if (_number(item, key) or 0) > own)
+                return next(later, len(siblings.items))
+        return len(siblings.items)
 
 
 _LISTS = frozenset(key for key, part in schema()["properties"].items() if part["type"] == "array")
@@ -309,8 +309,8 @@ def _referring(node: Node, renaming: _Renaming, silent: Silent, key: str = "") -
 
 
 def _number(node: Node, key: str) -> int | None:
-    held = node.values.get(key) if isinstance(node, Mapping) else None
-    return held.value if isinstance(held, Scalar) and isinstance(held.value, int) else None
+    scalar = node.values.get(key) if isinstance(node, Mapping) else None
+    return scalar.value if isinstance(scalar, Scalar) and isinstance(scalar.value, int) else None
 
 
 def _absent(node: Node) -> bool:

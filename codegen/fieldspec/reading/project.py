@@ -25,7 +25,7 @@ _DEVICE_SECTIONS = ("device", "protocol", "uses", "versions")
 def joined(files: list[Mapping]) -> tuple[Mapping, list[Diagnostic]]:
     """One tree of all files: the items of lists follow each other, every other section stands once."""
     whole = files[0]
-    found: list[Diagnostic] = []
+    findings: list[Diagnostic] = []
     for tree in files[1:]:
         for key, value in tree.values.items():
             have = whole.values.get(key)
@@ -36,8 +36,8 @@ def joined(files: list[Mapping]) -> tuple[Mapping, list[Diagnostic]]:
             else:
                 first = Label(key_span(whole, key), "the first one")
                 text = f"the section `{key}` stands in two files of the device"
-                found.append(Diagnostic("section_twice", text, key_span(tree, key), (first,), "keep one of them"))
-    return whole, found
+                findings.append(Diagnostic("section_twice", text, key_span(tree, key), (first,), "keep one of them"))
+    return whole, findings
 
 
 def _concatenated(first: Sequence, second: Sequence) -> Sequence:
@@ -46,19 +46,19 @@ def _concatenated(first: Sequence, second: Sequence) -> Sequence:
 
 def merged_over(device: Mapping, protocol: Mapping, use: Mapping) -> tuple[Mapping, list[Diagnostic]]:
     """The device's tree with what it takes from a protocol; where both have an item, the device's keys win."""
-    found: list[Diagnostic] = []
+    findings: list[Diagnostic] = []
     for section, base in protocol.values.items():
         if section in _DEVICE_SECTIONS or not isinstance(base, Sequence):
             continue
         chosen, missing = _chosen(base, use.values.get(section), section)
-        found += missing
+        findings += missing
         own = device.values.get(section)
         value = chosen if own is None else _merged(chosen, own)
         if section in device.values:
             device = device.with_value(section, value)
         else:
             device = device.with_entry(section, value, protocol)
-    return device, found
+    return device, findings
 
 
 def _chosen(base: Sequence, names: Node | None, section: str) -> tuple[Sequence, list[Diagnostic]]:
@@ -66,16 +66,16 @@ def _chosen(base: Sequence, names: Node | None, section: str) -> tuple[Sequence,
     if not isinstance(names, Sequence):
         return base, []
     have = {identity(item): item for item in base.items}
-    found = []
+    findings = []
     items = []
     for name in names.items:
         if isinstance(name, Scalar) and name.text not in have:
             text = f"the protocol has no {section[:-1]} `{name.text}`"
             hint = near(name.text, [known for known in have if known is not None])
-            found.append(Diagnostic("references_resolve", text, name.span, help=hint))
+            findings.append(Diagnostic("references_resolve", text, name.span, help=hint))
         elif isinstance(name, Scalar):
             items.append(have[name.text])
-    return Sequence(base.file, base.start, base.end, tuple(items)), found
+    return Sequence(base.file, base.start, base.end, tuple(items)), findings
 
 
 def _merged(base: Node, over: Node) -> Node:
@@ -142,15 +142,15 @@ class DeviceSpec:
     def at(self, version: str) -> tuple[Device, list[Diagnostic]]:
         """The model at one version."""
         if version not in self.built:
-            device, found = built(self.tree_at(version), version, self.reused)
-            self.built[version] = device, bounded(found)
+            device, findings = built(self.tree_at(version), version, self.reused)
+            self.built[version] = device, bounded(findings)
         return self.built[version]
 
     def tree_at(self, version: str) -> Mapping:
         """The tree with the facts of one version."""
         if version not in self.picked:
             picked = tuple(version.split(JOINT))
-            whole = next((self.trees[one] for one in picked if one in self.trees), self.tree)
+            whole = next((self.trees[identifier] for identifier in picked if identifier in self.trees), self.tree)
             tree = selected(whole, picked, self.lines)
             assert isinstance(tree, Mapping)
             self.picked[version] = tree
@@ -177,7 +177,7 @@ class _Reader:
     def __init__(self, files: Table[str, bytes], folder: str) -> None:
         self.folder = folder
         self.files = files
-        self.found: list[Diagnostic] = []
+        self.findings: list[Diagnostic] = []
         self.protocols: dict[str, Mapping | None] = {}
         self.uses: dict[str, set[str]] = {}
 
@@ -195,36 +195,38 @@ class _Reader:
             spec = self._device(folder, paths)
             if spec is None:
                 continue
-            other = next((one for one in devices.values() if Name.of(one.id) == Name.of(spec.id)), None)
+            other = next((device for device in devices.values() if Name.of(device.id) == Name.of(spec.id)), None)
             if other is not None:
                 first = Label(_id_span(other.tree), "the first one")
                 text = f"two devices have the id `{spec.id}`"
                 if other.id != spec.id:
                     text = f"the ids `{other.id}` and `{spec.id}` are one name in generated code"
                 span = _id_span(spec.tree)
-                self.found.append(Diagnostic("device_id_unique", text, span, (first,), "give one another id"))
+                self.findings.append(Diagnostic("device_id_unique", text, span, (first,), "give one another id"))
                 continue
             devices[spec.id] = spec
         for path in sorted(self.files) if not only else ():
             folder, _, name = path.partition("/")
             if folder == PROTOCOLS and name.endswith(".yaml"):
                 self._loaded(name.removesuffix(".yaml"), ())
-        return Project(devices, self.found)
+        return Project(devices, self.findings)
 
     def _tree(self, path: str) -> Mapping | None:
         """The typed tree of one file, or None where it cannot be used."""
-        file, found = decoded(f"{self.folder}/{path}" if self.folder else path, self.files[path])
-        if not found:
-            node, found = parsed(file)
-            if node is None and not found:
+        file, findings = decoded(f"{self.folder}/{path}" if self.folder else path, self.files[path])
+        if not findings:
+            node, findings = parsed(file)
+            if node is None and not findings:
                 text = "the file is empty"
-                found = [Diagnostic("file_empty", text, Span(file, 0, 0), help="write a section, or remove the file")]
+                findings = [
+                    Diagnostic("file_empty", text, Span(file, 0, 0), help="write a section, or remove the file")
+                ]
             elif node is not None:
                 result, more = typed(node)
-                found += more
-                if isinstance(result, Mapping) and not found:
+                findings += more
+                if isinstance(result, Mapping) and not findings:
                     return result
-        self.found += bounded(found)
+        self.findings += bounded(findings)
         return None
 
     def _device(self, folder: str, paths: list[str]) -> DeviceSpec | None:
@@ -236,13 +238,13 @@ class _Reader:
         usable = [tree for tree in trees if tree is not None]
         if len(usable) < len(trees) or None in others.values() or not usable:
             return None
-        whole, found = joined(usable)
-        self.found += found
+        whole, findings = joined(usable)
+        self.findings += findings
         head = whole.values.get("device")
         if not isinstance(head, Mapping):
             text = f"no file of the folder `{folder}` has the section `device`"
             span = Span(whole.file, 0, 1)
-            self.found.append(Diagnostic("device_section", text, span, help=f"write it in `{main}`"))
+            self.findings.append(Diagnostic("device_section", text, span, help=f"write it in `{main}`"))
             return None
         self.uses[""] = set()
         files = {path.rpartition("/")[2].removesuffix(".yaml"): tree for path, tree in others.items() if tree}
@@ -250,16 +252,16 @@ class _Reader:
             text = f"the device has {len(files)} files of versions; there may be {MOST_OVERLAYS}"
             help = "write the oldest version that is still in use as the base, and remove those before it"
             span = Span([*files.values()][MOST_OVERLAYS].file, 0, 1)
-            self.found.append(Diagnostic("versions_bounded", text, span, help=help))
+            self.findings.append(Diagnostic("versions_bounded", text, span, help=help))
             return None
         versions, whole = overlays(files, self._with_protocols(whole, ()))
-        self.found += bounded(versions.findings)
+        self.findings += bounded(versions.findings)
         lines = Lines(whole)
-        self.found += bounded(lines.found) + bounded(lines.unknown(whole))
+        self.findings += bounded(lines.findings) + bounded(lines.unknown(whole))
         if len(lines.place) * sum(len(self.files[path]) for path in own) > LARGEST_VERSIONS:
             text = f"{len(lines.place)} versions of a spec of this size are more than can be read"
             help = "remove versions that are not in use any more"
-            self.found.append(Diagnostic("versions_bounded", text, key_span(whole, "versions"), help=help))
+            self.findings.append(Diagnostic("versions_bounded", text, key_span(whole, "versions"), help=help))
             return None
         layers: dict[str, Mapping] = {}
         silent = Silent()
@@ -267,23 +269,23 @@ class _Reader:
             base = versions.bases[version]
             tree = lines.reached(layers.get(base, whole), base, version)
             assert isinstance(tree, Mapping)
-            layers[version], found = applied(tree, overlay, silent)
-            self.found += bounded(found + lines.unknown(overlay))
-        whole, found = expanded(whole)
-        self.found += bounded(found)
+            layers[version], findings = applied(tree, overlay, silent)
+            self.findings += bounded(findings + lines.unknown(overlay))
+        whole, findings = expanded(whole)
+        self.findings += bounded(findings)
         self._placed(whole, head, folder, _NOT_OF_A_DEVICE)
         identity = head.values["id"]
         assert isinstance(identity, Scalar)
-        made = {version: expanded(tree)[0] for version, tree in layers.items()}
+        expanded_trees = {version: expanded(tree)[0] for version, tree in layers.items()}
         used = frozenset([*paths, *(f"{PROTOCOLS}/{name}.yaml" for name in self._used(""))])
-        return DeviceSpec(identity.text, whole, lines, made, versions.bases, used)
+        return DeviceSpec(identity.text, whole, lines, expanded_trees, versions.bases, used)
 
     def _used(self, name: str) -> set[str]:
         """The protocols that a protocol uses, and those that they use; for an empty name, those of the last device."""
         used: set[str] = set()
         waiting = {name}
         while waiting:
-            waiting = {one for name in waiting for one in self.uses.get(name, ())} - used
+            waiting = {inner for name in waiting for inner in self.uses.get(name, ())} - used
             used |= waiting
         return used
 
@@ -292,12 +294,12 @@ class _Reader:
         identity = head.values["id"]
         if isinstance(identity, Scalar) and identity.text != name:
             text = f"the id is {quoted(identity.text)}, the folder or file is `{name}`"
-            self.found.append(Diagnostic("id_matches_path", text, identity.span, help="rename one of them"))
+            self.findings.append(Diagnostic("id_matches_path", text, identity.span, help="rename one of them"))
         for key in foreign:
             if key in tree.values:
                 text = f"there is no key `{key}` here"
                 help = "a file is of a device or of a protocol, not of both"
-                self.found.append(Diagnostic("unknown_key", text, key_span(tree, key), help=help))
+                self.findings.append(Diagnostic("unknown_key", text, key_span(tree, key), help=help))
 
     def _with_protocols(self, tree: Mapping, within: tuple[str, ...]) -> Mapping:
         """The tree laid over every protocol that it uses."""
@@ -305,7 +307,7 @@ class _Reader:
         if isinstance(uses, Sequence) and len(uses.items) > MOST_USES:
             text = f"{len(uses.items)} protocols are used here; there may be {MOST_USES}"
             help = "join protocols that go together into one"
-            self.found.append(Diagnostic("uses_bounded", text, uses.items[MOST_USES].span, help=help))
+            self.findings.append(Diagnostic("uses_bounded", text, uses.items[MOST_USES].span, help=help))
             return tree
         for use in uses.items if isinstance(uses, Sequence) else ():
             if not isinstance(use, Mapping):
@@ -316,26 +318,26 @@ class _Reader:
                 self.uses.setdefault(within[-1] if within else "", set()).add(name.text)
             protocol = self._protocol(name, within)
             if protocol is not None:
-                tree, found = merged_over(tree, protocol, use)
-                self.found += bounded(found)
+                tree, findings = merged_over(tree, protocol, use)
+                self.findings += bounded(findings)
         return tree
 
     def _protocol(self, name: Scalar, within: tuple[str, ...]) -> Mapping | None:
         if name.text in within:
             chain = " -> ".join((*within, name.text))
             text = f"the protocol uses itself: {chain}"
-            self.found.append(Diagnostic("import_cycle", text, name.span, help="remove one of these uses"))
+            self.findings.append(Diagnostic("import_cycle", text, name.span, help="remove one of these uses"))
             return None
         if len(within) >= DEEPEST_USE and name.text not in self.protocols:
             text = f"more than {DEEPEST_USE} protocols use each other in a row"
             help = "let a protocol use those that it needs itself"
-            self.found.append(Diagnostic("uses_bounded", text, name.span, help=help))
+            self.findings.append(Diagnostic("uses_bounded", text, name.span, help=help))
             return None
         path = f"{PROTOCOLS}/{name.text}.yaml"
         if path not in self.files:
             known = [p[len(PROTOCOLS) + 1 : -5] for p in self.files if p.startswith(f"{PROTOCOLS}/")]
             text = f"there is no file `{path}`"
-            self.found.append(Diagnostic("file_missing", text, name.span, help=near(name.text, known)))
+            self.findings.append(Diagnostic("file_missing", text, name.span, help=near(name.text, known)))
             return None
         return self._loaded(name.text, within)
 
@@ -347,7 +349,7 @@ class _Reader:
             if tree is not None and not isinstance(head, Mapping):
                 text = "the key `protocol` is missing"
                 help = "say what the protocol is, under the key `protocol`"
-                self.found.append(Diagnostic("missing_key", text, Span(tree.file, 0, 1), help=help))
+                self.findings.append(Diagnostic("missing_key", text, Span(tree.file, 0, 1), help=help))
             elif tree is not None and isinstance(head, Mapping):
                 self._placed(tree, head, name, _NOT_OF_A_PROTOCOL)
             self.protocols[name] = self._with_protocols(tree, (*within, name)) if tree is not None else None
@@ -356,5 +358,5 @@ class _Reader:
 
 def _id_span(tree: Node) -> Span:
     head = tree.values["device"] if isinstance(tree, Mapping) else tree
-    held = head.values["id"] if isinstance(head, Mapping) else head
-    return held.span
+    identifier = head.values["id"] if isinstance(head, Mapping) else head
+    return identifier.span

@@ -14,8 +14,9 @@ from typing import Any
 
 from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.fact import ScalarValue
 from fieldspec.reading.findings import MOST_FINDINGS, near, quoted
-from fieldspec.reading.nodes import Mapping, Node, Scalar, ScalarValue, Sequence, copied, node_at, plain_data
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, copied, json_data, node_at
 from fieldspec.reading.yaml_reader import key_span
 from fieldspec.schema import Schema, described, resolved, schema
 from fieldspec.source import Span
@@ -58,18 +59,18 @@ def violations_at(tree: Node, at: list[str | int]) -> list[Diagnostic]:
     for key in reversed(at):  # alone in a tree: the whole schema is at hand, its parts would have to be compiled
         alone = (node.file, node.start, node.end)
         node = Sequence(*alone, (node,)) if isinstance(key, int) else Mapping(*alone, {key: node})
-    return _objections(node, plain_data(node), (), len(at))
+    return _objections(node, json_data(node), (), len(at))
 
 
 def _objections(node: Node, data: object, path: tuple[str, ...], depth: int = 0) -> list[Diagnostic]:
     """What the schema, or its part at some keys, has against a tree, given as plain data too, from a depth on."""
-    found: list[Diagnostic] = []
+    findings: list[Diagnostic] = []
     for error in _validator(path).iter_errors(data):
         if len(error.instance_path) >= depth:
-            found += _findings(error, node, path)
-        if len(found) > MOST_FINDINGS:
+            findings += _findings(error, node, path)
+        if len(findings) > MOST_FINDINGS:
             break
-    return found
+    return findings
 
 
 @dataclass(slots=True, eq=False)
@@ -96,13 +97,13 @@ class _Form:
 
     def key(self, key: str) -> _Form:
         """The form of the value of a key."""
-        found = self.keys.get(key)
-        if found is None:
+        form = self.keys.get(key)
+        if form is None:
             known = self.part.get("properties", _ANYTHING)
-            found = _form(known.get(key) or self.part.get("additionalProperties") or _ANYTHING)
+            form = _form(known.get(key) or self.part.get("additionalProperties") or _ANYTHING)
             if key in known:  # the others may be any words of a file
-                self.keys[key] = found
-        return found
+                self.keys[key] = form
+        return form
 
 
 _ANYTHING: Schema = {}
@@ -112,13 +113,13 @@ _forms: dict[int, _Form] = {}
 def _form(part: Schema) -> _Form:
     """The form of a part of the schema, made once: the schema is there as long as the process."""
     part = resolved(part)
-    found = _forms.get(id(part))
-    if found is None:
+    form = _forms.get(id(part))
+    if form is None:
         wanted = part.get("type")
         if wanted is None and "enum" in part:
             wanted = "string"
         kinds = {wanted} if isinstance(wanted, str) else set(wanted or _KINDS)
-        found = _Form(
+        form = _Form(
             part,
             kinds.isdisjoint(("integer", "number", "boolean", "null")),
             not kinds.isdisjoint(("integer", "number")),
@@ -126,8 +127,8 @@ def _form(part: Schema) -> _Form:
             "boolean" in kinds,
             "null" in kinds,
         )
-        _forms[id(part)] = found
-    return found
+        _forms[id(part)] = form
+    return form
 
 
 def _typed(node: Node, form: _Form) -> object:
@@ -140,12 +141,12 @@ def _typed(node: Node, form: _Form) -> object:
         return [_typed(item, inner) for item in node.items]
     data: dict[str, object] = {}
     keys = form.keys
-    for key, held in node.values.items():
-        wanted = keys.get(key) or form.key(key)
-        if isinstance(held, Scalar) and (wanted.words or held.quoted):
-            data[key] = held.value = held.text  # nine of ten scalars
+    for key, child in node.values.items():
+        expected = keys.get(key) or form.key(key)
+        if isinstance(child, Scalar) and (expected.words or child.quoted):
+            data[key] = child.value = child.text  # nine of ten scalars
         else:
-            data[key] = _typed(held, wanted)
+            data[key] = _typed(child, expected)
     return data
 
 
@@ -191,8 +192,8 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
     if keyword == "type":
         wanted = part.get("type")
         names = [wanted] if isinstance(wanted, str) else list(wanted or [])
-        shown = " or ".join(_KINDS.get(name, name) for name in names)
-        message = f"{what} must be {shown}, not {_have(node)}"
+        kinds = " or ".join(_KINDS.get(name, name) for name in names)
+        message = f"{what} must be {kinds}, not {_have(node)}"
         form = _FORMS.get(names[0], "") if isinstance(node, Scalar) else ""
         return Diagnostic("wrong_type", message, _head(node), help=f"{form}; {description}" if form else description)
     if keyword in ("pattern", "maxLength"):

@@ -22,7 +22,7 @@ _VERSION_KEYS = ("line", "based_on", "after")
 class Overlays:
     """The overlays of a device by version, in an order in which each stands behind the one that it is based on.
 
-    `heads` are their sections `overlay`, `bases` the versions that they are based on. `found` is what is wrong with
+    `heads` are their sections `overlay`, `bases` the versions that they are based on. `findings` is what is wrong with
     how they refer to each other.
     """
 
@@ -68,13 +68,13 @@ def overlays(files: Table[str, Mapping], base: Mapping) -> tuple[Overlays, Mappi
 
 def _declared(base: Mapping) -> dict[str, Scalar]:
     """The ids of the versions that the device lists."""
-    found = {}
+    identifiers = {}
     for line in mappings(base.values.get("versions")):
         for member in mappings(line.values.get("members")):
-            held = member.values.get("id")
-            if isinstance(held, Scalar):
-                found[held.text] = held
-    return found
+            identifier = member.values.get("id")
+            if isinstance(identifier, Scalar):
+                identifiers[identifier.text] = identifier
+    return identifiers
 
 
 def _ordered(overlays: Overlays, base: Mapping, declared: Table[str, Scalar]) -> tuple[Overlays, Mapping]:
@@ -84,8 +84,8 @@ def _ordered(overlays: Overlays, base: Mapping, declared: Table[str, Scalar]) ->
     ordered: dict[str, Mapping] = {}
     while ready := [v for v, head in waiting.items() if {_text(head, "based_on"), _follows(head)} <= known]:
         for version in ready:
-            base, found = _with_version(base, waiting.pop(version), ordered)
-            overlays.findings += found
+            base, findings = _with_version(base, waiting.pop(version), ordered)
+            overlays.findings += findings
             known.add(version)
             ordered[version] = overlays.trees[version]
     for version, head in waiting.items():
@@ -118,7 +118,7 @@ def _with_version(base: Mapping, head: Mapping, others: Table[str, Mapping]) -> 
     assert isinstance(line, Scalar)
     at = keys(base, f"versions/{line.text}/members")
     if at is None:
-        known = [identity(held) or "" for held in mappings(base.values.get("versions"))]
+        known = [identity(version_node) or "" for version_node in mappings(base.values.get("versions"))]
         text = f"the device has no line of versions {quoted(line.text)}"
         return base, [Diagnostic("version_unknown", text, line.span, help=near(line.text, known))]
     members = node_at(base, at)
@@ -130,23 +130,23 @@ def _with_version(base: Mapping, head: Mapping, others: Table[str, Mapping]) -> 
         help = "name the version of its own line that it follows, under `after`"
         return base, [Diagnostic("version_unknown", text, head.values["id"].span, help=help)]
     behind = ids.index(follows) + 1
-    found = []
+    findings = []
     if behind < len(ids) and ids[behind] in others:
         text = f"two versions of the line `{line.text}` follow `{follows}`"
         label = Label(members.items[behind].span, "the other one")
         help = "say under `after` which of them comes first"
-        found = [Diagnostic("version_twice", text, head.values["id"].span, (label,), help)]
+        findings = [Diagnostic("version_twice", text, head.values["id"].span, (label,), help)]
     for key in _VERSION_KEYS:
         head = head.without(key)
     items = (*members.items[:behind], head, *members.items[behind:])
-    made = put(base, at, Sequence(members.file, members.start, members.end, items))
-    assert isinstance(made, Mapping)
-    return made, found
+    result = put(base, at, Sequence(members.file, members.start, members.end, items))
+    assert isinstance(result, Mapping)
+    return result, findings
 
 
 def _text(mapping: Mapping, key: str) -> str:
-    held = mapping.values.get(key)
-    return held.text if isinstance(held, Scalar) else ""
+    scalar = mapping.values.get(key)
+    return scalar.text if isinstance(scalar, Scalar) else ""
 
 
 LONE_VERSION = "1"
@@ -163,17 +163,17 @@ class Lines:
         self.built: list[str] = []
         self.alike: dict[str, Scalar] = {}
         """By version, the line with outputs that its own line is like."""
-        self.found: list[Diagnostic] = []
+        self.findings: list[Diagnostic] = []
         self._unbounded: dict[int, Node] = {}
         lines = tree.values.get("versions")
         for number, line in enumerate(lines.items if isinstance(lines, Sequence) else ()):
             if isinstance(line, Mapping):
                 self._add(number, line)
         built = [identity(line) or "" for line in mappings(lines) if _true(line, "builds")]
-        for named in {id(one): one for one in self.alike.values()}.values():
+        for named in {id(scalar): scalar for scalar in self.alike.values()}.values():
             if named.text not in built:
                 text = f"the device has no line of versions with outputs that is called {quoted(named.text)}"
-                self.found.append(Diagnostic("version_unknown", text, named.span, help=near(named.text, built)))
+                self.findings.append(Diagnostic("version_unknown", text, named.span, help=near(named.text, built)))
 
     def _add(self, number: int, line: Mapping) -> None:
         members = line.values.get("members")
@@ -185,7 +185,9 @@ class Lines:
         for order, node in enumerate(ids):
             if node.text in self.place:
                 text = f"the version `{node.text}` is declared twice"
-                self.found.append(Diagnostic("version_twice", text, node.span, help="give it an identifier of its own"))
+                self.findings.append(
+                    Diagnostic("version_twice", text, node.span, help="give it an identifier of its own")
+                )
             self.place[node.text] = (number, order)
         like = line.values.get("like")
         if _true(line, "builds"):
@@ -210,8 +212,8 @@ class Lines:
                 other, at = self.place.get(bound.text, (None, 0))
                 if other == line and (at - order) * wrong > 0:
                     return False
-        listed = [bound.text for bound in named(node.values.get("only"))]
-        same = [other for other in listed if self.place.get(other, (None, 0))[0] == line]
+        only = [bound.text for bound in named(node.values.get("only"))]
+        same = [other for other in only if self.place.get(other, (None, 0))[0] == line]
         return not same or version in same
 
     def selected(self, node: Node, versions: tuple[str, ...]) -> Node:
@@ -220,7 +222,7 @@ class Lines:
 
     def reached(self, tree: Node, base: str, version: str) -> Node:
         """The tree of a version that another one on its line is made of: without what holds for neither of them."""
-        lines = {self.place.get(one, (None,))[0] for one in (base, version)}
+        lines = {self.place.get(identifier, (None,))[0] for identifier in (base, version)}
         if len(lines) > 1:
             return tree
         return self._picked(tree, lambda fact: self._holds(fact, base) or self._holds(fact, version))
@@ -230,17 +232,17 @@ class Lines:
         if isinstance(node, Scalar) or id(node) in self._unbounded:
             return node
         below = tuple(node.values.values()) if isinstance(node, Mapping) else node.items
-        kept = below
+        remaining = below
         if isinstance(node, Sequence):
-            kept = tuple([item for item in below if not isinstance(item, Mapping) or holds(item)])
-        made = tuple([self._picked(item, holds) for item in kept])
+            remaining = tuple([item for item in below if not isinstance(item, Mapping) or holds(item)])
+        picked = tuple([self._picked(item, holds) for item in remaining])
         if self._free(node, below):
             self._unbounded[id(node)] = node  # keeping the node keeps its id from being given to another one
-        if len(made) == len(below) and all(map(is_, made, below)):
+        if len(picked) == len(below) and all(map(is_, picked, below)):
             return node
         if isinstance(node, Sequence):
-            return Sequence(node.file, node.start, node.end, made)
-        return Mapping(node.file, node.start, node.end, dict(zip(node.values, made, strict=True)), node.keys)
+            return Sequence(node.file, node.start, node.end, picked)
+        return Mapping(node.file, node.start, node.end, dict(zip(node.values, picked, strict=True)), node.keys)
 
     def _free(self, node: Mapping | Sequence, below: tuple[Node, ...]) -> bool:
         if isinstance(node, Mapping) and not BOUNDS.isdisjoint(node.values):
@@ -249,12 +251,12 @@ class Lines:
 
     def unknown(self, node: Node) -> list[Diagnostic]:
         """A finding for every `since`, `until` or `only` that names no declared version."""
-        found: list[Diagnostic] = []
+        findings: list[Diagnostic] = []
         if not isinstance(node, Scalar):
-            self._search(node, found)
-        return found
+            self._search(node, findings)
+        return findings
 
-    def _search(self, node: Mapping | Sequence, found: list[Diagnostic]) -> bool:
+    def _search(self, node: Mapping | Sequence, findings: list[Diagnostic]) -> bool:
         """Adds the findings of a part of a tree, and notes whether it has no bounds, which versions then need not."""
         free = True
         values: Iterable[Node]
@@ -262,14 +264,14 @@ class Lines:
             values = node.values.values()
             if not BOUNDS.isdisjoint(node.values):
                 free = False
-                found += self._misnamed(node)
+                findings += self._misnamed(node)
             if not _FREE.isdisjoint(node.values):
                 free = False  # what stands there is not looked at here
                 values = [value for key, value in node.values.items() if key not in _FREE]
         else:
             values = node.items
         for item in values:
-            if not isinstance(item, Scalar) and not self._search(item, found):
+            if not isinstance(item, Scalar) and not self._search(item, findings):
                 free = False
         if free:
             self._unbounded[id(node)] = node  # keeping the node keeps its id from being given to another one
@@ -285,8 +287,8 @@ class Lines:
 
 
 def _true(line: Mapping, key: str) -> bool:
-    held = line.values.get(key)
-    return isinstance(held, Scalar) and held.value is True
+    scalar = line.values.get(key)
+    return isinstance(scalar, Scalar) and scalar.value is True
 
 
 def named(bound: Node | None) -> list[Scalar]:

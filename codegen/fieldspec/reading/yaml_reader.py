@@ -102,15 +102,15 @@ def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
         if error.context and error.context_mark and error.context_mark.index != at:
             start = error.context_mark.index
             labels = (Label(Span(file, start, start + 1), error.context),)
-        found = Diagnostic("yaml_syntax", error.problem or "not YAML", Span(file, at, at + 1), labels)
+        finding = Diagnostic("yaml_syntax", error.problem or "not YAML", Span(file, at, at + 1), labels)
     except yaml.reader.ReaderError as error:
         at = min(error.position, max(0, len(file.text) - 1))
-        found = Diagnostic("yaml_syntax", error.reason, Span(file, at, at + 1))
+        finding = Diagnostic("yaml_syntax", error.reason, Span(file, at, at + 1))
     except (ValueError, OverflowError) as error:  # PyYAML's own, for an escape that names no character
-        found = Diagnostic("yaml_syntax", f"not YAML: {error}", Span(file, 0, 1))
+        finding = Diagnostic("yaml_syntax", f"not YAML: {error}", Span(file, 0, 1))
     except _Refused as refused:
-        found = refused.args[0]
-    return None, [*builder.found, found]
+        finding = refused.args[0]
+    return None, [*builder.findings, finding]
 
 
 def _indenting_tab(file: SourceFile) -> int | None:
@@ -135,7 +135,7 @@ class _Builder:
 
     def __init__(self, file: SourceFile, parser: object) -> None:
         self.file = file
-        self.found: list[Diagnostic] = []
+        self.findings: list[Diagnostic] = []
         self.get: Callable[[], Any] = parser.get_event  # type: ignore[attr-defined]
         self.anchors: dict[str, Node | None] = {}
         self.sizes: dict[str, Size] = {}
@@ -151,18 +151,18 @@ class _Builder:
                 if seen > 1:
                     span = self._span(event)
                     text = "a second document starts here; a spec file is one document"
-                    self.found.append(Diagnostic("several_documents", text, span, help="use a file of its own"))
-                    return None, self.found
+                    self.findings.append(Diagnostic("several_documents", text, span, help="use a file of its own"))
+                    return None, self.findings
                 root = self._node(self.get(), 0)
-        return root, self.found
+        return root, self.findings
 
     def _span(self, event: Event) -> Span:
         return Span(self.file, *_bounds(event))
 
     def _tag(self, event: Event) -> Span:
         """Where the tag of a node stands: before it, perhaps behind an anchor."""
-        found = _TAG.search(self.file.text, _bounds(event)[0])
-        return Span(self.file, *found.span()) if found else self._span(event)
+        match = _TAG.search(self.file.text, _bounds(event)[0])
+        return Span(self.file, *match.span()) if match else self._span(event)
 
     def _refuse(self, code: str, message: str, event: Event, help: str) -> None:
         raise _Refused(Diagnostic(code, message, self._span(event), help=help))
@@ -257,20 +257,25 @@ class _Builder:
                 key = self._node(key, depth + 1)
                 total = self.total
                 name = key.text if isinstance(key, Scalar) else None
-            held = get()
+            event_of_value = get()
             value: Any
-            if held.__class__ is scalar and held.implicit[0] and not (held.style or held.anchor) and total < most:
+            if (
+                event_of_value.__class__ is scalar
+                and event_of_value.implicit[0]
+                and not (event_of_value.style or event_of_value.anchor)
+                and total < most
+            ):
                 total += 1
                 value = new(Scalar)
                 value.file = file
-                value.start = held.start_mark.index
-                value.end = held.end_mark.index
-                value.text = held.value
+                value.start = event_of_value.start_mark.index
+                value.end = event_of_value.end_mark.index
+                value.text = event_of_value.value
                 value.quoted = False
                 value.value = None
             else:
                 self.total = total
-                value = self._node(held, depth + 1)
+                value = self._node(event_of_value, depth + 1)
                 total = self.total
             if name is None or name in first:
                 self._misplaced(name, key, first)
@@ -283,11 +288,11 @@ class _Builder:
         """Finds a key that is no word, or that stands in its mapping already."""
         span = self._place(key)
         if name is None:
-            self.found.append(Diagnostic("key_not_text", "a key must be a word", span, help="write a plain word"))
+            self.findings.append(Diagnostic("key_not_text", "a key must be a word", span, help="write a plain word"))
             return
         label = Label(self._place(first[name]), "the first one")
         text = f"the key {quoted(name)} stands here twice"
-        self.found.append(Diagnostic("duplicate_key", text, span, (label,), "remove one of them"))
+        self.findings.append(Diagnostic("duplicate_key", text, span, (label,), "remove one of them"))
 
     def _place(self, key: Event | Node) -> Span:
         return self._span(key) if isinstance(key, Event) else key.span
@@ -296,8 +301,8 @@ class _Builder:
 def key_span(mapping: Mapping, key: str) -> Span:
     """Where a key of a mapping stands. Its text is read again for that, as hardly any key is ever asked for."""
     holder = mapping.holder(key)
-    while isinstance(holder, Mapping) and holder is not (next_one := holder.holder(key)):
-        holder = next_one
+    while isinstance(holder, Mapping) and holder is not (inner := holder.holder(key)):
+        holder = inner
     if isinstance(holder, Scalar):
         return holder.span
     text = holder.file.text

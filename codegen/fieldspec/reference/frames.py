@@ -124,7 +124,7 @@ class FrameCodec:
             raise CodecError("wrong_length", text, part.offset)
 
     def _check_sum(self, shape: FrameLayout, parts: Mapping[str, Any], data: bytes) -> None:
-        part = shape.check
+        part = shape.checksum
         if part is not None:
             have, want = parts[part.name], ALGORITHMS[part.algorithm](data[part.start : part.stop])
             if have != want:
@@ -134,7 +134,7 @@ class FrameCodec:
     def _body(self, shape: FrameLayout, head: Values, message: str) -> tuple[MessageLayout | None, RecordLayout, bool]:
         """The message and the record of the body that a head announces."""
         part = shape.role("code")
-        error = self.link.link.error
+        error = self.link.link.exception_response
         if part is None:
             laid = self.link.messages.get(message)
             if laid is None:
@@ -164,7 +164,7 @@ class FrameCodec:
         laid = self.link.messages.get(message)
         if laid is None and not (error and code is not None):
             raise CodecError("unknown_code", f"there is no message {message!r}")
-        refusal = self.link.link.error
+        refusal = self.link.link.exception_response
         if error and refusal is None:
             raise CodecError("unknown_code", f"the link {self.link.name} has no error replies")
         body = self.layout.records[refusal.record] if error and refusal else laid.data(direction) if laid else None
@@ -181,7 +181,7 @@ class FrameCodec:
             if units is None:
                 raise CodecError("wrong_length", f"{length.name} cannot say that the frame has {total} bytes")
             numbers[length.name] = units
-        check = shape.check
+        check = shape.checksum
         if check is not None:
             data = self._joined(direction, numbers, inner)
             numbers[check.name] = ALGORITHMS[check.algorithm](data[check.start : check.stop])
@@ -195,7 +195,7 @@ class FrameCodec:
     def _head_value(
         self, part: PartLayout, values: Mapping[str, Any], laid: MessageLayout | None, error: bool, code: int | None
     ) -> int:
-        if part.role in ("length", "check"):
+        if part.role in ("length", "checksum"):
             return 0
         if part.constant is not None:
             held = values.get(part.name, part.constant)
@@ -206,14 +206,14 @@ class FrameCodec:
             number = code if code is not None else laid.message.code if laid else None
             if number is None:
                 raise CodecError("unknown_code", "the message has no code")
-            refusal = self.link.link.error
+            refusal = self.link.link.exception_response
             return number | refusal.flag if error and refusal else number
         held = values.get(part.name)
         if not isinstance(held, int):
             raise CodecError("missing_value", f"{part.name} is not given")
         assert part.value is not None
         allowed = part.value.ranges
-        stations = self.link.link.stations if part.role == "station" else None
+        stations = self.link.link.unit_addresses if part.role == "unit_address" else None
         if stations is not None and stations.ranges is not None:
             allowed = stations.ranges
             if held == stations.broadcast:
@@ -230,14 +230,14 @@ class FrameCodec:
 
 def _part_construct(part: PartLayout) -> construct.Construct:
     """A part as a number; a check has no value of its own."""
-    if part.role != "check":
+    if part.role != "checksum":
         return value_construct(part.value, part.order, False)
     return construct.BytesInteger(part.size, swapped=part.order != "big")
 
 
 def _shown(part: PartLayout) -> bool:
     """Whether a part before the body belongs to what a frame says."""
-    return part.role not in ("length", "check") and not part.reserved
+    return part.role not in ("length", "checksum") and not part.reserved
 
 
 @dataclass(frozen=True, slots=True)

@@ -284,7 +284,7 @@ def _in_range(name: str, value: Value | None, held: int) -> int:
     assert value is not None
     known = any(sentinel.value == held for sentinel in value.sentinels)
     fits = value.type.low <= held <= value.type.high
-    ranges = value.written_ranges
+    ranges = value.writable_ranges
     if not fits or (ranges is not None and held not in ranges and not known):
         allowed = ranges.text() if ranges else f"{value.type.low}..{value.type.high}"
         raise CodecError("out_of_range", f"{name} is {held}, not in {allowed}")

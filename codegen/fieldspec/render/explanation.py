@@ -54,7 +54,7 @@ def faults(held: Explanation) -> Iterator[str]:
 def frame_table(layout: DeviceLayout, held: Explanation) -> Table:
     """Every byte of the frame, in order; neighbouring elements of a list of plain numbers in one row."""
     shape = layout.links[held.link].frame(held.direction)
-    check = shape.check
+    check = shape.checksum
     code = shape.role("code")
     laid = layout.messages.get(held.message)
     accesses = laid.message.accesses if laid else None

@@ -236,7 +236,10 @@ def erratum_details(erratum: Erratum) -> Details:
 def example_details(example: Example) -> Details:
     """What an example says; `decode` explains its bytes."""
     yield "title", example.title
-    yield "message", f"{example.message or 'unknown'} {'refusal' if example.error else example.direction}"
+    yield (
+        "message",
+        f"{example.message or 'unknown'} {'refusal' if example.exception_response else example.direction}",
+    )
     yield "link", example.link
     yield "frame", example.frame.hex(" ").upper()
     yield "answers", example.reply_to

@@ -19,7 +19,7 @@ def value_details(value: Value) -> Iterator[tuple[str, str]]:
     yield "type", value.type.name if value.type.size else f"{value.type.name}, {value.size} bytes"
     yield "unit", unit_text(value)
     yield "range", range_text(value)
-    yield "written", "" if value.write_ranges is None else range_text(value.as_written())
+    yield "written", "" if value.write_ranges is None else range_text(value.for_writing())
     yield "default", "" if value.default is None else str(value.default)
     yield "always", "" if value.const is None else str(value.const)
     yield "values", ", ".join(f"{sentinel.text} = {sentinel.name}" for sentinel in value.sentinels)
@@ -77,7 +77,7 @@ def _value(value: Value | None) -> tuple[str, ...]:
         return "", "", "", ""
     default = value.default if value.const is None else f"always {value.const}"
     names = value.enum or value.flags or ", ".join(f"{held.text} = {held.name}" for held in value.sentinels)
-    written = "" if value.write_ranges is None else f"; written: {range_text(value.as_written())}"
+    written = "" if value.write_ranges is None else f"; written: {range_text(value.for_writing())}"
     return unit_text(value), range_text(value) + written, "" if default is None else str(default), names
 
 

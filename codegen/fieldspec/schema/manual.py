@@ -39,12 +39,12 @@ def _text(name: str) -> str:
 @cache
 def parts() -> dict[str, Schema]:
     """Every part of the schema that has a section, by its name: `register`, `link.serial`, `unit`."""
-    found: dict[str, Schema] = {ROOT: schema()}
+    schemas: dict[str, Schema] = {ROOT: schema()}
     for name, part in schema()["properties"].items():
-        found |= dict(_inner(name, part))
+        schemas |= dict(_inner(name, part))
     for name, part in schema()["$defs"].items():
-        found |= {name: part, **dict(_mappings(name, part))}
-    return found
+        schemas |= {name: part, **dict(_mappings(name, part))}
+    return schemas
 
 
 def _mappings(path: str, part: Schema) -> Iterator[tuple[str, Schema]]:

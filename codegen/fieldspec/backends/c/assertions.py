@@ -3,96 +3,148 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
-from fieldspec.backends.c.decided import Decided, of_values
+from fieldspec.backends.c.expressions import (
+    FALSE,
+    TRUE,
+    Call,
+    Element,
+    Expression,
+    Identifier,
+    Literal,
+    Member,
+    SizeOf,
+    Unary,
+    all_of,
+    byte_string,
+    decimal,
+    equal,
+    hexadecimal,
+    integer,
+    string,
+    unsigned,
+)
 from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.naming import Naming
-from fieldspec.backends.c.text import hexadecimal, integer, string
+from fieldspec.backends.c.sample_values import RecordForm, form_of_values
+from fieldspec.backends.c.statements import Assignment, Evaluation, Expectation, Statement, assign, call
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.value import Kind
 
-
-def same(what: str, left: str, right: str) -> str:
-    """Two expressions are equal."""
-    return f"expect({left} == {right}, {string(what)});"
+LENGTH = Identifier("length")
 
 
-def same_bytes(what: str, target: str, data: bytes) -> str:
-    """Some bytes of memory are these."""
-    return f"expect(same_bytes({target}, {_bytes_literal(data)}, {len(data)}u), {string(what)});"
+def expect(test: Expression, what: str) -> Evaluation:
+    """`expect(test, "what is tested");`"""
+    return Evaluation(Call("expect", (test, string(what))))
 
 
-def _bytes_literal(data: bytes) -> str:
-    return '"' + "".join(f"\\{byte:03o}" for byte in data) + '"'
+def expect_equal(what: str, left: Expression, right: Expression) -> Expectation:
+    """`expect(left == right, "what is tested");`"""
+    return Expectation(left, right, string(what))
 
 
-def assigned(naming: Naming, record: Decided, values: Mapping[str, Any], holder: str) -> list[str]:
-    """Statements that give the members their values."""
-    lines = []
-    for field in members(record.record):
-        name = f"{holder}{record.path(field)}"
-        held = values[field.name]
-        if field.field.repeat is not None:
-            lines.append(f"{holder}{record.count(field)} = {len(held)}u;")
-        for target, item in _items(field, name, held):
-            if field.record is not None:
-                lines += assigned(naming, of_values(field.record, item), item, f"{target}.")
-            else:
-                lines += _assign(naming, field, target, item)
-    return lines
+def expect_bytes(what: str, memory: Expression, data: bytes) -> Evaluation:
+    """`expect(same_bytes(memory, "\\001\\002", 2u), "what is tested");`"""
+    return expect(Call("same_bytes", (memory, byte_string(data), unsigned(len(data)))), what)
 
 
-def compared(naming: Naming, record: Decided, values: Mapping[str, Any], holder: str, what: str) -> list[str]:
-    """Statements that compare members with values; members that have none are left out."""
-    lines = []
-    for field in members(record.record):
+def same_array(memory: Identifier, wanted: Identifier) -> Expression:
+    """`length == sizeof wanted && same_bytes(memory, wanted, length)`"""
+    return all_of([equal(LENGTH, SizeOf(wanted)), Call("same_bytes", (memory, wanted, LENGTH))])
+
+
+def clear_variable(variable: Expression) -> Evaluation:
+    """`clear(&variable, sizeof variable);` of a struct, `clear(bytes, sizeof bytes);` of an array"""
+    cleared = variable.operand if isinstance(variable, Unary) else variable
+    return call("clear", variable, SizeOf(cleared))
+
+
+def set_members(naming: Naming, form: RecordForm, values: Mapping[str, Any], struct: Expression) -> list[Statement]:
+    """`in.speed = 100u;`: gives members their values."""
+    statements: list[Statement] = []
+    for field in members(form.record):
+        statements += set_member(naming, form, field, values[field.name], struct)
+    return statements
+
+
+def set_member(naming: Naming, form: RecordForm, field: FieldLayout, value: Any, struct: Expression) -> list[Statement]:
+    """Gives the member of a field its value, and the one for the number of its elements."""
+    statements: list[Statement] = []
+    if field.field.repeat is not None:
+        statements.append(assign(Member(struct, form.count_name(field)), unsigned(len(value))))
+    for target, item in _elements(form, field, struct, value):
+        if field.record is not None:
+            statements += set_members(naming, form_of_values(field.record, item), item, target)
+        else:
+            statements += _set_element(naming, field, target, item)
+    return statements
+
+
+def expect_members(
+    naming: Naming, form: RecordForm, values: Mapping[str, Any], struct: Expression, what: str
+) -> list[Statement]:
+    """`expect(out.speed == 100u, "...");`: compares members with values; members that have none are left out."""
+    statements: list[Statement] = []
+    for field in members(form.record):
         if field.name not in values:
             continue
-        name = f"{holder}{record.path(field)}"
-        held = values[field.name]
+        value = values[field.name]
         if field.field.repeat is not None:
-            lines.append(same(f"{what}: {field.name} count", f"{holder}{record.count(field)}", f"{len(held)}u"))
-        for target, item in _items(field, name, held):
+            count = Member(struct, form.count_name(field))
+            statements.append(expect_equal(f"{what}: {field.name} count", count, unsigned(len(value))))
+        for target, item in _elements(form, field, struct, value):
             if field.record is not None:
-                lines += compared(naming, of_values(field.record, item), item, f"{target}.", what)
+                statements += expect_members(naming, form_of_values(field.record, item), item, target, what)
             else:
-                lines += _compare(naming, field, target, item, f"{what}: {field.name}")
-    return lines
+                statements += _expect_member(naming, field, target, item, f"{what}: {field.name}")
+    return statements
 
 
-def _items(field: FieldLayout, name: str, held: Any) -> list[tuple[str, Any]]:
-    return [(f"{name}[{at}]", item) for at, item in enumerate(held)] if field.is_list else [(name, held)]
+def _elements(form: RecordForm, field: FieldLayout, struct: Expression, value: Any) -> Iterator[tuple[Expression, Any]]:
+    """Each element of a field with its value."""
+    target = struct
+    for name in form.member_names(field):
+        target = Member(target, name)
+    if not field.is_list:
+        yield target, value
+        return
+    for at, item in enumerate(value):
+        yield Element(target, decimal(at)), item
 
 
-def _assign(naming: Naming, field: FieldLayout, target: str, held: Any) -> list[str]:
-    if field.primitive.kind in (Kind.TEXT, Kind.BYTES):
-        data = _data(held)
-        return [f"copy({target}, {_bytes_literal(data)}, {len(data)}u);"] if data else []
-    if field.primitive.kind is Kind.FLOAT:
-        return [f"{target} = {naming.own('float_of')}({_float_bits(held)});"]
-    return [f"{target} = {_literal(field, held)};"]
+def _set_element(naming: Naming, field: FieldLayout, target: Expression, item: Any) -> list[Statement]:
+    kind = field.primitive.kind
+    if kind in (Kind.TEXT, Kind.BYTES):
+        data = _data(item)
+        return [call("copy", target, byte_string(data), unsigned(len(data)))] if data else []
+    if kind is Kind.FLOAT:
+        return [assign(target, Call(naming.own("float_of"), (_float_bits(item),)))]
+    return [Assignment(target, _literal(field, item))]
 
 
-def _compare(naming: Naming, field: FieldLayout, target: str, held: Any, what: str) -> list[str]:
-    if field.primitive.kind in (Kind.TEXT, Kind.BYTES):
-        data = _data(held)
-        return [same_bytes(what, target, data)] if data else []
-    if field.primitive.kind is Kind.FLOAT:
-        return [same(what, f"{naming.own('bits_of')}({target})", _float_bits(held))]
-    return [same(what, target, _literal(field, held))]
+def _expect_member(naming: Naming, field: FieldLayout, target: Expression, item: Any, what: str) -> list[Statement]:
+    kind = field.primitive.kind
+    if kind in (Kind.TEXT, Kind.BYTES):
+        data = _data(item)
+        return [expect_bytes(what, target, data)] if data else []
+    if kind is Kind.FLOAT:
+        return [expect_equal(what, Call(naming.own("bits_of"), (target,)), _float_bits(item))]
+    return [expect_equal(what, target, _literal(field, item))]
 
 
-def _data(held: Any) -> bytes:
-    return held.encode("ascii") if isinstance(held, str) else bytes(held)
+def _data(item: Any) -> bytes:
+    return item.encode("ascii") if isinstance(item, str) else bytes(item)
 
 
-def _float_bits(held: Any) -> str:
-    return hexadecimal(int.from_bytes(struct.pack(">f", held), "big"), 4)
+def _float_bits(item: Any) -> Literal:
+    return hexadecimal(int.from_bytes(struct.pack(">f", item), "big"), 4)
 
 
-def _literal(field: FieldLayout, held: Any) -> str:
-    if field.primitive.kind is Kind.BOOLEAN:
-        return "true" if held else "false"
-    return integer(int(held), field.primitive.size, field.primitive.signed)
+def _literal(field: FieldLayout, item: Any) -> Literal:
+    primitive = field.primitive
+    if primitive.kind is Kind.BOOLEAN:
+        return TRUE if item else FALSE
+    return integer(int(item), primitive.size, primitive.signed)

@@ -1,53 +1,55 @@
-"""The files of the C output."""
+"""The files of the C output: for each version a header, a self-test and a fuzz target, and the header that selects."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
-from fieldspec.backends.c.comments import told
-from fieldspec.backends.c.enums import coded, enum_lines, text_lines
-from fieldspec.backends.c.frames import link_lines
-from fieldspec.backends.c.fuzzing import target
-from fieldspec.backends.c.machine import OWN_MACROS, machine_lines
-from fieldspec.backends.c.naming import Naming, stem
-from fieldspec.backends.c.parameters import parameter_lines
-from fieldspec.backends.c.records import record_lines
-from fieldspec.backends.c.registers import register_lines, table_lines
-from fieldspec.backends.c.selection import claim_selection, selection
-from fieldspec.backends.c.selftest import program
-from fieldspec.backends.c.signals import conversion_lines, signal_lines
-from fieldspec.backends.c.support import STATUSES, check_lines, number_lines, status_lines
-from fieldspec.backends.c.text import folded, plain, string
-from fieldspec.backends.c.words import flags_lines
+from fieldspec.backends.c.conversions import declare_conversion
+from fieldspec.backends.c.declarations import Declaration, Define, Directive, comment, describe_fact, escape_comment
+from fieldspec.backends.c.enums import code_tables, declare_code_texts, declare_enum, declare_flags
+from fieldspec.backends.c.expressions import string, unsigned
+from fieldspec.backends.c.frames import declare_link
+from fieldspec.backends.c.fuzzing import write_fuzz_target
+from fieldspec.backends.c.messages import declare_messages
+from fieldspec.backends.c.naming import Naming, stem, version_word
+from fieldspec.backends.c.printer import Printer
+from fieldspec.backends.c.records import declare_record
+from fieldspec.backends.c.registers import declare_parameters, declare_register, declare_signal, declare_table
+from fieldspec.backends.c.runtime_files import copy_checksums, copy_numbers, copy_runtime, runtime_macros
+from fieldspec.backends.c.selftest import write_selftest
 from fieldspec.backends.forms import filled
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.device import Device
+from fieldspec.names import Name
 
 _OWN_TYPES = ("codec_status", "code_text", "selftest")
 _OWN_MACROS = ("included", "version", "identity", "with_texts", "without_double", "wide_crc_table")
+_SELECT, _LATEST = "select", "latest"
+
+Block = Sequence[Declaration]
+"""Declarations that belong together: an empty line parts them from others."""
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """For each version of a device a header, a self-test and a fuzz target; and the header that takes one of these."""
-    texts = selection(versions)
+    texts = _selecting_header(versions)
     for layout in versions:
         name = stem(layout.device.id, layout.device.version)
         naming = Naming(layout.device.id)
         texts[f"{name}.h"] = header(layout, naming)
-        texts[f"{name}_selftest.c"] = program(layout, naming, f"{name}.h")
-        texts[f"{name}_fuzz.c"] = target(layout, naming, f"{name}.h")
+        texts[f"{name}_selftest.c"] = write_selftest(layout, naming, f"{name}.h")
+        texts[f"{name}_fuzz.c"] = write_fuzz_target(layout, naming, f"{name}.h")
     return texts
 
 
 def shared() -> dict[str, str]:
-    """Nothing belongs to no device."""
+    """No file belongs to no device."""
     return {}
 
 
 def header(layout: DeviceLayout, naming: Naming) -> str:
     """The header of a version. It settles the names, so whoever uses it must have the same naming."""
     device = layout.device
-    _claim(naming, device.version, [version.id for line in device.lines for version in line.versions])
+    _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
     algorithms = {
         part.algorithm
         for link in layout.links.values()
@@ -55,100 +57,152 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         for part in frame.parts
         if part.algorithm
     }
-    signals = [signal_lines(naming, signal) for signal in device.signals.values()]
-    sections = [
-        ("Compilers and machines", [machine_lines(naming)]),
-        ("What functions return", [status_lines(naming)]),
-        ("Numbers and characters, independent of the machine", number_lines(naming, layout)),
-        ("Checks", check_lines(naming, algorithms)),
-        ("Enums and codes", [enum_lines(naming, enum) for enum in device.enums.values()]),
-        ("Words of flags", [flags_lines(naming, word) for word in device.flags.values()]),
-        ("Signals", [lines for lines in signals if lines]),
-        ("Conversions, which a machine without double leaves out", _conversions(naming, layout)),
-        ("Records", [record_lines(naming, device, record, told(record.record)) for record in layout.records.values()]),
-        ("Data of requests and responses", list(_messages(naming, layout))),
-        ("Registers", [register_lines(naming, device, register) for register in layout.registers]),
-        ("Tables of records", [table_lines(naming, device, table) for table in layout.tables.values()]),
-        ("Parameters", [b for held in device.parameters.values() for b in parameter_lines(naming, device, held)]),
-        ("Frames", [link_lines(naming, layout, link) for link in layout.links.values()]),
-    ]
     return filled(
         "backends/c/header.h.in",
-        title=plain(f"{device.name} ({device.vendor}), version {device.version}"),
-        manual=plain(f"{device.manual.title} {device.manual.edition}".strip()),
+        title=escape_comment(f"{device.name} ({device.vendor}), version {device.version}"),
+        manual=escape_comment(f"{device.manual.title} {device.manual.edition}".strip()),
         identity=layout.identity,
         guard=naming.own_macro("included"),
         version_guard=naming.own_macro("version", "is", device.version),
         version_macro=naming.own_macro("version"),
-        version=string(device.version),
+        version=string(device.version).text,
         identity_macro=naming.own_macro("identity"),
-        identity_text=string(layout.identity),
-        switches=_switches(naming, algorithms, bool(coded(device)), bool(device.conversions)),
-        sections=[
-            *(text for name, blocks in sections if blocks for text in _section(name, blocks)),
-            *_texts(naming, device),
-        ],
+        identity_text=string(layout.identity).text,
+        switches=_describe_switches(naming, algorithms, bool(code_tables(device)), bool(device.conversions)),
+        sections=_print_sections(naming, layout, algorithms),
     )
 
 
-def _section(name: str, blocks: Sequence[list[str]]) -> Iterator[str]:
-    yield f"\n/* ---- {name} ---- */\n"
-    yield from (_block(folded(block)) for block in blocks)
+def _print_sections(naming: Naming, layout: DeviceLayout, algorithms: set[str]) -> Iterator[str]:
+    """The texts of all sections. Names are claimed in this order."""
+    device = layout.device
+    sections: tuple[tuple[str, Iterable[Block]], ...] = (
+        ("Compilers and machines", ([copy_runtime(naming, "machine.h")],)),
+        ("What functions return", ([copy_runtime(naming, "status.h")],)),
+        ("Numbers and characters, independent of the machine", copy_numbers(naming, layout)),
+        ("Checks", copy_checksums(naming, algorithms)),
+        ("Enums and codes", (declare_enum(naming, enum) for enum in device.enums.values())),
+        ("Words of flags", (declare_flags(naming, word) for word in device.flags.values())),
+        ("Signals", (declare_signal(naming, signal) for signal in device.signals.values())),
+        ("Conversions, which a machine without double leaves out", _conversions(naming, layout)),
+        (
+            "Records",
+            (
+                declare_record(naming, device, record, describe_fact(record.record))
+                for record in layout.records.values()
+            ),
+        ),
+        ("Data of requests and responses", _messages(naming, layout)),
+        ("Registers", (declare_register(naming, device, register) for register in layout.registers)),
+        ("Tables of records", (declare_table(naming, device, table) for table in layout.tables.values())),
+        (
+            "Parameters",
+            (
+                block
+                for parameters in device.parameters.values()
+                for block in declare_parameters(naming, device, parameters)
+            ),
+        ),
+        (
+            "Frames",
+            (
+                [*declare_link(naming, layout, link), *declare_messages(naming, layout, link)]
+                for link in layout.links.values()
+            ),
+        ),
+        ("Texts of codes, in UTF-8", _code_texts(naming, layout)),
+    )
+    printer = Printer()
+    for name, blocks in sections:
+        texts = [_print_block(printer, block) for block in blocks if block]
+        if texts:
+            yield f"\n/* ---- {name} ---- */\n"
+            yield from texts
 
 
-def _block(lines: Sequence[str]) -> str:
-    """Lines behind an empty one."""
-    return "\n".join(["", *lines, ""])
+def _print_block(printer: Printer, block: Block) -> str:
+    """Declarations behind an empty line."""
+    return "\n".join(["", *printer.print_declarations(block), ""])
 
 
-def _texts(naming: Naming, device: Device) -> Iterator[str]:
-    """The texts of codes, where there are some."""
-    held = coded(device)
-    if held:
-        yield filled(
-            "backends/c/texts.h.in",
-            macro=naming.own_macro("with_texts"),
-            type=naming.own("code_text"),
-            texts=[_block(text_lines(naming, enum)) for enum in held],
-        )
+def _conversions(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
+    conversions = layout.device.conversions.values()
+    if conversions:
+        yield [Directive("ifndef", naming.own_macro("without_double"))]
+        yield from (declare_conversion(naming, layout.device, conversion) for conversion in conversions)
+        yield [Directive("endif")]
 
 
-def _claim(naming: Naming, version: str, versions: Sequence[str]) -> None:
-    """Settles the names that every header has before those of the device are."""
+def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
+    """For each message its code and number, then the data of its request and of its response."""
+    for layout_of_message in layout.messages.values():
+        message = layout_of_message.message
+        beside = f"Sent only beside {', '.join(message.supplements)}." if message.supplements else ""
+        links = f"On {', '.join(message.links)}." if message.links and len(layout.links) > 1 else ""
+        about = " ".join(text for text in (message.title and f"{message.title}.", links, beside) if text)
+        numbers = (("code", message.code), ("number", message.number))
+        comment_of_message = describe_fact(message, about)
+        block: list[Declaration] = [comment_of_message] if comment_of_message.lines else []
+        block += [
+            Define(naming.macro("message", layout_of_message.name, name), unsigned(number))
+            for name, number in numbers
+            if number is not None
+        ]
+        yield block
+        for data in (layout_of_message.request, layout_of_message.response):
+            yield declare_record(naming, layout.device, data, comment())
+
+
+def _code_texts(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
+    tables = code_tables(layout.device)
+    if tables:
+        yield [Directive("ifdef", naming.own_macro("with_texts")), copy_runtime(naming, "code_text.h")]
+        *others, last = tables
+        yield from (declare_code_texts(naming, enum) for enum in others)
+        yield [*declare_code_texts(naming, last), Directive("endif")]
+
+
+def _claim_names(naming: Naming, version: str, versions: Sequence[str]) -> None:
+    """Claims the names that every header has before those of the device are."""
     for name in _OWN_TYPES:
         naming.own(name)
-    for name in (*_OWN_MACROS, *OWN_MACROS, *(status for status, _ in STATUSES)):
+    for name in (*_OWN_MACROS, *runtime_macros()):
         naming.own_macro(name)
     naming.own_macro("version", "is", version)
-    claim_selection(naming, versions)
+    # Those of the header that selects stay free in the headers of all versions.
+    for words in ((), (_LATEST,), *((version_word(name),) for name in versions)):
+        naming.own_macro(_SELECT, *words)
 
 
-def _switches(naming: Naming, algorithms: set[str], texts: bool, converting: bool) -> str:
+def _describe_switches(naming: Naming, algorithms: set[str], texts: bool, conversions: bool) -> str:
     """What may be defined before the header is included, as lines of a comment."""
     known = (
         ("with_texts", "for the texts of codes, which take memory", texts),
-        ("without_double", "to leave conversions out, which need double", converting),
+        ("without_double", "to leave conversions out, which need double", conversions),
         ("wide_crc_table", "for a faster check with a table of 512 bytes", "crc16_modbus" in algorithms),
     )
     lines = [f" *   {naming.own_macro(name)} {what}\n" for name, what, used in known if used]
     return "".join([" *\n * Before it is included there may be defined:\n", *lines] if lines else [])
 
 
-def _conversions(naming: Naming, layout: DeviceLayout) -> list[list[str]]:
-    blocks = [conversion_lines(naming, layout.device, one) for one in layout.device.conversions.values()]
-    return [[f"#ifndef {naming.own_macro('without_double')}"], *blocks, ["#endif"]] if blocks else []
-
-
-def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[list[str]]:
-    for message in layout.messages.values():
-        held = message.message
-        beside = f"Sent only beside {', '.join(held.supplements)}." if held.supplements else ""
-        links = f"On {', '.join(held.links)}." if held.links and len(layout.links) > 1 else ""
-        head = told(held, " ".join(text for text in (held.title and f"{held.title}.", links, beside) if text))
-        for name, number in (("code", held.code), ("number", held.number)):
-            if number is not None:
-                head.append(f"#define {naming.macro('message', message.name, name)} {number}u")
-        if head:
-            yield head
-        for data in (message.request, message.response):
-            yield record_lines(naming, layout.device, data, [])
+def _selecting_header(versions: Sequence[DeviceLayout]) -> dict[str, str]:
+    """The header that takes that of the version which is asked for; `versions` are one device's, the oldest first."""
+    device = versions[-1].device
+    naming = Naming(device.id)
+    names = [(version, layout) for layout in versions for version in (layout.device.version, *layout.equal_versions)]
+    macros = {version: naming.own_macro(_SELECT, version_word(version)) for version, _ in names}
+    select = naming.own_macro(_SELECT)
+    headers = [(macros[version], f"{stem(device.id, layout.device.version)}.h", layout) for version, layout in names]
+    text = filled(
+        "backends/c/selection.h.in",
+        title=escape_comment(f"{device.name} ({device.vendor}), in any of its versions"),
+        identity=versions[-1].identity,
+        select=select,
+        latest=naming.own_macro(_SELECT, _LATEST),
+        newest=macros[device.version],
+        versions=[f" * {macro}: {name}, identity {layout.identity}\n" for macro, name, layout in headers],
+        defined=[f"#define {macro} {number}\n" for number, (macro, _, _) in enumerate(headers, 1)],
+        included=[f'#elif {select} + 0 == {macro}\n#include "{name}"\n' for macro, name, _ in headers],
+        choices=", ".join(macros.values()),
+    )
+    return {f"{Name.of(device.id).snake()}.h": text}

@@ -1,12 +1,59 @@
-"""Enums and tables of codes."""
+"""Enums, tables of codes with their texts, and words of flags with their states."""
 
 from __future__ import annotations
 
-from fieldspec.backends.c.comments import told
+from fieldspec.backends.c.declarations import (
+    BLANK,
+    Comment,
+    Declaration,
+    Define,
+    Enumeration,
+    Enumerator,
+    Function,
+    Typedef,
+    comment,
+    describe_fact,
+    escape_comment,
+)
+from fieldspec.backends.c.expressions import (
+    FALSE,
+    INDEX,
+    NULL,
+    TRUE,
+    VALUE,
+    ZERO,
+    Call,
+    Cast,
+    Element,
+    Expression,
+    Group,
+    Identifier,
+    Initializer,
+    Operation,
+    SizeOf,
+    Type,
+    Unary,
+    address_of,
+    all_of,
+    at_least,
+    at_most,
+    decimal,
+    different,
+    equal,
+    hexadecimal,
+    hexadecimal_digits,
+    integer,
+    negate,
+    string,
+    unsigned,
+)
+from fieldspec.backends.c.expressions import (
+    Member as StructMember,
+)
 from fieldspec.backends.c.naming import Naming
-from fieldspec.backends.c.text import hexadecimal, indented, integer, plain, string
+from fieldspec.backends.c.statements import CountUp, If, Return, Statement, Table, Variable, discard
 from fieldspec.model.device import Device
-from fieldspec.model.enums import Enum, Member
+from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.model.value import Value
 
 # What the constants of an enum may be: an int, which has 16 bits on small machines.
@@ -14,90 +61,100 @@ _LEAST, _LARGEST = -(2**15) + 1, 2**15 - 1
 _LARGEST_CODE = 2**63 - 1
 
 # Enums that are no tables of codes, and have no texts but their members' comments.
-_PLAIN_KINDS = ("enum", "function", "type")
+_KINDS_WITHOUT_TEXTS = ("enum", "function", "type")
 
 
-def coded(device: Device) -> list[Enum]:
-    """The tables of codes, which have texts: alarms, faults, exceptions, errors."""
-    return [enum for enum in device.enums.values() if enum.kind not in _PLAIN_KINDS]
+def code_tables(device: Device) -> list[Enum]:
+    """The enums that are tables of codes, which have texts: alarms, faults, exceptions, errors."""
+    return [enum for enum in device.enums.values() if enum.kind not in _KINDS_WITHOUT_TEXTS]
 
 
-def available(enum: Enum) -> list[Member]:
+def available_members(enum: Enum) -> list[Member]:
     """The members that a value may be."""
     return [member for member in enum.members if not member.unavailable]
 
 
-def enum_lines(naming: Naming, enum: Enum) -> list[str]:
+def declare_enum(naming: Naming, enum: Enum) -> list[Declaration]:
     """The members' values, and the function that says which values a closed enum has.
 
-    Members that are more than an int holds make all of them macros of one integer type.
+    Members that are more than an int can be make all of them macros of one integer type.
     """
-    members = available(enum)
-    lines = told(enum, "Other values may occur." if enum.open else "")
+    members = available_members(enum)
+    declarations: list[Declaration] = [describe_fact(enum, "Other values may occur." if enum.open else "")]
     if all(_LEAST <= member.value <= _LARGEST for member in members):
-        lines += _enumerators(naming, enum, members)
+        declarations += _enumeration(naming, enum, members)
     else:
-        lines += _macros(naming, enum, members)
+        declarations += _macros(naming, enum, members)
     if not enum.open:
-        lines += ["", *_known(naming, enum)]
-    return lines
+        declarations += [BLANK, *_known_function(naming, enum)]
+    return declarations
 
 
-def _enumerators(naming: Naming, enum: Enum, members: list[Member]) -> list[str]:
+def _enumeration(naming: Naming, enum: Enum, members: list[Member]) -> list[Declaration]:
     if not members:
         return []
-    name = naming.type("enum", enum.name)
-    hexadecimal_in_print = "x}" in enum.printed_as.lower()
-    lines = [f"typedef enum {name} {{"]
-    for at, member in enumerate(members):
-        comma = "," if at + 1 < len(members) else ""
-        constant = naming.macro("enum", enum.name, member.name)
-        number = f"0x{member.value:X}" if hexadecimal_in_print and member.value >= 0 else integer(member.value)
-        lines.append(f"    {constant} = {number}{comma}{_beside(member)}")
-    return [*lines, f"}} {name};"]
+    printed_in_hexadecimal = "x}" in enum.printed_as.lower()
+    enumerators = tuple(
+        Enumerator(
+            naming.macro("enum", enum.name, member.name),
+            hexadecimal_digits(member.value) if printed_in_hexadecimal and member.value >= 0 else integer(member.value),
+            _remark(member),
+        )
+        for member in members
+    )
+    return [Enumeration(naming.type("enum", enum.name), enumerators)]
 
 
-def _macros(naming: Naming, enum: Enum, members: list[Member]) -> list[str]:
+def _macros(naming: Naming, enum: Enum, members: list[Member]) -> list[Declaration]:
     signed = any(member.value < 0 for member in members)
     size = 4 if not signed and all(member.value < 2**32 for member in members) else 8
-    lines = [f"typedef {'' if signed else 'u'}int{8 * size}_t {naming.type('enum', enum.name)};"]
-    for member in members:
-        number = integer(member.value, size) if signed else hexadecimal(member.value, size)
-        lines.append(f"#define {naming.macro('enum', enum.name, member.name)} {number}{_beside(member)}")
-    return lines
-
-
-def _beside(member: Member) -> str:
-    number = f"Number {member.number}." if member.number is not None else ""
-    text = plain(" ".join(part for part in (member.printed_name, member.label, number, member.doc) if part))
-    return f" /**< {text} */" if text else ""
-
-
-def _wide(enum: Enum) -> bool:
-    return any(member.value > _LARGEST_CODE for member in available(enum))
-
-
-def _known(naming: Naming, enum: Enum) -> list[str]:
-    kind = "uint64_t" if _wide(enum) else "int64_t"
-    lines = [
-        f"/** Whether a value is one of {plain(naming.type('enum', enum.name))}. */",
-        f"static inline bool {naming.function('enum', enum.name, 'known')}({kind} value)",
-        "{",
+    kind = Type(f"{'' if signed else 'u'}int{8 * size}_t")
+    return [
+        Typedef(kind, naming.type("enum", enum.name)),
+        *(
+            Define(
+                naming.macro("enum", enum.name, member.name),
+                integer(member.value, size) if signed else hexadecimal(member.value, size),
+                _remark(member),
+            )
+            for member in members
+        ),
     ]
-    runs = _runs(sorted({member.value for member in available(enum)}))
-    tests = []
-    for low, high in runs:
-        first, last = (integer(bound, 8, not _wide(enum)) for bound in (low, high))
-        test = f"value == {first}" if low == high else f"value >= {first} && value <= {last}"
-        tests.append(f"value <= {last}" if low == 0 and high > 0 and _wide(enum) else test)
-    for test in tests[:-1]:
-        lines += [f"    if ({test}) {{", "        return true;", "    }"]
+
+
+def _remark(member: Member) -> str:
+    number = f"Number {member.number}." if member.number is not None else ""
+    return escape_comment(" ".join(part for part in (member.printed_name, member.label, number, member.doc) if part))
+
+
+def _is_wide(enum: Enum) -> bool:
+    return any(member.value > _LARGEST_CODE for member in available_members(enum))
+
+
+def _known_function(naming: Naming, enum: Enum) -> list[Declaration]:
+    """`bool stop_mode_known(int64_t value)`"""
+    wide = _is_wide(enum)
+    tests: list[Expression] = []
+    for low, high in _runs(sorted({member.value for member in available_members(enum)})):
+        least, most = integer(low, 8, not wide), integer(high, 8, not wide)
+        if low == 0 and high > 0 and wide:
+            tests.append(at_most(VALUE, most))
+        else:
+            tests.append(equal(VALUE, least) if low == high else all_of([at_least(VALUE, least), at_most(VALUE, most)]))
+    body: list[Statement] = [If(test, (Return(TRUE),)) for test in tests[:-1]]
     if tests:
-        return [*lines, f"    return {naming.own_macro('likely')}({tests[-1]});", "}"]
-    return [*lines, "    (void)value;", "    return false;", "}"]
+        body.append(Return(Call(naming.own_macro("likely"), (tests[-1],))))
+    else:
+        body += [discard("value"), Return(FALSE)]
+    parameter = Variable(Type("uint64_t" if wide else "int64_t"), "value")
+    # The name of the type is claimed before that of the function.
+    about = f"Whether a value is one of {escape_comment(naming.type('enum', enum.name))}."
+    function = Function(Type("bool"), naming.function("enum", enum.name, "known"), (parameter,), tuple(body))
+    return [Comment((about,)), function]
 
 
 def _runs(values: list[int]) -> list[tuple[int, int]]:
+    """The intervals of consecutive numbers."""
     runs: list[tuple[int, int]] = []
     for value in values:
         if runs and runs[-1][1] == value - 1:
@@ -107,42 +164,159 @@ def _runs(values: list[int]) -> list[tuple[int, int]]:
     return runs
 
 
-def closed_test(naming: Naming, device: Device, value: Value, name: str) -> str:
-    """The condition under which the value's closed enum refuses it, or an empty one."""
+def unknown_value_test(naming: Naming, device: Device, value: Value, number: Expression) -> Expression | None:
+    """`!stop_mode_known((int64_t)value)`: whether the value's closed enum refuses it; None where nothing is refused."""
     if not value.enum or device.enums[value.enum].open:
-        return ""
-    kind = "uint64_t" if _wide(device.enums[value.enum]) else "int64_t"
-    known = f"!{naming.function('enum', value.enum, 'known')}(({kind}){name})"
-    others = [f" && {name} != {integer(s.value, value.size, value.type.signed)}" for s in value.sentinels]
-    return known + "".join(others)
+        return None
+    kind = "uint64_t" if _is_wide(device.enums[value.enum]) else "int64_t"
+    known = negate(Call(naming.function("enum", value.enum, "known"), (Cast(kind, number),)))
+    sentinels = [different(number, integer(s.value, value.size, value.type.signed)) for s in value.sentinels]
+    return all_of([known, *sentinels])
 
 
-def text_lines(naming: Naming, enum: Enum) -> list[str]:
+def enum_implies_range(device: Device, value: Value) -> bool:
+    """Whether every number that the value's closed enum takes may be written: then the range need not be tested."""
+    ranges = value.writable_ranges
+    if not value.enum or device.enums[value.enum].open or ranges is None:
+        return False
+    sentinels = {sentinel.value for sentinel in value.sentinels}
+    return all(
+        member.value in ranges or member.value in sentinels for member in available_members(device.enums[value.enum])
+    )
+
+
+def declare_code_texts(naming: Naming, enum: Enum) -> list[Declaration]:
     """A function from a code to its texts, for tables of alarms, faults, exceptions and errors."""
-    kind = naming.own("code_text")
-    lines = [
-        f"/** The texts of a code of {naming.type('enum', enum.name)}, or NULL where it is not listed. */",
-        f"static inline const {kind} *{naming.function('enum', enum.name, 'text')}(int64_t code)",
-        "{",
-    ]
+    struct = naming.own("code_text")
+    about = f"The texts of a code of {naming.type('enum', enum.name)}, or NULL where it is not listed."
     members = [member for member in enum.members if member.value <= _LARGEST_CODE]
-    if not members:
-        return [*lines, "    (void)code;", "    return NULL;", "}"]
-    lines.append(f"    static const {kind} texts[] = {{")
-    for member in members:
-        causes = "\n".join(cause.cause for cause in member.causes)
-        remedies = "\n".join([*(r for cause in member.causes for r in cause.remedies), *member.remedies])
-        texts = (member.printed_name, member.name, member.label, member.problem or member.doc, causes, remedies)
-        cells = ", ".join(string(text) for text in texts)
-        number = integer(-1 if member.number is None else member.number, 8)
-        lines.append(f"        {{{integer(member.value, 8)}, {number}, {cells}}},")
-    lines += [
-        "    };",
-        "    size_t at;",
-        "    for (at = 0; at < sizeof texts / sizeof texts[0]; at++) {",
-        *indented(["if (texts[at].code == code) {", "    return &texts[at];", "}"], 2),
-        "    }",
-        "    return NULL;",
-        "}",
+    texts, code = Identifier("texts"), Identifier("code")
+    row = Element(texts, INDEX)
+    body: tuple[Statement, ...] = (discard("code"), Return(NULL))
+    if members:
+        body = (
+            Table(Type(struct), "texts", tuple([_code_text(member) for member in members])),
+            Variable(INDEX.type, INDEX.name),
+            CountUp(
+                INDEX,
+                Operation("/", (SizeOf(texts), SizeOf(Element(texts, ZERO)))),
+                (If(equal(StructMember(row, "code"), code), (Return(address_of(row)),)),),
+            ),
+            Return(NULL),
+        )
+    function = Function(
+        Type(struct, const=True, pointer=True),
+        naming.function("enum", enum.name, "text"),
+        (Variable(Type("int64_t"), "code"),),
+        body,
+    )
+    return [Comment((about,)), function]
+
+
+def _code_text(member: Member) -> Initializer:
+    causes = "\n".join(cause.cause for cause in member.causes)
+    remedies = "\n".join([*(r for cause in member.causes for r in cause.remedies), *member.remedies])
+    texts = (member.printed_name, member.name, member.label, member.problem or member.doc, causes, remedies)
+    number = integer(-1 if member.number is None else member.number, 8)
+    return Initializer((integer(member.value, 8), number, *[string(text) for text in texts]))
+
+
+_WORD = Identifier("word")
+
+
+def named_bits(word: Flags) -> list[tuple[str, Bit]]:
+    """The bits that have a meaning, by names that differ: bits of one name under several conditions are numbered."""
+    named: dict[str, Bit] = {}
+    for bit in word.bits:
+        if bit.reserved or any(other.mask == bit.mask and other.name == bit.name for other in named.values()):
+            continue
+        name, number = bit.name, 1
+        while name in named:
+            number += 1
+            name = f"{bit.name}_{number}"
+        named[name] = bit
+    return list(named.items())
+
+
+def declare_flags(naming: Naming, word: Flags) -> list[Declaration]:
+    """Masks, shifts, and a function for each bit or bit field; then the states."""
+    kind = Type(f"uint{8 * word.type.size}_t")
+    declarations: list[Declaration] = [describe_fact(word, f"A word of {8 * word.type.size} bits.")]
+    declarations.append(Typedef(kind, naming.type("word", word.name)))
+    for name, bit in named_bits(word):
+        declarations += [BLANK, *_declare_bit(naming, word, name, bit, kind)]
+    if word.states:
+        declarations += [BLANK, *_declare_states(naming, word, kind)]
+    return declarations
+
+
+def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -> list[Declaration]:
+    levels = [f"{n}: {text}." for n, text in ((0, bit.zero), (1, bit.one)) if text]
+    facts = [
+        " ".join(levels),
+        f"Its {bit.edge} edge counts." if bit.edge else "",
+        "It is 0 while what its name says is so." if bit.active == "low" else "",
+        f"See {bit.enum}." if bit.enum else "",
+        f"When {bit.when}." if bit.when else "",
     ]
-    return lines
+    mask = Identifier(naming.macro("bit", word.name, name, "mask"))
+    shift = Identifier(naming.macro("bit", word.name, name, "shift"))
+    get = naming.function("bit", word.name, name)
+    masked = Operation("&", (_WORD, mask))
+    parameter = Variable(kind, "word")
+    declarations: list[Declaration] = [
+        describe_fact(bit, *facts),
+        Define(mask.name, hexadecimal(bit.mask, word.type.size)),
+        Define(shift.name, unsigned(bit.first)),
+    ]
+    if bit.width == 1:
+        return [*declarations, Function(Type("bool"), get, (parameter,), (Return(different(masked, ZERO)),))]
+    cleared = Group(Operation("&", (_WORD, Cast(kind.name, Unary("~", mask)))))
+    shifted = Group(Operation("&", (Cast(kind.name, Operation("<<", (VALUE, shift))), mask)))
+    return [
+        *declarations,
+        Function(kind, get, (parameter,), (Return(Cast(kind.name, Operation(">>", (masked, shift)))),)),
+        Function(
+            kind,
+            naming.function("bit", word.name, "with", name),
+            (parameter, Variable(kind, "value")),
+            (Return(Cast(kind.name, Operation("|", (cleared, shifted)))),),
+        ),
+    ]
+
+
+def _declare_states(naming: Naming, word: Flags, kind: Type) -> list[Declaration]:
+    """Masks and values of the states, an enum of them, and the function that gives the first one that holds."""
+    size, name = word.type.size, naming.type("word", word.name, "state")
+    none = naming.macro("word", word.name, "no_state")
+    declarations: list[Declaration] = []
+    masks: list[tuple[Identifier, Identifier]] = []
+    for state in word.states:
+        mask, value = word.masked(state)
+        mask_name = Identifier(naming.macro("state", word.name, "state", state.name, "mask"))
+        value_name = Identifier(naming.macro("state", word.name, "state", state.name, "value"))
+        declarations += [
+            describe_fact(state),
+            Define(mask_name.name, hexadecimal(mask, size)),
+            Define(value_name.name, hexadecimal(value, size)),
+        ]
+        masks.append((mask_name, value_name))
+    states = [naming.macro("state", word.name, "state", state.name) for state in word.states]
+    enumerators = [Enumerator(none, ZERO)]
+    enumerators += [Enumerator(state, decimal(number)) for number, state in enumerate(states, 1)]
+    tests = [
+        If(equal(Operation("&", (_WORD, mask)), value), (Return(Identifier(state)),))
+        for (mask, value), state in zip(masks, states, strict=True)
+    ]
+    return [
+        *declarations,
+        comment("The states that the word shows."),
+        Enumeration(name, tuple(enumerators)),
+        comment("The first state whose bits the word has, in the order above."),
+        Function(
+            Type(name),
+            naming.function("word", word.name, "state_of"),
+            (Variable(kind, "word"),),
+            (*tests, Return(Identifier(none))),
+        ),
+    ]

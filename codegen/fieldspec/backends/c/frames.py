@@ -2,362 +2,351 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.c.comments import told
-from fieldspec.backends.c.elements import returning
-from fieldspec.backends.c.enums import closed_test
-from fieldspec.backends.c.fields import members
+from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Function, Struct, comment, describe_fact
+from fieldspec.backends.c.delimiters import declare_unwrap, is_wrapped, wrap_frame
+from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
+from fieldspec.backends.c.expressions import (
+    CAPACITY,
+    IN,
+    INPUT_BYTES,
+    LENGTH,
+    OUT,
+    OUTPUT_BYTES,
+    SIZE_TYPE,
+    ZERO,
+    Call,
+    Cast,
+    Expression,
+    Group,
+    Identifier,
+    Operation,
+    PointerMember,
+    Type,
+    Unary,
+    add,
+    add_size,
+    address_of,
+    all_of,
+    any_of,
+    at_least,
+    at_most,
+    decimal,
+    dereference,
+    different,
+    equal,
+    greater,
+    less,
+    multiply,
+    negate,
+    unsigned,
+)
+from fieldspec.backends.c.fields import return_error
 from fieldspec.backends.c.naming import Naming, argument, frame_member
-from fieldspec.backends.c.text import comment, indented, integer
-from fieldspec.backends.c.values import Wire, access_name, const_test, declaration, load, range_test, refused
+from fieldspec.backends.c.statements import (
+    Assignment,
+    Body,
+    CompileIf,
+    If,
+    Statement,
+    Variable,
+    assign,
+    discard,
+)
+from fieldspec.backends.c.values import (
+    WireValue,
+    access_name,
+    check_constant,
+    declare_value,
+    load,
+    out_of_range_test,
+    refuse,
+    return_ok,
+    status_type,
+    store,
+    store_constant,
+)
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
-from fieldspec.layout.record import RecordLayout
 
 DIRECTIONS = ("request", "response")
+_SIZE_POINTER = Type("size_t", pointer=True)
+CODE_TYPE = Type("uint32_t")
+_CODE, _BODY_LENGTH, _TOTAL = Identifier("code"), Identifier("body_length"), Identifier("total")
 
 
-def head_members(shape: FrameLayout) -> list[PartLayout]:
-    """The parts before the body that users give: neither the length nor the code, nor a constant."""
-    return [part for part in shape.head if part.is_argument]
+def header_parts(frame: FrameLayout) -> list[PartLayout]:
+    """The parts before the body that users set: neither the length nor the code, nor a constant."""
+    return [part for part in frame.head if part.is_argument]
 
 
-def wrapped(link: LinkLayout) -> bool:
-    """Whether a frame is more than its bytes: it has marks, or is written in characters."""
-    return link.link.encoding == "hex_ascii" or bool(link.link.start or link.link.end)
-
-
-def part_wire(part: PartLayout) -> Wire:
-    """The value of a part that holds one."""
+def part_value(part: PartLayout) -> WireValue:
+    """The value of a part that has one."""
     assert part.value is not None
-    return Wire(part.value, part.order, False)
+    return WireValue(part.value, part.order, False)
 
 
-def link_lines(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[str]:
-    """All of a link's functions."""
-    lines = told(link.link, f"A frame is {_form(link)}.")
-    if wrapped(link):
-        lines += [*_parts(naming, link), ""]
+def part_pointer(pointer: Expression, part: PartLayout, total: Expression) -> Expression:
+    """`in + 2`, or behind the body `in + length - 3u`: a pointer to a part of a frame of `total` bytes."""
+    return add(pointer, decimal(part.offset) if part.offset >= 0 else add_size(total, part.offset))
+
+
+def declare_link(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[Declaration]:
+    """The structs of opened frames, and the functions that open and close frames."""
+    declarations: list[Declaration] = [describe_fact(link.link, f"A frame is {_describe_form(link)}.")]
+    if is_wrapped(link):
+        declarations += [*declare_unwrap(naming, link), BLANK]
     for direction in DIRECTIONS:
-        lines += [*_frame_struct(naming, link, direction), "", *_open(naming, link, direction), ""]
-        lines += [*_close(naming, layout, link, direction), ""]
-    for message in link.messages.values():
-        for direction in DIRECTIONS:
-            code = message.message.code if link.frame(direction).role("code") is not None else None
-            lines += [*_message(naming, link, direction, message.data(direction), f"{message.name}", code), ""]
-    error = link.link.error
-    if error is not None:
-        lines += [*_message(naming, link, "response", layout.records[error.record], "error", None, error.flag), ""]
-    return lines[:-1]
+        declarations += [*_declare_struct(naming, link, direction), BLANK]
+        declarations += [*_declare_open(naming, link, direction), BLANK]
+        declarations += [*_declare_close(naming, layout, link, direction), BLANK]
+    return declarations[:-1]
 
 
-def _form(link: LinkLayout) -> str:
+def _describe_form(link: LinkLayout) -> str:
     text = "bytes" if link.link.encoding == "binary" else "hexadecimal characters"
-    marks = [f"from {link.link.start.hex(' ').upper()}"] if link.link.start else []
-    marks += [f"to {link.link.end.hex(' ').upper()}"] if link.link.end else []
-    return " ".join([text, *marks])
+    start = [f"from {link.link.start.hex(' ').upper()}"] if link.link.start else []
+    end = [f"to {link.link.end.hex(' ').upper()}"] if link.link.end else []
+    return " ".join([text, *start, *end])
 
 
-def _parts(naming: Naming, link: LinkLayout) -> list[str]:
-    """The function that takes a frame's marks away, and turns characters into bytes."""
-    start, end = link.link.start, link.link.end
-    name = naming.function("link", link.name, "parts")
-    lines = [
-        *comment("Takes the marks away and writes the bytes between them. They may replace the frame itself."),
-        f"static inline {naming.own('codec_status')} {name}"
-        "(const uint8_t *frame, size_t size, uint8_t *out, size_t capacity, size_t *length)",
-        "{",
+def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[Declaration]:
+    """The struct of an opened frame."""
+    frame = link.frame(direction)
+    inside: list[Comment | Variable] = []
+    for part in header_parts(frame):
+        inside += [describe_fact(part.part), declare_value(part_value(part), frame_member(part.name))]
+    if frame.role("code") is not None:
+        inside += [comment("The code, without the flag of an error reply."), Variable(CODE_TYPE, "code")]
+    if direction == "response" and link.link.exception_response is not None:
+        about = comment("The frame refuses a request; its body is an error record.")
+        inside += [about, Variable(Type("bool"), "error")]
+    inside += [Variable(INPUT_BYTES, "body"), Variable(SIZE_TYPE, "body_length")]
+    return [
+        comment(f"An opened {direction}: what stands before the body, and where the body is."),
+        Struct(naming.type("link", link.name, direction, "frame"), tuple(inside)),
     ]
-    body = ["size_t at;"]
-    marks = len(start) + len(end)
-    body += refused(naming, f"size < {marks}u", "err_wrong_mark") if marks else []
-    tests = [f"frame[{at}] != 0x{byte:02X}u" for at, byte in enumerate(start)]
-    tests += [f"frame[size - {len(end) - at}u] != 0x{byte:02X}u" for at, byte in enumerate(end)]
-    if tests:
-        body += refused(naming, " || ".join(tests), "err_wrong_mark")
-    body.append(f"*length = size - {marks}u;")
-    if link.link.encoding == "binary":
-        body += refused(naming, "capacity < *length", "err_capacity")
-        body += ["for (at = 0; at < *length; at++) {", f"    out[at] = frame[{len(start)}u + at];", "}"]
+
+
+# Opening
+
+
+def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Declaration]:
+    """The function that checks a frame and finds its body.
+
+    `codec_status rtu_request_open(const uint8_t *frame, size_t size, rtu_request_frame *out)`
+    """
+    frame = link.frame(direction)
+    about = ["Checks a frame and finds its body."]
+    parameters = [Variable(INPUT_BYTES, "frame"), Variable(SIZE_TYPE, "size")]
+    body: list[Statement] = []
+    if is_wrapped(link):
+        about.append("The buffer receives the frame's bytes, and the body lies in it.")
+        parameters += [Variable(OUTPUT_BYTES, "buffer"), Variable(SIZE_TYPE, "capacity")]
+        received = Identifier("frame"), Identifier("size"), Identifier("buffer"), CAPACITY, address_of(LENGTH)
+        body += [
+            Variable(INPUT_BYTES, "in", value=Identifier("buffer")),
+            Variable(SIZE_TYPE, "length", value=ZERO),
+            Variable(status_type(naming), "status"),
+            *return_error(naming, Call(naming.function("link", link.name, "parts"), received)),
+        ]
     else:
-        digit = naming.own("digit")
-        body += ["for (at = 0; at < *length; at++) {"]
-        body += indented(refused(naming, f"{digit}(frame[{len(start)}u + at]) > 15u", "err_not_hex"))
-        body += ["}", *refused(naming, "*length % 2u != 0", "err_wrong_length"), "*length /= 2u;"]
-        body += refused(naming, "capacity < *length", "err_capacity")
-        first = f"frame[{len(start)}u + 2u * at]"
-        second = f"frame[{len(start) + 1}u + 2u * at]"
-        body += ["for (at = 0; at < *length; at++) {"]
-        body += [f"    out[at] = (uint8_t)({digit}({first}) << 4 | {digit}({second}));", "}"]
-    body.append(f"return {naming.own_macro('ok')};")
-    return [*lines, *indented(body), "}"]
-
-
-def _frame_struct(naming: Naming, link: LinkLayout, direction: str) -> list[str]:
-    shape = link.frame(direction)
-    name = naming.type("link", link.name, direction, "frame")
-    lines = [*comment(f"An opened {direction}: what stands before the body, and where the body is.")]
-    lines.append(f"typedef struct {name} {{")
-    for part in head_members(shape):
-        lines += indented([*told(part.part), declaration(part_wire(part), frame_member(part.name), None) + ";"])
-    if shape.role("code") is not None:
-        lines += indented(["/** The code, without the flag of an error reply. */", "uint32_t code;"])
-    if direction == "response" and link.link.error is not None:
-        lines += indented(["/** The frame refuses a request; its body is an error record. */", "bool error;"])
-    return [*lines, *indented(["const uint8_t *body;", "size_t body_length;"]), f"}} {name};"]
-
-
-def _open(naming: Naming, link: LinkLayout, direction: str) -> list[str]:
-    """The function that checks a frame and finds its body."""
-    shape = link.frame(direction)
-    buffer = ", uint8_t *buffer, size_t capacity" if wrapped(link) else ""
-    kind = naming.type("link", link.name, direction, "frame")
-    told_of = ["Checks a frame and finds its body."]
-    if wrapped(link):
-        told_of.append("The buffer receives the frame's bytes, and the body lies in it.")
-    lines = [
-        *comment(*told_of),
-        f"static inline {naming.own('codec_status')} {naming.function('link', link.name, direction, 'open')}"
-        f"(const uint8_t *frame, size_t size{buffer}, {kind} *out)",
-        "{",
+        body += [
+            Variable(INPUT_BYTES, "in", value=Identifier("frame")),
+            Variable(SIZE_TYPE, "length", value=Identifier("size")),
+        ]
+    parameters.append(Variable(Type(naming.type("link", link.name, direction, "frame"), pointer=True), "out"))
+    around = frame.head_size + frame.tail_size
+    if around:
+        body += refuse(naming, less(LENGTH, unsigned(around)), "err_incomplete")
+    body += _check_frame(naming, frame)
+    for part in header_parts(frame):
+        number = load(naming, part_value(part), part_pointer(IN, part, LENGTH))
+        body.append(assign(PointerMember(OUT, frame_member(part.name)), number))
+    body += [
+        *_read_code(naming, link, frame),
+        assign(PointerMember(OUT, "body"), add_size(IN, frame.head_size)),
+        assign(PointerMember(OUT, "body_length"), add_size(LENGTH, -around)),
+        return_ok(naming),
     ]
-    body = []
-    if wrapped(link):
-        body += ["const uint8_t *in = buffer;", "size_t length = 0;", f"{naming.own('codec_status')} status;"]
-        body += [f"status = {naming.function('link', link.name, 'parts')}(frame, size, buffer, capacity, &length);"]
-        body += [f"if (status != {naming.own_macro('ok')}) {{", "    return status;", "}"]
-    else:
-        body += ["const uint8_t *in = frame;", "size_t length = size;"]
-    least = shape.head_size + shape.tail_size
-    if least:
-        body += refused(naming, f"length < {least}u", "err_incomplete")
-    length = shape.role("length")
+    name = naming.function("link", link.name, direction, "open")
+    return [comment(*about), Function(status_type(naming), name, tuple(parameters), tuple(body))]
+
+
+def _check_frame(naming: Naming, frame: FrameLayout) -> Body:
+    """Refuses a wrong length, a wrong checksum and wrong constants, in this order."""
+    body: Body = ()
+    length = frame.role("length")
     if length is not None:
-        received = load(naming, part_wire(length), f"in + {length.offset}")
-        body += refused(naming, _length_differs(shape, length, received, "length"), "err_wrong_length")
-    check = shape.check
-    if check is not None:
-        held = f"{naming.own('load', access_name(check.size, check.order, False))}(in + {_at('length', check.offset)})"
-        body += refused(naming, f"{_checksum(naming, check, 'in', 'length')} != {held}", "err_wrong_check")
-    for part in shape.constants:
-        body += const_test(naming, part_wire(part), f"in + {_at('length', part.offset)}")
-    for part in head_members(shape):
-        body.append(f"out->{frame_member(part.name)} = {load(naming, part_wire(part), f'in + {part.offset}')};")
-    body += _code(naming, link, shape)
-    body += [f"out->body = {_sum('in', shape.head_size)};", f"out->body_length = {_sum('length', -least)};"]
-    body.append(f"return {naming.own_macro('ok')};")
-    return [*lines, *indented(body), "}"]
+        received = load(naming, part_value(length), part_pointer(IN, length, LENGTH))
+        number, unrepresentable = _length_number(frame, length, LENGTH)
+        body += refuse(naming, any_of([*unrepresentable, different(received, number)]), "err_wrong_length")
+    checksum = frame.checksum
+    if checksum is not None:
+        received = Call(naming.own(f"load_{_checksum_access(checksum)}"), (part_pointer(IN, checksum, LENGTH),))
+        computed = _compute_checksum(naming, checksum, IN, LENGTH)
+        body += refuse(naming, different(computed, received), "err_wrong_check")
+    for part in frame.constants:
+        body += check_constant(naming, part_value(part), part_pointer(IN, part, LENGTH))
+    return body
 
 
-def _code(naming: Naming, link: LinkLayout, shape: FrameLayout) -> list[str]:
-    part = shape.role("code")
+def _compute_checksum(naming: Naming, checksum: PartLayout, source: Expression, total: Expression) -> Call:
+    """`crc16_modbus(in + 1, length - 3u)`: the checksum of the bytes that it covers in a frame of `total` bytes."""
+    start, stop = checksum.start, checksum.stop or 0
+    first = source
+    if start:
+        first = add(source, decimal(start) if start > 0 else add_size(total, start))
+    # A start and a stop that are counted from the same end bound a constant size.
+    size = unsigned(stop - start) if start < 0 or stop > 0 else add_size(total, stop - start)
+    return Call(naming.own(checksum.algorithm), (first, size))
+
+
+def _length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
+    """What a length part has in a frame of `total` bytes, and the tests of which each finds that no number says it.
+
+    Where none of them does, nothing wraps around: `(length - 4u) / 2u`, `(length - 4u) % 2u != 0`
+    """
+    around = frame.head_size + frame.tail_size
+    unrepresentable: list[Expression] = [less(total, unsigned(part.base))] if part.base > around else []
+    number = add_size(total, -part.base)
+    if part.unit_size > 1:
+        unit = unsigned(part.unit_size)
+        unrepresentable.append(different(Operation("%", (number, unit)), ZERO))
+        number = Operation("/", (number, unit))
+    return number, unrepresentable
+
+
+def _checksum_access(checksum: PartLayout) -> str:
+    return access_name(checksum.size, checksum.order, False)
+
+
+def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
+    """Reads the code, takes the flag of an exception response off it, and refuses a code that no message has."""
+    part = frame.role("code")
     if part is None:
-        return []
-    lines = [f"out->code = {load(naming, part_wire(part), f'in + {part.offset}')};"]
-    error = link.link.error
-    guard = ""
-    if error is not None and shape.direction == "response":
-        lines.append(f"out->error = (out->code & {error.flag}u) != 0;")
-        lines += ["if (out->error) {", f"    out->code &= ~(uint32_t){error.flag}u;", "}"]
-        guard = "!out->error && "
+        return ()
+    code, error = PointerMember(OUT, "code"), PointerMember(OUT, "error")
+    body: Body = (assign(code, load(naming, part_value(part), part_pointer(IN, part, LENGTH))),)
+    guard: list[Expression] = []
+    if link.link.exception_response is not None and frame.direction == "response":
+        flag = unsigned(link.link.exception_response.flag)
+        without_flag = Assignment(code, Unary("~", Cast(CODE_TYPE.name, flag)), "&=")
+        body += (
+            assign(error, different(Operation("&", (code, flag)), ZERO)),
+            If(error, (without_flag,)),
+        )
+        guard.append(negate(error))
     codes = sorted({m.message.code for m in link.messages.values() if m.message.code is not None})
     if codes:
-        tests = " && ".join(f"out->code != {code}u" for code in codes)
-        lines += refused(naming, f"{guard}{tests}", "err_unknown_code")
-    return lines
+        tests = [*guard, *(different(code, unsigned(known)) for known in codes)]
+        body += refuse(naming, all_of(tests), "err_unknown_code")
+    return body
 
 
-def _arguments(shape: FrameLayout) -> list[str]:
-    return [declaration(part_wire(part), argument(part.name), None) for part in head_members(shape)]
+# Closing
 
 
-def _close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direction: str) -> list[str]:
-    """The function that puts everything around a body that lies in the buffer already."""
-    shape = link.frame(direction)
-    arguments = [*_arguments(shape)]
-    if shape.role("code") is not None:
-        arguments.append("uint32_t code")
-    arguments += ["size_t body_length", "uint8_t *out", "size_t capacity", "size_t *length"]
-    lines = [
-        *comment(f"Completes a frame whose body lies at out + {shape.head_size}. Length receives the frame's size."),
-        f"static inline {naming.own('codec_status')} {naming.function('link', link.name, direction, 'close')}"
-        f"({', '.join(arguments)})",
-        "{",
-    ]
-    marks = len(link.link.start) + len(link.link.end)
-    width = 2 if link.link.encoding == "hex_ascii" else 1
-    around = shape.head_size + shape.tail_size
-    least = width * around + marks
-    room = _sum("capacity", -least) if width == 1 else f"({_sum('capacity', -least)}) / {width}u"
-    body = [f"const size_t total = {_sum('body_length', around)};"]
-    if marks or width == 2:
-        body.append("size_t at;")
-    # No sum is compared: it would wrap around for lengths that no buffer has.
-    tests = [f"capacity < {least}u"] if least else []
-    body += refused(naming, " || ".join([*tests, f"body_length > {room}"]), "err_capacity")
-    for part in shape.parts:
-        if part.role != "check":
-            body += _head(naming, layout, link, shape, part)
-    if shape.check is not None:
-        check = shape.check
-        store = naming.own("store", access_name(check.size, check.order, False))
-        body.append(f"{store}(out + {_at('total', check.offset)}, {_checksum(naming, check, 'out', 'total')});")
-    if marks or width == 2:
-        body += _wrap(naming, link)
-    if not any("out" in line for line in body):
-        body.append("(void)out;")
-    size = "total" if width == 1 else f"total * {width}u"
-    body += [f"*length = {_sum(size, marks)};", f"return {naming.own_macro('ok')};"]
-    return [*lines, *indented(body), "}"]
+def header_parameters(frame: FrameLayout) -> list[Variable]:
+    """The parameters for the parts before the body that users set."""
+    return [declare_value(part_value(part), argument(part.name)) for part in header_parts(frame)]
 
 
-def _sum(term: str, number: int) -> str:
-    """A sum of sizes, or the term alone where there is nothing to add."""
-    if number < 0:
-        return f"{term} - {-number}u"
-    return f"{term} + {number}u" if number else term
+def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direction: str) -> list[Declaration]:
+    """The function that completes a frame around its body.
 
-
-def _at(total: str, offset: int) -> str:
-    """A place in a frame of `total` bytes: from its begin, or negative from its end."""
-    return f"{offset}" if offset >= 0 else _sum(total, offset)
-
-
-def _checksum(naming: Naming, check: PartLayout, source: str, total: str) -> str:
-    """The check of the bytes that it covers, in a frame of `total` bytes that begins at `source`."""
-    stop = total if check.stop is None else f"{check.stop}u" if check.stop >= 0 else _sum(total, check.stop)
-    if check.start == 0:
-        return f"{naming.own(check.algorithm)}({source}, {stop})"
-    if check.start > 0:
-        size = f"{check.stop - check.start}u" if check.stop is not None and check.stop > 0 else ""
-        size = size or _sum(total, (check.stop or 0) - check.start)
-        return f"{naming.own(check.algorithm)}({source} + {check.start}, {size})"
-    return f"{naming.own(check.algorithm)}({source} + {_sum(total, check.start)}, {(check.stop or 0) - check.start}u)"
-
-
-def _length_differs(shape: FrameLayout, part: PartLayout, received: str, total: str) -> str:
-    """The condition under which a length part does not say that a frame has `total` bytes."""
-    counted, tests = _counted(shape, part, total)
-    return " || ".join([*tests, f"{received} != {counted}"])
-
-
-def _counted(shape: FrameLayout, part: PartLayout, total: str) -> tuple[str, list[str]]:
-    """What a length part holds in a frame of `total` bytes, and the conditions under which no number says it.
-
-    Nothing in it wraps around where none of the conditions holds.
+    `codec_status rtu_request_close(uint8_t station, uint32_t code, size_t body_length, uint8_t *out, ...)`
     """
-    tests = [f"{total} < {part.base}u"] if part.base > shape.head_size + shape.tail_size else []
-    counted = _sum(total, -part.base)
-    if part.unit_size > 1:
-        counted = f"({counted})" if part.base else total
-        tests.append(f"{counted} % {part.unit_size}u != 0")
-        counted = f"{counted} / {part.unit_size}u"
-    return counted, tests
+    frame = link.frame(direction)
+    parameters = header_parameters(frame)
+    if frame.role("code") is not None:
+        parameters.append(Variable(CODE_TYPE, "code"))
+    parameters += [Variable(SIZE_TYPE, "body_length"), *OUTPUT_PARAMETERS]
+    width = 2 if link.link.encoding == "hex_ascii" else 1
+    delimiters = len(link.link.start) + len(link.link.end)
+    around = frame.head_size + frame.tail_size
+    body: list[Statement] = [
+        Variable(SIZE_TYPE, "total", value=add_size(_BODY_LENGTH, around), storage="const"),
+    ]
+    if is_wrapped(link):
+        body.append(Variable(SIZE_TYPE, "at"))
+    body += _check_capacity(naming, width, around, delimiters)
+    for part in frame.parts:
+        if part.role != "checksum":
+            body += _write_part(naming, layout, link, frame, part)
+    checksum = frame.checksum
+    if checksum is not None:
+        target = part_pointer(OUT, checksum, _TOTAL)
+        body.append(store(naming, _checksum_access(checksum), target, _compute_checksum(naming, checksum, OUT, _TOTAL)))
+    if is_wrapped(link):
+        body += wrap_frame(naming, link)
+    if not frame.parts and not is_wrapped(link):
+        body.append(discard("out"))
+    size = _TOTAL if width == 1 else multiply(_TOTAL, unsigned(width))
+    body += [assign(dereference(LENGTH), add_size(size, delimiters)), return_ok(naming)]
+    name = naming.function("link", link.name, direction, "close")
+    return [
+        comment(f"Completes a frame whose body lies at out + {frame.head_size}. Length receives the frame's size."),
+        Function(status_type(naming), name, tuple(parameters), tuple(body)),
+    ]
 
 
-def _head(naming: Naming, layout: DeviceLayout, link: LinkLayout, shape: FrameLayout, part: PartLayout) -> list[str]:
-    held = part_wire(part)
-    store = naming.own("store", access_name(held.size, held.order, False))
-    number = f"uint{8 * held.size}_t"
-    at = f"out + {_at('total', part.offset)}"
+OUTPUT_PARAMETERS = (Variable(OUTPUT_BYTES, "out"), Variable(SIZE_TYPE, "capacity"), Variable(_SIZE_POINTER, "length"))
+"""The parameters for what is written."""
+
+
+def _check_capacity(naming: Naming, width: int, around: int, delimiters: int) -> Body:
+    """`if (capacity < 9u || body_length > (capacity - 9u) / 2u) { return ERR_CAPACITY; }`
+
+    No sum is compared: it would wrap around for lengths that no buffer has.
+    """
+    least = width * around + delimiters
+    room = add_size(CAPACITY, -least)
+    if width > 1:
+        room = Operation("/", (room, unsigned(width)))
+    tests: list[Expression] = [less(CAPACITY, unsigned(least))] if least else []
+    return refuse(naming, any_of([*tests, greater(_BODY_LENGTH, room)]), "err_capacity")
+
+
+def _write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: FrameLayout, part: PartLayout) -> Body:
+    """Checks a part other than the checksum, and writes it."""
+    wire = part_value(part)
+    target = part_pointer(OUT, part, _TOTAL)
+    number_type = f"uint{8 * wire.size}_t"
     if part.role == "length":
-        counted, tests = _counted(shape, part, "total")
-        highest = held.value.type.high
-        limit = refused(naming, f"{counted} > {highest}u", "err_wrong_length")
+        highest = wire.value.type.high
+        number, unrepresentable = _length_number(frame, part, _TOTAL)
+        checks = refuse(naming, any_of(unrepresentable), "err_wrong_length") if unrepresentable else ()
+        limit = refuse(naming, greater(number, unsigned(highest)), "err_wrong_length")
         if highest >= 0xFFFF:
-            limit = [f"#if SIZE_MAX > {highest}u", *limit, "#endif"]
-        before = refused(naming, " || ".join(tests), "err_wrong_length") if tests else []
-        written = counted if counted == "total" else f"({counted})"
-        return [*before, *limit, f"{store}({at}, ({number}){written});"]
+            limit = (CompileIf("if", f"SIZE_MAX > {highest}u", limit),)
+        return (*checks, *limit, store(naming, wire.access, target, Cast(number_type, number)))
     if part.role == "code":
-        return [
-            *refused(naming, f"code > {held.value.type.high}u", "err_unknown_code"),
-            f"{store}({at}, ({number})code);",
-        ]
+        limit = refuse(naming, greater(_CODE, unsigned(wire.value.type.high)), "err_unknown_code")
+        return (*limit, store(naming, wire.access, target, Cast(number_type, _CODE)))
     if part.constant is not None:
-        return [f"{store}({at}, {integer(part.constant & (1 << 8 * held.size) - 1, held.size, False)});"]
-    name = argument(part.name)
-    lines = []
-    closed = closed_test(naming, layout.device, held.value, name)
-    if closed:
-        lines += refused(naming, closed, "err_unknown_value")
-    test = range_test(held.value, name)
-    stations = link.link.stations
-    if part.role == "station" and stations is not None and stations.ranges is not None:
-        tests = []
-        for low, high in stations.ranges.intervals:
-            bounds = [f"{name} >= {low}"] if low > held.value.type.low else []
-            bounds += [f"{name} <= {high}"] if high < held.value.type.high else []
-            tests.append("(" + (" && ".join(bounds) or "1") + ")")
-        if stations.broadcast is not None and stations.broadcast not in stations.ranges:
-            tests.append(f"({name} == {stations.broadcast})")
-        test = f"!({' || '.join(tests)})"
-    if test:
-        lines += refused(naming, test, "err_out_of_range")
-    return [*lines, f"{store}({at}, ({number}){name});"]
+        return store_constant(naming, wire, part.constant, target)
+    value = Identifier(argument(part.name))
+    unknown = unknown_value_test(naming, layout.device, wire.value, value)
+    outside = _station_test(link, wire, value) if part.role == "unit_address" else None
+    if outside is None and not enum_implies_range(layout.device, wire.value):
+        outside = out_of_range_test(wire.value, value)
+    return (
+        *(refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()),
+        *(refuse(naming, outside, "err_out_of_range") if outside is not None else ()),
+        store(naming, wire.access, target, Cast(number_type, value)),
+    )
 
 
-def _wrap(naming: Naming, link: LinkLayout) -> list[str]:
-    """Statements that turn the bytes at `out` into a marked frame, the last byte first: they overwrite themselves."""
-    start, end = link.link.start, link.link.end
-    lines = ["for (at = total; at-- > 0;) {"]
-    if link.link.encoding == "hex_ascii":
-        digits = naming.own("hex_digit")
-        lines += [
-            "    const uint8_t byte = out[at];",
-            f"    out[{len(start)}u + 2u * at] = {digits}((uint8_t)(byte >> 4));",
-            f"    out[{len(start) + 1}u + 2u * at] = {digits}((uint8_t)(byte & 15u));",
-        ]
-        size = f"{len(start)}u + 2u * total"
-    else:
-        lines.append(f"    out[{len(start)}u + at] = out[at];")
-        size = f"{len(start)}u + total"
-    lines.append("}")
-    lines += [f"out[{at}] = 0x{byte:02X};" for at, byte in enumerate(start)]
-    return lines + [f"out[{size} + {at}u] = 0x{byte:02X};" for at, byte in enumerate(end)]
-
-
-def _message(
-    naming: Naming,
-    link: LinkLayout,
-    direction: str,
-    data: RecordLayout,
-    name: str,
-    code: int | None,
-    flag: int | None = None,
-) -> list[str]:
-    """The function that writes the whole frame of a message, or of an error reply."""
-    shape = link.frame(direction)
-    heads = [argument(part.name) for part in head_members(shape)]
-    arguments = _arguments(shape)
-    if flag is not None:
-        arguments.append("uint32_t code")
-    if members(data):
-        arguments.append(f"const {naming.type('record', data.name)} *in")
-    arguments += ["uint8_t *out", "size_t capacity", "size_t *length"]
-    function = naming.function("link", link.name, "encode", name, *(() if flag is not None else (direction,)))
-    codes = [f"code | {flag}u"] if flag is not None else [f"{code}u"] if code is not None else []
-    close = naming.function("link", link.name, direction, "close")
-    given = [*heads, *codes, "body_length" if data.fields else "0", "out", "capacity", "length"]
-    closed = f"return {close}({', '.join(given)});"
-    body = [*_body_written(naming, shape, data), closed] if data.fields else [closed]
-    what = "an error reply to a code" if flag is not None else f"the {direction} {data.name}"
-    return [
-        *comment(f"Writes the whole frame of {what}."),
-        f"static inline {naming.own('codec_status')} {function}({', '.join(arguments)})",
-        "{",
-        *indented(body),
-        "}",
-    ]
-
-
-def _body_written(naming: Naming, shape: FrameLayout, data: RecordLayout) -> list[str]:
-    """Statements that write the body of a frame to where it lies in it."""
-    held = "in, " if members(data) else ""
-    head, encode = shape.head_size, naming.function("record", data.name, "encode")
-    room = f"out + {head}, capacity - {head}u" if head else "out, capacity"
-    return [
-        "size_t body_length = 0;",
-        f"{naming.own('codec_status')} status;",
-        *(refused(naming, f"capacity < {head}u", "err_capacity") if head else []),
-        *returning(naming, f"{encode}({held}{room}, &body_length)"),
-    ]
+def _station_test(link: LinkLayout, wire: WireValue, station: Expression) -> Expression | None:
+    """`!((station >= 1 && station <= 16) || (station == 0))`: whether a unit address is none of the link's."""
+    stations = link.link.unit_addresses
+    if stations is None or stations.ranges is None:
+        return None
+    inside: list[Expression] = []
+    for low, high in stations.ranges.intervals:
+        bounds: list[Expression] = [at_least(station, decimal(low))] if low > wire.value.type.low else []
+        bounds += [at_most(station, decimal(high))] if high < wire.value.type.high else []
+        inside.append(Group(all_of(bounds) if bounds else decimal(1)))
+    if stations.broadcast is not None and stations.broadcast not in stations.ranges:
+        inside.append(Group(equal(station, decimal(stations.broadcast))))
+    return negate(Group(inside[0]) if len(inside) == 1 else any_of(inside))

@@ -3,306 +3,299 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import chain
 
+from fieldspec.backends.c.conversions import count_type
+from fieldspec.backends.c.declarations import Function, escape_comment
+from fieldspec.backends.c.delimiters import is_wrapped
+from fieldspec.backends.c.expressions import (
+    INPUT_BYTES,
+    SIZE_TYPE,
+    ZERO,
+    Call,
+    Conditional,
+    Element,
+    Expression,
+    Group,
+    Identifier,
+    Literal,
+    Member,
+    Operation,
+    SizeOf,
+    Type,
+    add,
+    address_of,
+    all_of,
+    at_least,
+    at_most,
+    decimal,
+    different,
+    equal,
+    less,
+    multiply,
+    subtract,
+    unsigned,
+)
 from fieldspec.backends.c.fields import members
-from fieldspec.backends.c.frames import head_members, wrapped
+from fieldspec.backends.c.frames import header_parts
 from fieldspec.backends.c.naming import Naming, Noun, frame_member
-from fieldspec.backends.c.packing import packed
-from fieldspec.backends.c.text import indented, plain
-from fieldspec.backends.c.values import Wire, declaration
+from fieldspec.backends.c.packing import is_packed
+from fieldspec.backends.c.printer import Printer
+from fieldspec.backends.c.runtime_files import all_records, copy_runtime, runtime_parts
+from fieldspec.backends.c.statements import (
+    Break,
+    Constant,
+    Evaluation,
+    If,
+    Return,
+    Statement,
+    Switch,
+    Variable,
+    assign,
+    call,
+)
+from fieldspec.backends.c.values import WireValue, declare_value, status_type, type_name
 from fieldspec.backends.forms import filled
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.record import Orders, RecordLayout
-from fieldspec.model.value import Kind, Value
+from fieldspec.model.value import Kind
 
-_MACROS = {
-    "RECORD": """
-/* Decodes, encodes, and does both again; then encodes into exactly enough room, and into one byte less. */
-#define RECORD(type, decode, encode, most, exact)
-do {
-    type value, second;
-    uint8_t out[most], again[most];
-    uint8_t *room;
-    size_t length = 0, beyond = 0;
-    memset(&value, 0, sizeof value);
-    memset(&second, 0, sizeof second);
-    if (decode(data, size, &value) != OK) {
-        break;
-    }
-    if (encode(&value, out, sizeof out, &length) == ERR_OUT_OF_RANGE) {
-        break;
-    }
-    hold(encode(&value, out, sizeof out, &length) == OK && length == size);
-    hold(!(exact) || memcmp(out, data, size) == 0);
-    hold(decode(out, length, &second) == OK);
-    hold(encode(&second, again, sizeof again, &length) == OK && length == size);
-    hold(memcmp(out, again, size) == 0);
-    room = (uint8_t *)malloc(size);
-    if (room != NULL && size > 0) {
-        hold(encode(&value, room, size, &length) == OK && memcmp(room, out, size) == 0);
-        hold(encode(&value, room, size - 1, &beyond) == ERR_CAPACITY);
-    }
-    free(room);
-} while (0)""",
-    "PACKED": """
-/* Reads any bytes as a record and writes it, twice: the second time changes nothing. */
-#define PACKED(type, unpack, pack, length)
-do {
-    type value;
-    uint8_t out[length], again[length];
-    if (size < (length)) {
-        break;
-    }
-    memset(&value, 0, sizeof value);
-    unpack(data, &value);
-    pack(&value, out);
-    unpack(out, &value);
-    pack(&value, again);
-    hold(memcmp(out, again, sizeof out) == 0);
-} while (0)""",
-    "FIXED": """
-/* A record that nobody gives anything: there is one form of it. */
-#define FIXED(decode, encode, most, exact)
-do {
-    uint8_t out[(most) + 1u];
-    size_t length = 0;
-    if (decode(data, size) != OK) {
-        break;
-    }
-    hold(encode(out, sizeof out, &length) == OK && length == size);
-    hold(!(exact) || memcmp(out, data, size) == 0);
-} while (0)""",
-    "VALUE": """
-/* The value of a register or a parameter. */
-#define VALUE(type, decode, encode, held, length)
-do {
-    type value;
-    uint8_t out[length];
-    if (size < (length) || decode(data, &value) != OK || encode(value, out) == ERR_OUT_OF_RANGE) {
-        break;
-    }
-    hold(encode(value, out) == OK && memcmp(out, data, held) == 0);
-} while (0)""",
-    "ARRAY": """
-/* The text or the bytes of a register or a parameter. A text ends at its first zero. */
-#define ARRAY(declared, decode, encode, exact, length)
-do {
-    declared, second[sizeof value];
-    uint8_t out[length], again[length];
-    if (size < (length) || decode(data, value) != OK) {
-        break;
-    }
-    hold(encode(value, out) == OK && (!(exact) || memcmp(out, data, sizeof out) == 0));
-    hold(decode(out, second) == OK && encode(second, again) == OK && memcmp(out, again, sizeof out) == 0);
-} while (0)""",
-    "CONSTANT": """
-/* A constant: what is written can be read, and so can what else the device answers. */
-#define CONSTANT(type, decode, encode, length)
-do {
-    type value;
-    uint8_t out[length];
-    hold(encode(out) == OK && decode(out, &value) == OK);
-    hold(size < (length) || decode(data, &value) != ERR_WRONG_CONST);
-} while (0)""",
-    "TRIGGER": """
-/* What starts an action: the device answers anything, and what may be written is read as it was. */
-#define TRIGGER(type, decode, encode, held, length)
-do {
-    type value;
-    uint8_t out[length];
-    if (size < (length)) {
-        break;
-    }
-    hold(decode(data, &value) == OK);
-    hold(encode(value, out) != OK || memcmp(out, data, held) == 0);
-} while (0)""",
-    "ADDRESS": """
-/* An address or a number that is worked out from another: of those that are taken no two have the same. */
-#define ADDRESS(type, at)
-do {
-    type one = 0, other = 0;
-    uint32_t first, second;
-    if (size < 8) {
-        break;
-    }
-    first = data[0] | (uint32_t)data[1] << 8 | (uint32_t)data[2] << 16 | (uint32_t)data[3] << 24;
-    second = data[4] | (uint32_t)data[5] << 8 | (uint32_t)data[6] << 16 | (uint32_t)data[7] << 24;
-    if (at(first, &one) == OK && at(second, &other) == OK) {
-        hold((first == second) == (one == other));
-    }
-} while (0)""",
-    "CONVERSION": """
-/* Any quantity is refused or becomes a count, and a count becomes itself again where the reference is a usual one. */
-#define CONVERSION(type, from_raw, to_raw, exact)
-do {
-    type raw = 0, again = 0;
-    double quantity, reference;
-    if (size < 2 * sizeof quantity) {
-        break;
-    }
-    memcpy(&quantity, data, sizeof quantity);
-    memcpy(&reference, data + sizeof quantity, sizeof reference);
-    if (to_raw(quantity, reference, &raw) == OK && (exact) && reference > 1e-9 && reference < 1e9) {
-        hold(to_raw(from_raw(raw, reference), reference, &again) == OK && again == raw);
-    }
-} while (0)""",
-}
+_BYTE = Type("uint8_t")
+_DATA, _SIZE, _OUT, _BUFFER, _OPENED, _LENGTH, _STATUS, _HEADER_SIZE = (
+    Identifier(name) for name in ("data", "size", "out", "buffer", "opened", "length", "status", "GIVEN")
+)
+_LONGEST_LINE = 200
+"""Calls that close a frame stay on one line."""
+
+_YES, _NO = decimal(1), decimal(0)
 
 
-def target(layout: DeviceLayout, naming: Naming, header: str) -> str:
+def write_fuzz_target(layout: DeviceLayout, naming: Naming, header: str) -> str:
     """The text of the target."""
-    shapes = [(link, direction) for link in layout.links.values() for direction in ("request", "response")]
-    calls = [f"frame_{number}(data, size);" for number in range(2 * len(shapes))]
-    macros = [*_records(layout, naming), *_values(layout, naming), *_others(layout, naming)]
-    choices = [*calls, *(f"{name}({', '.join(arguments)});" for name, *arguments in macros)]
-    used = {name for name, *_ in macros}
+    directions = [(link, direction) for link in layout.links.values() for direction in ("request", "response")]
+    frames = [Call(f"frame_{number}", (_DATA, _SIZE)) for number in range(2 * len(directions))]
+    macros = [*_record_macros(layout, naming), *_value_macros(layout, naming), *_other_macros(layout, naming)]
+    choices = [*frames, *macros]
+    used = {macro.function for macro in macros}
     functions = [
-        lines
-        for number, (link, direction) in enumerate(shapes)
-        for lines in _frame(naming, link, direction, 2 * number)
+        function
+        for number, (link, direction) in enumerate(directions)
+        for function in (
+            _open_any_bytes(naming, link, direction, 2 * number),
+            _close_any_body(naming, link, direction, 2 * number + 1),
+        )
     ]
+    printer = Printer(longest_line=_LONGEST_LINE)
+    branches = tuple([((decimal(at),), (Evaluation(choice),)) for at, choice in enumerate(choices)])
     return filled(
         "backends/c/fuzz.c.in",
         header=header,
         source=header.replace(".h", "_fuzz.c"),
-        title=plain(f"{layout.device.name}, version {layout.device.version}"),
+        title=escape_comment(f"{layout.device.name}, version {layout.device.version}"),
         identity=layout.identity,
-        macros=[f"\n{_macro(naming, text)}\n" for name, text in _MACROS.items() if name in used],
-        functions=["\n".join(["", *lines, ""]) for lines in functions],
-        choices=[f"    case {at}:\n        {choice}\n        break;\n" for at, choice in enumerate(choices)],
+        macros=[
+            f"\n{copy_runtime(naming, 'fuzz_macros.h', name).text.rstrip()}\n"
+            for name in runtime_parts("fuzz_macros.h")
+            if name in used
+        ],
+        functions=["\n".join(["", *printer.print_declarations([function]), ""]) for function in functions],
+        choices="\n".join(printer.print_statements([Switch(Identifier("choice"), branches, (Break(),))], "    ")),
         number_of_choices=str(len(choices)),
     )
 
 
-def _macro(naming: Naming, text: str) -> str:
-    """The definition of a macro, whose lines are joined and whose statuses are those of the device."""
-    about, *lines = text.strip().splitlines()
-    for status in ("ERR_OUT_OF_RANGE", "ERR_CAPACITY", "ERR_WRONG_CONST", "OK"):
-        own = naming.own_macro(status.lower())
-        lines = [line.replace(f" {status})", f" {own})").replace(f" {status} ", f" {own} ") for line in lines]
-    return "\n".join([about, f"{lines[0]} \\", *(f"    {line} \\" for line in lines[1:-1]), f"    {lines[-1]}"])
+# Calls of the macros in runtime/fuzz_macros.h
 
 
-def _exact(record: RecordLayout) -> str:
+def _is_exact(record: RecordLayout) -> bool:
     """Whether every byte of a record comes back: no reserved ones, and none behind the end of a text."""
     kinds = [field.value.type.kind for field in record.fields if field.value is not None]
     kinds += [case.value.type.kind for field in record.fields for case in field.cases]
-    inner = [_exact(field.record) for field in record.fields if field.record is not None]
+    inner = [_is_exact(field.record) for field in record.fields if field.record is not None]
     reserved = any(field.field.reserved for field in record.fields)
-    return "0" if reserved or Kind.TEXT in kinds or "0" in inner else "1"
+    return not reserved and Kind.TEXT not in kinds and all(inner)
 
 
-def _records(layout: DeviceLayout, naming: Naming) -> Iterator[tuple[str, ...]]:
-    messages = ((message.request, message.response) for message in layout.messages.values())
-    for record in chain(layout.records.values(), *messages):
-        decode, encode = (naming.function("record", record.name, end) for end in ("decode", "encode"))
-        most = naming.macro("record", record.name, "size")
+def _flag(holds: bool) -> Literal:
+    return _YES if holds else _NO
+
+
+def _names(*names: str) -> tuple[Identifier, ...]:
+    return tuple([Identifier(name) for name in names])
+
+
+def _record_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
+    for record in all_records(layout):
+        decode, encode = (naming.function("record", record.name, verb) for verb in ("decode", "encode"))
+        size = naming.macro("record", record.name, "size")
+        exact = _flag(_is_exact(record))
         if not members(record):
-            yield "FIXED", decode, encode, most, _exact(record)
+            yield Call("FIXED", (*_names(decode, encode, size), exact))
             continue
-        kind = naming.type("record", record.name)
-        yield "RECORD", kind, decode, encode, most, _exact(record)
-        if packed(record):
-            unpack, pack = (naming.function("record", record.name, end) for end in ("unpack", "pack"))
-            yield "PACKED", kind, unpack, pack, most
+        struct = naming.type("record", record.name)
+        yield Call("RECORD", (*_names(struct, decode, encode, size), exact))
+        if is_packed(record):
+            unpack, pack = (naming.function("record", record.name, verb) for verb in ("unpack", "pack"))
+            yield Call("PACKED", _names(struct, unpack, pack, size))
 
 
-def _values(layout: DeviceLayout, naming: Naming) -> Iterator[tuple[str, ...]]:
+def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
     device = layout.device
-    for laid in layout.registers:
-        value = laid.register.value
-        wire = Wire(value, laid.order, laid.swapped)
-        trigger = value.const is None and laid.register.answer != value
-        yield _value(naming, "register", (laid.name,), wire, value.size + value.size % 2, trigger)
+    for register in layout.registers:
+        value = register.register.value
+        wire = WireValue(value, register.order, register.swapped)
+        yield _value_macro(
+            naming, "register", (register.name,), wire, value.size + value.size % 2, register.register.trigger
+        )
     orders = Orders(device.byte_order, device.word_order)
-    for held in device.parameters.values():
-        for parameter in held.parameters:
+    for parameters in device.parameters.values():
+        for parameter in parameters.parameters:
             if parameter.reserved:
                 continue
-            inner = [((held.name, parameter.name, i.name), i.value) for i in parameter.subindices if not i.reserved]
-            named: list[tuple[tuple[str, ...], Value]] = [((held.name, parameter.name), parameter.value), *inner]
-            for names, value in named:
-                trigger = value.const is None and value.as_answer(parameter.trigger) != value
-                yield _value(naming, "parameter", names, Wire(value, *orders.of(value)), value.size, trigger)
+            names = (parameters.name, parameter.name)
+            inner = [((*names, inner.name), inner.value) for inner in parameter.subindices if not inner.reserved]
+            for full_names, value in [(names, parameter.value), *inner]:
+                wire = WireValue(value, *orders.of(value))
+                yield _value_macro(naming, "parameter", full_names, wire, value.size, parameter.trigger)
 
 
-def _value(naming: Naming, noun: Noun, names: tuple[str, ...], wire: Wire, size: int, trigger: bool) -> tuple[str, ...]:
-    """What is fuzzed of a value in `size` bytes; of a `trigger` the device may answer anything."""
-    decode, encode = (naming.function(noun, *names, end) for end in ("decode", "encode"))
-    kind = declaration(wire, "", None).strip()
+def _value_macro(naming: Naming, noun: Noun, names: tuple[str, ...], wire: WireValue, size: int, trigger: bool) -> Call:
+    """Of a trigger whose enum is closed the device may answer anything."""
+    kind = Identifier(type_name(wire.value))
+    functions = _names(*(naming.function(noun, *names, verb) for verb in ("decode", "encode")))
     if wire.value.const is not None:
-        return "CONSTANT", kind, decode, encode, f"{size}u"
-    if wire.kind in (Kind.TEXT, Kind.BYTES):
-        exact = "1" if wire.kind is Kind.BYTES and wire.size == size else "0"
-        return "ARRAY", declaration(wire, "value", None), decode, encode, exact, f"{size}u"
-    return "TRIGGER" if trigger else "VALUE", kind, decode, encode, f"{wire.size}u", f"{size}u"
+        return Call("CONSTANT", (kind, *functions, unsigned(size)))
+    if wire.is_array:
+        exact = _flag(wire.kind is Kind.BYTES and wire.size == size)
+        declared = Identifier(Printer().print_variable(declare_value(wire, "value")))
+        return Call("ARRAY", (declared, *functions, exact, unsigned(size)))
+    macro = "VALUE" if wire.value.as_answer(trigger) == wire.value else "TRIGGER"
+    return Call(macro, (kind, *functions, unsigned(wire.size), unsigned(size)))
 
 
-def _others(layout: DeviceLayout, naming: Naming) -> Iterator[tuple[str, ...]]:
+def _other_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
     for table in layout.tables.values():
-        yield "ADDRESS", "uint16_t", naming.function("table", table.name, "at")
+        yield Call("ADDRESS", _names("uint16_t", naming.function("table", table.name, "at")))
     for conversion in layout.device.conversions.values():
-        size = conversion.type.size
-        kind = f"{'' if conversion.type.signed else 'u'}int{8 * size}_t"
-        ends = (naming.function("conversion", conversion.name, end) for end in ("from_raw", "to_raw"))
-        yield "CONVERSION", kind, *ends, "1" if size < 8 else "0"
+        functions = [naming.function("conversion", conversion.name, end) for end in ("from_raw", "to_raw")]
+        exact = _flag(conversion.type.size < 8)
+        yield Call("CONVERSION", (*_names(count_type(conversion), *functions), exact))
 
 
-def _frame(naming: Naming, link: LinkLayout, direction: str, number: int) -> Iterator[list[str]]:
-    """Two functions: one opens any bytes and makes a frame of what it finds, one opens a frame around any bytes."""
-    shape = link.frame(direction)
-    kind, open_, close = (naming.function("link", link.name, direction, end) for end in ("frame", "open", "close"))
-    ok, heads = naming.own_macro("ok"), [frame_member(part.name) for part in head_members(shape)]
-    flag = link.link.error.flag if link.link.error is not None and direction == "response" else 0
-    code = shape.role("code") is not None
-    buffer = "buffer, sizeof buffer, " if wrapped(link) else ""
-    declared = ["static uint8_t buffer[2 * LARGEST];"] if buffer else []
-    room = ["static uint8_t out[4 * LARGEST];", f"{kind} opened;", "size_t length = 0;"]
-    told = f"opened.code | (opened.error ? {flag}u : 0u)" if flag else "opened.code"
-    again = ", ".join([*(f"opened.{head}" for head in heads), *([told] if code else []), "opened.body_length"])
-    inside = "buffer && opened.body + opened.body_length <= buffer + sizeof buffer"
-    if not buffer:
-        inside = "data && opened.body + opened.body_length <= data + size"
-    # Characters have two ways to write a digit; bytes have one.
-    same = "" if link.link.encoding == "hex_ascii" else " && memcmp(out, data, size) == 0"
-    yield [
-        f"static void frame_{number}(const uint8_t *data, size_t size)",
-        "{",
-        *indented([*declared, *room, "memset(&opened, 0, sizeof opened);"]),
-        f"    if ({open_}(data, size, {buffer}&opened) != {ok}) {{",
-        "        return;",
-        "    }",
-        f"    hold(opened.body >= {inside});",
-        f"    memcpy(out + {shape.head_size}, opened.body, opened.body_length);",
-        f"    if ({close}({again}, out, sizeof out, &length) == {ok}) {{",
-        f"        hold(length == size{same});",
-        "    }",
-        "}",
+# Functions for frames
+
+
+def _hold(test: Expression) -> Evaluation:
+    """`hold(test);`"""
+    return call("hold", test)
+
+
+def _declare_variables(naming: Naming, link: LinkLayout, direction: str) -> list[Statement]:
+    """The buffers, the opened frame and the length that both functions have."""
+    largest = Identifier("LARGEST")
+    buffer = Variable(_BYTE, "buffer", (multiply(decimal(2), largest),), storage="static")
+    return [
+        *([buffer] if is_wrapped(link) else []),
+        Variable(_BYTE, "out", (multiply(decimal(4), largest),), storage="static"),
+        Variable(Type(naming.type("link", link.name, direction, "frame")), "opened"),
+        Variable(SIZE_TYPE, "length", value=ZERO),
     ]
-    given = [f"data[{at}]" for at in range(len(heads) + code)]
-    compared = [f"opened.{head} == data[{at}]" for at, head in enumerate(heads)]
-    if code:
-        told = f"(data[{len(heads)}] & {255 & ~flag}u)" if flag else f"data[{len(heads)}]"
-        compared.append(f"opened.code == {told}")
-    compared += ["opened.body_length == size - GIVEN", "memcmp(opened.body, data + GIVEN, size - GIVEN) == 0"]
-    refused = f"{naming.own_macro('err_unknown_code')}"
-    yield [
-        f"static void frame_{number + 1}(const uint8_t *data, size_t size)",
-        "{",
-        *indented([f"enum {{ GIVEN = {len(given)} }};", *declared, *room, f"{naming.own('codec_status')} status;"]),
-        "    memset(&opened, 0, sizeof opened);",
-        "    if (size < GIVEN) {",
-        "        return;",
-        "    }",
-        f"    memcpy(out + {shape.head_size}, data + GIVEN, size - GIVEN);",
-        f"    if ({close}({', '.join([*given, 'size - GIVEN', 'out', 'sizeof out', '&length'])}) != {ok}) {{",
-        "        return;",
-        "    }",
-        f"    status = {open_}(out, length, {buffer}&opened);",
-        *([f"    if (status == {refused}) {{", "        return;", "    }"] if code else []),
-        f"    hold(status == {ok});",
-        *(f"    hold({test});" for test in compared),
-        "}",
-    ]
+
+
+def _clear_opened() -> Evaluation:
+    return call("memset", address_of(_OPENED), ZERO, SizeOf(_OPENED))
+
+
+def _open_call(naming: Naming, link: LinkLayout, direction: str, data: Expression, size: Expression) -> Call:
+    buffer = (_BUFFER, SizeOf(_BUFFER)) if is_wrapped(link) else ()
+    function = naming.function("link", link.name, direction, "open")
+    return Call(function, (data, size, *buffer, address_of(_OPENED)))
+
+
+def _flag_of(link: LinkLayout, direction: str) -> int:
+    """The flag that an exception response has in its code, 0 for requests and for links without one."""
+    return (
+        link.link.exception_response.flag if link.link.exception_response is not None and direction == "response" else 0
+    )
+
+
+def _frame_function(number: int, body: list[Statement]) -> Function:
+    parameters = Variable(INPUT_BYTES, "data"), Variable(SIZE_TYPE, "size")
+    return Function(Type("void"), f"frame_{number}", parameters, tuple(body), storage="static")
+
+
+def _open_any_bytes(naming: Naming, link: LinkLayout, direction: str, number: int) -> Function:
+    """Opens any bytes, and makes a frame of what it finds."""
+    frame = link.frame(direction)
+    ok, body_member = naming.status("ok"), Member(_OPENED, "body")
+    body_length = Member(_OPENED, "body_length")
+    arguments: list[Expression] = [Member(_OPENED, frame_member(part.name)) for part in header_parts(frame)]
+    flag = _flag_of(link, direction)
+    if frame.role("code") is not None:
+        code: Expression = Member(_OPENED, "code")
+        if flag:
+            error = Group(Conditional(Member(_OPENED, "error"), unsigned(flag), unsigned(0)))
+            code = Operation("|", (code, error))
+        arguments.append(code)
+    start, end = (_BUFFER, SizeOf(_BUFFER)) if is_wrapped(link) else (_DATA, _SIZE)
+    inside = all_of([at_least(body_member, start), at_most(add(body_member, body_length), add(start, end))])
+    tests: list[Expression] = [equal(_LENGTH, _SIZE)]
+    if link.link.encoding != "hex_ascii":
+        # Characters have two ways to write a digit; bytes have one.
+        tests.append(equal(Call("memcmp", (_OUT, _DATA, _SIZE)), ZERO))
+    closed = Call(
+        naming.function("link", link.name, direction, "close"),
+        (*arguments, body_length, _OUT, SizeOf(_OUT), address_of(_LENGTH)),
+    )
+    return _frame_function(
+        number,
+        [
+            *_declare_variables(naming, link, direction),
+            _clear_opened(),
+            If(different(_open_call(naming, link, direction, _DATA, _SIZE), ok), (Return(),)),
+            _hold(inside),
+            call("memcpy", add(_OUT, decimal(frame.head_size)), body_member, body_length),
+            If(equal(closed, ok), (_hold(all_of(tests)),)),
+        ],
+    )
+
+
+def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: int) -> Function:
+    """Closes a frame around any bytes, and opens it again; the first bytes are the parts before the body."""
+    frame = link.frame(direction)
+    ok = naming.status("ok")
+    names = [frame_member(part.name) for part in header_parts(frame)]
+    has_code = frame.role("code") is not None
+    flag = _flag_of(link, direction)
+    header = [Element(_DATA, decimal(at)) for at in range(len(names) + has_code)]
+    tests: list[Expression] = [equal(Member(_OPENED, name), header[at]) for at, name in enumerate(names)]
+    if has_code:
+        code: Expression = header[-1]
+        if flag:
+            code = Group(Operation("&", (code, unsigned(255 & ~flag))))
+        tests.append(equal(Member(_OPENED, "code"), code))
+    size = subtract(_SIZE, _HEADER_SIZE)
+    body, opened_body = add(_DATA, _HEADER_SIZE), Member(_OPENED, "body")
+    tests.append(equal(Member(_OPENED, "body_length"), size))
+    tests.append(equal(Call("memcmp", (opened_body, body, size)), ZERO))
+    closed = Call(
+        naming.function("link", link.name, direction, "close"),
+        (*header, size, _OUT, SizeOf(_OUT), address_of(_LENGTH)),
+    )
+    unknown_code = equal(_STATUS, naming.status("err_unknown_code"))
+    return _frame_function(
+        number,
+        [
+            Constant("GIVEN", decimal(len(header))),
+            *_declare_variables(naming, link, direction),
+            Variable(status_type(naming), "status"),
+            _clear_opened(),
+            If(less(_SIZE, _HEADER_SIZE), (Return(),)),
+            call("memcpy", add(_OUT, decimal(frame.head_size)), body, size),
+            If(different(closed, ok), (Return(),)),
+            assign(_STATUS, _open_call(naming, link, direction, _OUT, _LENGTH)),
+            *([If(unknown_code, (Return(),))] if has_code else []),
+            _hold(equal(_STATUS, ok)),
+            *(_hold(test) for test in tests),
+        ],
+    )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal, TypeAlias
 
+from fieldspec.backends.c.expressions import Identifier, Local, Type
 from fieldspec.names import Name
 from fieldspec.reserved import C
 
@@ -50,6 +51,8 @@ class Naming:
         self._taken = {word for name in _TAKEN for word in (name, name.upper())}
         self._given: dict[tuple[bool, Noun, tuple[str, ...]], str] = {}
         self._stems: dict[tuple[Noun, tuple[str, ...]], Name] = {}
+        self._statuses: dict[str, Identifier] = {}
+        self._status_variable: Local | None = None
 
     def type(self, noun: Noun, *parts: str) -> str:
         """`gadget_point`"""
@@ -63,11 +66,24 @@ class Naming:
 
     def own(self, *parts: str) -> str:
         """A type or a function that every header has, or that no other noun has: `gadget_codec_status`"""
-        return self.type("own", *parts)
+        return self._name(False, "own", parts)
 
     def own_macro(self, *parts: str) -> str:
         """`GADGET_OK`"""
-        return self.macro("own", *parts)
+        return self._name(True, "own", parts)
+
+    def status(self, name: str) -> Identifier:
+        """A constant of the status that functions return: `GADGET_ERR_OUT_OF_RANGE`"""
+        constant = self._statuses.get(name)
+        if constant is None:
+            constant = self._statuses[name] = Identifier(self.own_macro(name))
+        return constant
+
+    def status_variable(self) -> Local:
+        """The variable for the status of a call; its type is what functions return."""
+        if self._status_variable is None:
+            self._status_variable = Local("status", Type(self.own("codec_status")))
+        return self._status_variable
 
     def _name(self, upper: bool, noun: Noun, parts: tuple[str, ...]) -> str:
         key = (upper, noun, parts)

@@ -2,116 +2,146 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.c.elements import each, measure, member_argument, returning, variables
-from fieldspec.backends.c.enums import closed_test
-from fieldspec.backends.c.fields import given, members, wire
+from fieldspec.backends.c.declarations import BLANK, Declaration, Function, comment
+from fieldspec.backends.c.expressions import (
+    IN,
+    INPUT_BYTES,
+    OUT,
+    OUTPUT_BYTES,
+    Call,
+    Expression,
+    Type,
+    address_of,
+    different,
+    unsigned,
+)
+from fieldspec.backends.c.fields import (
+    function_locals,
+    is_set_by_user,
+    measured_size,
+    members,
+    return_error,
+    struct_argument,
+    walk_elements,
+)
 from fieldspec.backends.c.naming import Naming
-from fieldspec.backends.c.text import comment, indented
-from fieldspec.backends.c.values import fixed_lines, found_tests, given_tests, load, load_lines, refused, store_lines
+from fieldspec.backends.c.statements import Body, Variable, call
+from fieldspec.backends.c.values import (
+    check_loaded,
+    check_stored,
+    field_value,
+    fixed_number,
+    load,
+    load_value,
+    refuse,
+    return_ok,
+    status_type,
+    store_constant,
+    store_value,
+)
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
 
 
-def packed(record: RecordLayout) -> bool:
-    """Whether a record has such functions: it is of one size, always has the same fields, and users give some."""
+def is_packed(record: RecordLayout) -> bool:
+    """Whether a record has such functions: it is of one size, always has the same fields, and users set some."""
     inner = [field.record for field in record.fields if field.record is not None]
-    return record.size is not None and record.selector is None and bool(members(record)) and all(map(packed, inner))
+    return record.size is not None and record.selector is None and bool(members(record)) and all(map(is_packed, inner))
 
 
-def pack_functions(naming: Naming, device: Device, record: RecordLayout) -> list[str]:
-    """The functions that move a record between its struct and bytes, and the one that checks its values if any is."""
-    kind, size = naming.type("record", record.name), f"{record.size} bytes"
-    check = check_lines(naming, device, record)
-    lines = []
-    if check:
-        lines = [
-            *comment(f"Whether the values of {kind} are such as may be written."),
-            f"static inline {naming.own('codec_status')} {naming.function('record', record.name, 'check')}"
-            f"(const {kind} *in)",
-            *_body(naming, [*check, f"return {naming.own_macro('ok')};"]),
-            "",
+def declare_packing(naming: Naming, record: RecordLayout, checks: Body) -> list[Declaration]:
+    """The functions that move a record between its struct and bytes, and the one with the checks, if there are some."""
+    struct, size = naming.type("record", record.name), f"{record.size} bytes"
+    local_variables = function_locals(naming)
+    source = Variable(Type(struct, const=True, pointer=True), "in")
+    target = Variable(Type(struct, pointer=True), "out")
+    declarations: list[Declaration] = []
+    if checks:
+        declarations = [
+            comment(f"Whether the values of {struct} are such as may be written."),
+            Function(
+                status_type(naming),
+                naming.function("record", record.name, "check"),
+                (source,),
+                (*checks, return_ok(naming)),
+                local_variables,
+            ),
+            BLANK,
         ]
-    store = [line for field in record.fields for line in _stored(naming, record, field)]
-    load = [line for field in members(record) for line in _loaded(naming, record, field)]
+    stored = tuple([part for field in record.fields for part in _store_field(naming, record, field)])
+    loaded = tuple([part for field in members(record) for part in _load_field(naming, record, field)])
+    pack, unpack = naming.function("record", record.name, "pack"), naming.function("record", record.name, "unpack")
     return [
-        *lines,
-        *comment(f"Writes {kind} to {size} without any check."),
-        f"static inline void {naming.function('record', record.name, 'pack')}(const {kind} *in, uint8_t *out)",
-        *_body(naming, store),
-        "",
-        *comment(f"Reads {kind} from {size} without any check."),
-        f"static inline void {naming.function('record', record.name, 'unpack')}(const uint8_t *in, {kind} *out)",
-        *_body(naming, load),
+        *declarations,
+        comment(f"Writes {struct} to {size} without any check."),
+        Function(Type("void"), pack, (source, Variable(OUTPUT_BYTES, "out")), stored, local_variables),
+        BLANK,
+        comment(f"Reads {struct} from {size} without any check."),
+        Function(Type("void"), unpack, (Variable(INPUT_BYTES, "in"), target), loaded, local_variables),
     ]
 
 
-def _body(naming: Naming, lines: list[str]) -> list[str]:
-    return ["{", *indented([*variables(naming, lines), *lines]), "}"]
-
-
-def check_lines(naming: Naming, device: Device, record: RecordLayout) -> list[str]:
-    """Statements that return where a value is refused that is to be written."""
-    lines = []
+def check_members(naming: Naming, device: Device, record: RecordLayout) -> Body:
+    """Refuses values of a struct that are to be written."""
+    body: Body = ()
     for field in members(record):
 
-        def one(_: str, name: str, field: FieldLayout = field) -> list[str]:
-            if field.record is not None:
-                if not check_lines(naming, device, field.record):
-                    return []
-                return returning(naming, f"{naming.function('record', field.record.name, 'check')}(&{name})")
-            held = wire(field)
-            return given_tests(naming, held, name, closed_test(naming, device, held.value, name))
+        def check(_: Expression, value: Expression, field: FieldLayout = field) -> Body:
+            if field.record is None:
+                return check_stored(naming, device, field_value(field), value)
+            if not check_members(naming, device, field.record):
+                return ()
+            function = naming.function("record", field.record.name, "check")
+            return return_error(naming, Call(function, (address_of(value),)))
 
-        lines += each(record, field, one, "in->")
-    return lines
+        body += walk_elements(record, field, check, IN, OUT)
+    return body
 
 
-def found_lines(naming: Naming, device: Device, record: RecordLayout) -> list[str]:
-    """Statements that return where a value is refused that has been read; those that measure others come last."""
-    lines = []
+def check_unpacked(naming: Naming, device: Device, record: RecordLayout) -> Body:
+    """Refuses values that have been read; fields that measure others come last."""
+    body: Body = ()
     for field in sorted(record.fields, key=lambda field: field.field.measures is not None):
 
-        def one(at: str, name: str, field: FieldLayout = field) -> list[str]:
-            source = f"in + {at}"
+        def check(source: Expression, value: Expression, field: FieldLayout = field) -> Body:
             if field.record is not None:
-                if not found_lines(naming, device, field.record):
-                    return []
+                if not check_unpacked(naming, device, field.record):
+                    return ()
                 decode = naming.function("record", field.record.name, "decode")
-                return returning(naming, f"{decode}({source}, {field.size}u, &{name})")
-            held = wire(field)
+                return return_error(naming, Call(decode, (source, unsigned(field.size), address_of(value))))
             if field.field.measures is not None:
-                test = f"{load(naming, held, source)} != {measure(record, field, 'out->')}"
-                return refused(naming, test, "err_wrong_measure")
+                measured = measured_size(record, field, OUT)
+                return refuse(
+                    naming, different(load(naming, field_value(field), source), measured), "err_wrong_measure"
+                )
             if field.field.reserved:
-                return []
-            return found_tests(naming, held, source, closed_test(naming, device, held.value, name))
+                return ()
+            return check_loaded(naming, device, field_value(field), source, value)
 
-        lines += each(record, field, one, "out->")
-    return lines
+        body += walk_elements(record, field, check, OUT, IN)
+    return body
 
 
-def _stored(naming: Naming, record: RecordLayout, field: FieldLayout) -> list[str]:
-    def one(at: str, name: str) -> list[str]:
-        target = f"out + {at}"
+def _store_field(naming: Naming, record: RecordLayout, field: FieldLayout) -> Body:
+    def store(target: Expression, value: Expression) -> Body:
         if field.record is not None:
-            argument = member_argument(field.record, name)
-            return [f"{naming.function('record', field.record.name, 'pack')}({argument}{target});"]
-        held = wire(field)
+            pack = naming.function("record", field.record.name, "pack")
+            return (call(pack, *struct_argument(field.record, value), target),)
+        wire = field_value(field)
         if field.field.measures is not None:
-            return store_lines(naming, held, measure(record, field, "in->"), target)
-        if not given(field):
-            default = held.value.default if isinstance(held.value.default, int) else 0
-            return fixed_lines(naming, held, default if held.value.const is None else held.value.const, target)
-        return store_lines(naming, held, name, target)
+            return store_value(naming, wire, measured_size(record, field, IN), target)
+        if not is_set_by_user(field):
+            return store_constant(naming, wire, fixed_number(wire.value), target)
+        return store_value(naming, wire, value, target)
 
-    return each(record, field, one, "in->")
+    return walk_elements(record, field, store, IN, OUT)
 
 
-def _loaded(naming: Naming, record: RecordLayout, field: FieldLayout) -> list[str]:
-    def one(at: str, name: str) -> list[str]:
-        source = f"in + {at}"
+def _load_field(naming: Naming, record: RecordLayout, field: FieldLayout) -> Body:
+    def load_element(source: Expression, target: Expression) -> Body:
         if field.record is not None:
-            return [f"{naming.function('record', field.record.name, 'unpack')}({source}, &{name});"]
-        return load_lines(naming, wire(field), source, name)
+            unpack = naming.function("record", field.record.name, "unpack")
+            return (call(unpack, source, address_of(target)),)
+        return load_value(naming, field_value(field), source, target)
 
-    return each(record, field, one, "out->")
+    return walk_elements(record, field, load_element, OUT, IN)

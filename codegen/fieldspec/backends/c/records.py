@@ -1,50 +1,345 @@
-"""Records and the data of messages: structs, and what they are to hold."""
+"""Records and the data of messages: their structs, and the functions that encode and decode them."""
 
 from __future__ import annotations
 
-from fieldspec.backends.c.choices import union_lines
-from fieldspec.backends.c.coding import decode_function, encode_function
-from fieldspec.backends.c.comments import of_value, told
-from fieldspec.backends.c.fields import count_member, members, most, wire
-from fieldspec.backends.c.naming import Naming, member
-from fieldspec.backends.c.packing import pack_functions, packed
-from fieldspec.backends.c.text import comment, indented
-from fieldspec.backends.c.values import declaration
-from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Define, Function, Struct, comment
+from fieldspec.backends.c.expressions import (
+    CAPACITY,
+    IN,
+    INPUT_BYTES,
+    LENGTH,
+    OUT,
+    OUTPUT_BYTES,
+    SIZE_TYPE,
+    ZERO,
+    Call,
+    Cast,
+    Conditional,
+    Expression,
+    Group,
+    Operation,
+    PointerMember,
+    Type,
+    add,
+    address_of,
+    any_of,
+    dereference,
+    different,
+    greater,
+    less,
+    multiply,
+    unsigned,
+)
+from fieldspec.backends.c.fields import (
+    INNER_LENGTH,
+    ElementBody,
+    check_selector,
+    count_member,
+    declare_member,
+    decoded_selector,
+    element_size,
+    encoded_selector,
+    function_locals,
+    is_set_by_user,
+    measured_size,
+    members,
+    return_error,
+    struct_argument,
+    switch_cases,
+    walk_elements,
+)
+from fieldspec.backends.c.naming import Naming
+from fieldspec.backends.c.packing import check_members, check_unpacked, declare_packing, is_packed
+from fieldspec.backends.c.statements import (
+    Assignment,
+    Body,
+    Statement,
+    Variable,
+    assign,
+    call,
+    contains,
+    discard,
+    return_if,
+)
+from fieldspec.backends.c.values import (
+    decode_value,
+    encode_value,
+    field_value,
+    fixed_number,
+    load,
+    refuse,
+    return_ok,
+    status_type,
+    store,
+    store_constant,
+)
+from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.device import Device
 
 
-def record_lines(naming: Naming, device: Device, record: RecordLayout, doc: list[str]) -> list[str]:
+def declare_record(naming: Naming, device: Device, record: RecordLayout, about: Comment) -> list[Declaration]:
     """The struct of a record, if it has members, and its functions."""
     name = naming.type("record", record.name)
-    held = members(record)
+    fields = members(record)
     size = f"{record.size} bytes" if record.size is not None else f"{record.least} to {record.most} bytes"
-    lines = [f"#define {naming.macro('record', record.name, 'size')} {record.most}u"]
-    if held:
-        lines += [*doc, f"typedef struct {name} {{"]
-        for field in held:
-            told_of = told(field.field, of_value(field.value))
-            lines += indented([*told_of, *_declared(naming, record, field)])
-        lines += [f"}} {name};"]
+    assert record.most is not None
+    declarations: list[Declaration] = [Define(naming.macro("record", record.name, "size"), unsigned(record.most))]
+    if fields:
+        inside = [part for field in fields for part in declare_member(naming, record, field)]
+        declarations += [about, Struct(name, tuple(inside))]
     else:
-        lines += comment("There is nothing to give: no struct is needed.")
-    if packed(record):
-        lines += ["", *pack_functions(naming, device, record)]
-    lines += ["", *comment(f"Writes {name}: {size}.", "Length receives how many bytes were written.")]
-    lines += encode_function(naming, device, record)
-    lines += ["", *comment(f"Reads {name} from exactly {size}.")]
-    return [*lines, *decode_function(naming, device, record)]
+        declarations.append(comment("There is nothing to give: no struct is needed."))
+    checks: Body = ()
+    if is_packed(record):
+        checks = check_members(naming, device, record)
+        declarations += [BLANK, *declare_packing(naming, record, checks)]
+    return [
+        *declarations,
+        BLANK,
+        comment(f"Writes {name}: {size}.", "Length receives how many bytes were written."),
+        _encode_function(naming, device, record, bool(checks)),
+        BLANK,
+        comment(f"Reads {name} from exactly {size}."),
+        _decode_function(naming, device, record),
+    ]
 
 
-def _declared(naming: Naming, record: RecordLayout, field: FieldLayout) -> list[str]:
-    count = most(field) if field.is_list else None
-    if field.cases:
-        lines = union_lines(field, count)
-    elif field.record is not None:
-        times = f"[{count}]" if count is not None else ""
-        lines = [f"{naming.type('record', field.record.name)} {member(field.name)}{times};"]
+def _encode_function(naming: Naming, device: Device, record: RecordLayout, checked: bool) -> Function:
+    """`codec_status point_encode(const point *in, uint8_t *out, size_t capacity, size_t *length)`"""
+    parameters = [
+        Variable(OUTPUT_BYTES, "out"),
+        Variable(SIZE_TYPE, "capacity"),
+        Variable(Type("size_t", pointer=True), "length"),
+    ]
+    if members(record):
+        struct = Type(naming.type("record", record.name), const=True, pointer=True)
+        parameters.insert(0, Variable(struct, "in"))
+    body: list[Statement] = []
+    if record.fields:
+        selector = encoded_selector(record.selector) if record.selector is not None else None
+        if selector is not None:
+            body.append(check_selector(naming, record, selector))
+        for field in record.fields:
+            body += _check_count(naming, record, field)
+        size = _encoded_size(record)
+        body += refuse(naming, less(CAPACITY, size), "err_capacity")
+        body += _write_fields(naming, device, record, selector, checked)
+        body.append(assign(dereference(LENGTH), size))
     else:
-        lines = [declaration(wire(field), member(field.name), count) + ";"]
-    if field.field.repeat is not None:
-        lines.append(f"size_t {count_member(record, field)};")
-    return lines
+        body += [discard("out"), discard("capacity"), assign(dereference(LENGTH), ZERO)]
+    body.append(return_ok(naming))
+    name = naming.function("record", record.name, "encode")
+    return Function(status_type(naming), name, tuple(parameters), tuple(body), function_locals(naming))
+
+
+def _decode_function(naming: Naming, device: Device, record: RecordLayout) -> Function:
+    """`codec_status point_decode(const uint8_t *in, size_t length, point *out)`"""
+    parameters = [Variable(INPUT_BYTES, "in"), Variable(SIZE_TYPE, "length")]
+    if members(record):
+        parameters.append(Variable(Type(naming.type("record", record.name), pointer=True), "out"))
+    body: list[Statement] = [*_check_length(naming, record)]
+    selector = decoded_selector(naming, record.selector) if record.selector is not None else None
+    if selector is not None:
+        body.append(check_selector(naming, record, selector))
+    body += _check_repeated_length(naming, record)
+    body += _read_fields(naming, device, record, selector)
+    if not contains(tuple(body), IN):
+        body.insert(0, discard("in"))
+    body.append(return_ok(naming))
+    name = naming.function("record", record.name, "decode")
+    return Function(status_type(naming), name, tuple(parameters), tuple(body), function_locals(naming))
+
+
+# Encoding
+
+
+def _check_count(naming: Naming, record: RecordLayout, field: FieldLayout) -> Body:
+    """`if (in->points_count < 1u || in->points_count > 8u) { return ERR_WRONG_LENGTH; }`"""
+    repeat = field.field.repeat
+    if repeat is None:
+        return ()
+    count = PointerMember(IN, count_member(record, field))
+    tests: list[Expression] = [less(count, unsigned(repeat.low))] if repeat.low else []
+    return refuse(naming, any_of([*tests, greater(count, unsigned(repeat.high))]), "err_wrong_length")
+
+
+def _encoded_size(record: RecordLayout) -> Expression:
+    """`28u`, or `(2u + in->points_count * 4u)`: the size of a record that is to be written."""
+    if record.size is not None:
+        return unsigned(record.size)
+    last = record.fields[-1]
+    repeated = last.field.repeat is not None
+    count = PointerMember(IN, count_member(record, last)) if repeated else unsigned(last.count or 1)
+    return Group(add(unsigned(last.offset), multiply(count, element_size(record, last))))
+
+
+def _measuring_last(record: RecordLayout) -> list[FieldLayout]:
+    """The fields, those last that measure others: errors of the others come first."""
+    return sorted(record.fields, key=lambda field: field.field.measures is not None)
+
+
+def _write_fields(
+    naming: Naming, device: Device, record: RecordLayout, selector: Expression | None, checked: bool
+) -> Body:
+    """Checks the values of a record and writes them. `checked` says that a packed one has a function for checks."""
+    if is_packed(record):
+        check, pack = (naming.function("record", record.name, verb) for verb in ("check", "pack"))
+        checks = return_error(naming, Call(check, (IN,))) if checked else ()
+        return (*checks, call(pack, IN, OUT))
+    body: Body = ()
+    for field in _measuring_last(record):
+        if field.cases and selector is not None:
+
+            def write_case(case: CaseLayout, field: FieldLayout = field) -> Body:
+                def write(target: Expression, value: Expression) -> Body:
+                    wire = field_value(case)
+                    if case.value.const is not None:
+                        return store_constant(naming, wire, case.value.const, target)
+                    return encode_value(naming, device, wire, value, target)
+
+                return walk_elements(record, field, write, IN, OUT, case)
+
+            body = (*body, switch_cases(naming, record, selector, write_case))
+        else:
+            body += walk_elements(record, field, _field_writer(naming, device, record, field), IN, OUT)
+    return body
+
+
+def _field_writer(naming: Naming, device: Device, record: RecordLayout, field: FieldLayout) -> ElementBody:
+    """Checks one element of a field and writes it."""
+
+    def write(target: Expression, value: Expression) -> Body:
+        if field.record is not None:
+            return _write_record(naming, device, field.record, value, target)
+        wire = field_value(field)
+        if field.field.measures is not None:
+            return _write_measure(naming, record, field, target)
+        if not is_set_by_user(field):
+            return store_constant(naming, wire, fixed_number(wire.value), target)
+        return encode_value(naming, device, wire, value, target)
+
+    return write
+
+
+def _write_record(naming: Naming, device: Device, record: RecordLayout, value: Expression, target: Expression) -> Body:
+    """Checks and writes a record within another."""
+    if not is_packed(record):
+        encode = naming.function("record", record.name, "encode")
+        sizes = unsigned(record.size or 0), address_of(INNER_LENGTH)
+        return return_error(naming, Call(encode, (*struct_argument(record, value), target, *sizes)))
+    check, pack = (naming.function("record", record.name, verb) for verb in ("check", "pack"))
+    struct = address_of(value)
+    checks = return_error(naming, Call(check, (struct,))) if check_members(naming, device, record) else ()
+    return (*checks, call(pack, struct, target))
+
+
+def _write_measure(naming: Naming, record: RecordLayout, field: FieldLayout, target: Expression) -> Body:
+    """`store_u8(out + 2, (uint8_t)(in->points_count * 4u));`, refused where the field cannot be that large."""
+    wire = field_value(field)
+    measured = measured_size(record, field, IN)
+    highest = wire.value.ranges.high if wire.value.ranges else wire.value.type.high
+    most = _greatest_measure(record, field)
+    fits = (most is not None and most <= highest) or highest >= 2**31
+    checks = () if fits else refuse(naming, greater(measured, unsigned(highest)), "err_out_of_range")
+    number = Cast(f"uint{8 * wire.size}_t", Group(measured))
+    return (*checks, store(naming, wire.access, target, number))
+
+
+def _greatest_measure(record: RecordLayout, field: FieldLayout) -> int | None:
+    """The greatest size or count that a field can have to hold, None where that differs from case to case."""
+    measure = field.field.measures
+    assert measure is not None
+    other = record.named(measure.field)
+    assert other is not None
+    if other.cases:
+        return None
+    repeat = other.field.repeat
+    count = repeat.high if repeat is not None else other.count or 1
+    return count * other.size if measure.of == "bytes" else count
+
+
+# Decoding
+
+
+def _check_length(naming: Naming, record: RecordLayout) -> Body:
+    """`if (length != 28u) { return length < 28u ? ERR_INCOMPLETE : ERR_WRONG_LENGTH; }`"""
+    least, most = unsigned(record.least), unsigned(record.most or 0)
+    if record.least and record.least == record.most:
+        # One comparison where all is well.
+        incomplete, wrong = naming.status("err_incomplete"), naming.status("err_wrong_length")
+        return (return_if(different(LENGTH, least), Conditional(less(LENGTH, least), incomplete, wrong)),)
+    shorter = refuse(naming, less(LENGTH, least), "err_incomplete") if record.least else ()
+    return (*shorter, *refuse(naming, greater(LENGTH, most), "err_wrong_length"))
+
+
+def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
+    """Refuses a length that is not one of whole elements, and sets the number of them.
+
+    `if ((length - 2u) % 4u != 0) { return ERR_WRONG_LENGTH; } out->points_count = (length - 2u) / 4u;`
+    """
+    if record.size is not None:
+        return ()
+    last = record.fields[-1]
+    size, repeat = element_size(record, last), last.field.repeat
+    low, high = (repeat.low, repeat.high) if repeat is not None else (last.count or 1, last.count or 1)
+    body: Body = ()
+    if last.cases:
+        least, most = (add(unsigned(last.offset), multiply(unsigned(bound), size)) for bound in (low, high))
+        if low:
+            body += refuse(naming, less(LENGTH, least), "err_incomplete")
+        body += refuse(naming, greater(LENGTH, most), "err_wrong_length")
+    if repeat is None:
+        return body
+    # Where the list begins with the record, `- 0u` stays, so that all records read alike.
+    rest = Operation("-", (LENGTH, unsigned(last.offset)))
+    if last.cases or last.size > 1:
+        body += refuse(naming, different(Operation("%", (rest, size)), ZERO), "err_wrong_length")
+    count = PointerMember(OUT, count_member(record, last))
+    return (*body, Assignment(count, Operation("/", (rest, size))))
+
+
+def _read_fields(naming: Naming, device: Device, record: RecordLayout, selector: Expression | None) -> Body:
+    """Reads the values of a record and checks them."""
+    if is_packed(record):
+        unpack = call(naming.function("record", record.name, "unpack"), IN, OUT)
+        return (unpack, *check_unpacked(naming, device, record))
+    body: Body = ()
+    for field in _measuring_last(record):
+        if field.cases and selector is not None:
+
+            def read_case(case: CaseLayout, field: FieldLayout = field) -> Body:
+                def read(source: Expression, value: Expression) -> Body:
+                    return decode_value(naming, device, field_value(case), source, value)
+
+                return walk_elements(record, field, read, OUT, IN, case)
+
+            body = (*body, switch_cases(naming, record, selector, read_case))
+        else:
+            body += walk_elements(record, field, _field_reader(naming, device, record, field), OUT, IN)
+    return body
+
+
+def _field_reader(naming: Naming, device: Device, record: RecordLayout, field: FieldLayout) -> ElementBody:
+    """Reads one element of a field and checks it."""
+
+    def read(source: Expression, value: Expression) -> Body:
+        if field.record is not None:
+            return _read_record(naming, device, field.record, value, source)
+        wire = field_value(field)
+        if field.field.measures is not None:
+            measured = measured_size(record, field, OUT)
+            return refuse(naming, different(load(naming, wire, source), measured), "err_wrong_measure")
+        if field.field.reserved:
+            return ()
+        return decode_value(naming, device, wire, source, value)
+
+    return read
+
+
+def _read_record(naming: Naming, device: Device, record: RecordLayout, value: Expression, source: Expression) -> Body:
+    """Reads and checks a record within another."""
+    if is_packed(record) and not check_unpacked(naming, device, record):
+        return (call(naming.function("record", record.name, "unpack"), source, address_of(value)),)
+    decode = naming.function("record", record.name, "decode")
+    arguments = source, unsigned(record.size or 0), *struct_argument(record, value)
+    return return_error(naming, Call(decode, arguments))

@@ -1,87 +1,346 @@
-"""Registers and tables of records: constants, and functions for their values and addresses."""
+"""Values that have an address or a number: registers, tables of records, parameters, signals."""
 
 from __future__ import annotations
 
-from fieldspec.backends.c.accessors import ACCESS, access_lines, constant_lines
-from fieldspec.backends.c.comments import of_value, told
+from collections.abc import Iterator
+from fractions import Fraction
+
+from fieldspec.backends.c.declarations import (
+    BLANK,
+    Declaration,
+    Define,
+    Function,
+    comment,
+    describe_fact,
+    describe_value,
+)
+from fieldspec.backends.c.expressions import (
+    IN,
+    INPUT_BYTES,
+    NUMBER,
+    OUT,
+    OUTPUT_BYTES,
+    VALUE,
+    ZERO,
+    Cast,
+    Element,
+    Expression,
+    Group,
+    Identifier,
+    Literal,
+    Type,
+    add,
+    all_of,
+    any_of,
+    at_least,
+    at_most,
+    decimal,
+    dereference,
+    hexadecimal,
+    hexadecimal_digits,
+    integer,
+    multiply,
+    negate,
+    subtract,
+    unsigned,
+    whole_float,
+)
 from fieldspec.backends.c.naming import Naming, Noun
-from fieldspec.backends.c.text import comment, hexadecimal, indented
-from fieldspec.backends.c.values import Wire
+from fieldspec.backends.c.statements import Body, Variable, assign
+from fieldspec.backends.c.values import (
+    WireValue,
+    declare_value,
+    decode_value,
+    encode_value,
+    refuse,
+    return_ok,
+    status_type,
+    store_constant,
+    type_name,
+)
+from fieldspec.classes import replace
 from fieldspec.layout.device import TableLayout
-from fieldspec.layout.record import RegisterLayout
+from fieldspec.layout.record import Orders, RegisterLayout
 from fieldspec.model.device import Device
+from fieldspec.model.registers import Parameter, ParameterSet, Subindex
+from fieldspec.model.value import Kind, Signal, Value
+
+ACCESS = {
+    "ro": "Read only.",
+    "rw": "Read and write.",
+    "wo": "Write only.",
+    "": "The manual does not say how it is accessed.",
+}
+_GREATEST_FRACTION = 2**63 - 1
 
 
-def register_lines(naming: Naming, device: Device, laid: RegisterLayout) -> list[str]:
+# Constants and functions of a value
+
+
+def define_constants(naming: Naming, noun: Noun, names: tuple[str, ...], value: Value) -> list[Declaration]:
+    """`#define GADGET_REG_SPEED_MAX 3000`: constant, range, default and scale, in counts or as a fraction."""
+    size, signed = value.size, value.type.signed
+    constants: list[tuple[str, Expression]] = []
+    if value.const is not None:
+        constants.append(("value", integer(value.const, size, signed)))
+    if value.ranges is not None:
+        constants += [("min", _bound(value, value.ranges.low)), ("max", _bound(value, value.ranges.high))]
+    if value.write_ranges is not None:
+        low, high = value.write_ranges.low, value.write_ranges.high
+        constants += [("write_min", _bound(value, low)), ("write_max", _bound(value, high))]
+    if isinstance(value.default, int) and value.type.kind is not Kind.FLOAT:
+        constants.append(("default", integer(value.default, size, signed)))
+    for name, exact, implied in (("scale", value.scale, 1), ("offset", value.offset, 0)):
+        fraction = Fraction(exact)
+        if fraction != implied and max(abs(fraction.numerator), fraction.denominator) <= _GREATEST_FRACTION:
+            constants.append((f"{name}_numerator", integer(fraction.numerator, 8)))
+            constants.append((f"{name}_denominator", integer(fraction.denominator, 8)))
+    return [Define(naming.macro(noun, *names, name), number) for name, number in constants]
+
+
+def _bound(value: Value, number: int) -> Expression:
+    """A bound of the value's range as a constant of its type."""
+    if value.type.kind is not Kind.FLOAT:
+        return integer(number, value.size, value.type.signed)
+    return Group(whole_float(number)) if number < 0 else whole_float(number)
+
+
+def access_functions(
+    naming: Naming, device: Device, noun: Noun, names: tuple[str, ...], wire: WireValue, size: int, trigger: bool
+) -> list[Declaration]:
+    """The functions that read and write a value, as its bytes lie in a frame, filled up to `size` bytes.
+
+    What the device answers is read whatever it is. Only what is written must be the constant or, of a `trigger`, a
+    member of its closed enum.
+
+    `codec_status reg_speed_decode(const uint8_t *in, uint16_t *out)`, `reg_speed_encode(uint16_t value, uint8_t *out)`
+    """
+    value = wire.value
+    answer = replace(wire, value=value.as_answer(trigger))
+    result = declare_value(wire, "out") if wire.is_array else Variable(Type(type_name(value), pointer=True), "out")
+    inputs, outputs = (Variable(INPUT_BYTES, "in"), result), [Variable(OUTPUT_BYTES, "out")]
+    decode = decode_value(naming, device, answer, IN, OUT if wire.is_array else dereference(OUT))
+    if value.const is not None:
+        encode = store_constant(naming, wire, value.const, OUT)
+    else:
+        encode = encode_value(naming, device, wire, VALUE, OUT)
+        outputs.insert(0, declare_value(wire, "value", const=wire.is_array))
+    padding = [assign(Element(OUT, decimal(at)), ZERO) for at in range(wire.size, size)]
+    place = f" its value from the {size} bytes of its words." if noun == "register" else " its value."
+    decode_name, encode_name = naming.function(noun, *names, "decode"), naming.function(noun, *names, "encode")
+    return [
+        comment(f"Reads{place}"),
+        Function(status_type(naming), decode_name, inputs, (*decode, return_ok(naming))),
+        BLANK,
+        comment(f"Writes{place.replace(' from ', ' to ')}"),
+        Function(status_type(naming), encode_name, tuple(outputs), (*encode, *padding, return_ok(naming))),
+    ]
+
+
+# Registers and tables of records
+
+
+def declare_register(naming: Naming, device: Device, layout: RegisterLayout) -> list[Declaration]:
     """The constants of a register, and the functions for its value."""
-    register, value = laid.register, laid.register.value
+    register, value = layout.register, layout.register.value
     facts = (
         f"In the address space {device.space_name(register.space)}." if device.several_spaces else "",
         ACCESS[register.access],
         "A change takes effect after a restart." if register.restart else "",
         "Writing starts an action." if register.trigger else "",
-        f"{laid.words} words must be accessed in one request." if register.atomic and laid.words > 1 else "",
+        f"{layout.words} words must be accessed in one request." if register.atomic and layout.words > 1 else "",
         f"The same as {register.same_as}." if register.same_as else "",
         f"A copy of {register.copy_of}." if register.copy_of else "",
     )
-    lines = told(register, " ".join(fact for fact in facts if fact), of_value(value))
-    constants = [("address", hexadecimal(laid.address, 2)), ("words", f"{laid.words}u")]
-    if register.number is not None:
-        constants.append(("number", f"{register.number}u"))
-    if laid.count > 1:
-        constants += [("count", f"{laid.count}u"), ("stride", f"{laid.stride}u"), ("first", f"{register.index_from}u")]
-    lines += _defined(naming, "register", laid.name, constants)
-    lines += constant_lines(naming, "register", (laid.name,), value)
-    wire = Wire(value, laid.order, laid.swapped)
-    size = value.size + value.size % 2
-    lines += ["", *access_lines(naming, device, "register", (laid.name,), wire, size, register.trigger)]
-    if laid.count > 1:
-        lines += ["", *_address(naming, "register", laid.name, f"{laid.name} by its number")]
-    return lines
-
-
-def _defined(naming: Naming, noun: Noun, name: str, constants: list[tuple[str, str]]) -> list[str]:
-    return [f"#define {naming.macro(noun, name, constant)} {text}" for constant, text in constants]
-
-
-def _address(naming: Naming, noun: Noun, name: str, what: str) -> list[str]:
-    base, first, count, stride = (naming.macro(noun, name, end) for end in ("address", "first", "count", "stride"))
-    return [
-        *comment(f"The address of {what}; a number that there is not is refused."),
-        f"static inline {naming.own('codec_status')} {naming.function(noun, name, 'at')}"
-        "(uint32_t number, uint16_t *address)",
-        "{",
-        *indented(
-            [
-                f"if (number - {first} >= {count}) {{",
-                f"    return {naming.own_macro('err_out_of_range')};",
-                "}",
-                f"*address = (uint16_t)({base} + (number - {first}) * {stride});",
-                f"return {naming.own_macro('ok')};",
-            ]
-        ),
-        "}",
+    constants: list[tuple[str, Expression]] = [
+        ("address", hexadecimal(layout.address, 2)),
+        ("words", unsigned(layout.words)),
     ]
+    if register.number is not None:
+        constants.append(("number", unsigned(register.number)))
+    if layout.count > 1:
+        constants += [
+            ("count", unsigned(layout.count)),
+            ("stride", unsigned(layout.stride)),
+            ("first", unsigned(register.index_from)),
+        ]
+    names = (layout.name,)
+    wire = WireValue(value, layout.order, layout.swapped)
+    declarations: list[Declaration] = [
+        describe_fact(register, " ".join(fact for fact in facts if fact), describe_value(value)),
+        *(Define(naming.macro("register", layout.name, name), number) for name, number in constants),
+        *define_constants(naming, "register", names, value),
+        BLANK,
+        *access_functions(naming, device, "register", names, wire, value.size + value.size % 2, register.trigger),
+    ]
+    if layout.count > 1:
+        declarations += [BLANK, *_address_function(naming, "register", layout.name, f"{layout.name} by its number")]
+    return declarations
 
 
-def _read_only(laid: TableLayout) -> str:
-    """Which fields can only be read, where the table does not say it of all."""
-    return f"Read only: {', '.join(laid.read_only)}." if laid.read_only else ""
-
-
-def table_lines(naming: Naming, device: Device, laid: TableLayout) -> list[str]:
+def declare_table(naming: Naming, device: Device, layout: TableLayout) -> list[Declaration]:
     """The constants of a table, and the function that gives an element's address."""
-    table = laid.table
+    table = layout.table
     access = ACCESS[table.access] if table.access else ""
     if device.several_spaces:
         access = f"In the address space {device.space_name(table.space)}. {access}".strip()
-    lines = told(table, f"Its elements are {naming.type('record', laid.record.name)}.", access, _read_only(laid))
+    read_only = f"Read only: {', '.join(layout.read_only)}." if layout.read_only else ""
     constants = [
         ("address", hexadecimal(table.base, 2)),
-        ("words", f"{laid.words}u"),
-        ("stride", f"{table.stride}u"),
-        ("count", f"{table.count}u"),
-        ("first", f"{table.index_from}u"),
+        ("words", unsigned(layout.words)),
+        ("stride", unsigned(table.stride)),
+        ("count", unsigned(table.count)),
+        ("first", unsigned(table.index_from)),
     ]
-    lines += _defined(naming, "table", laid.name, constants)
-    return [*lines, "", *_address(naming, "table", laid.name, f"an element of {table.name} by its number")]
+    return [
+        describe_fact(table, f"Its elements are {naming.type('record', layout.record.name)}.", access, read_only),
+        *(Define(naming.macro("table", layout.name, name), number) for name, number in constants),
+        BLANK,
+        *_address_function(naming, "table", layout.name, f"an element of {table.name} by its number"),
+    ]
+
+
+def _address_function(naming: Naming, noun: Noun, name: str, what: str) -> list[Declaration]:
+    """`codec_status table_points_at(uint32_t number, uint16_t *address)`"""
+    base, first, count, stride = (
+        Identifier(naming.macro(noun, name, end)) for end in ("address", "first", "count", "stride")
+    )
+    index = subtract(NUMBER, first)
+    address = Cast("uint16_t", add(base, multiply(index, stride)))
+    body: Body = (
+        *refuse(naming, at_least(index, count), "err_out_of_range"),
+        assign(dereference(Identifier("address")), address),
+        return_ok(naming),
+    )
+    parameters = Variable(Type("uint32_t"), "number"), Variable(Type("uint16_t", pointer=True), "address")
+    return [
+        comment(f"The address of {what}; a number that there is not is refused."),
+        Function(status_type(naming), naming.function(noun, name, "at"), parameters, body),
+    ]
+
+
+# Signals
+
+
+def declare_signal(naming: Naming, signal: Signal) -> list[Declaration]:
+    """The constants of a signal of messages; nothing where it has none."""
+    constants = define_constants(naming, "signal", (signal.name,), signal.value)
+    return [describe_fact(signal, describe_value(signal.value)), *constants] if constants else []
+
+
+def declare_parameters(naming: Naming, device: Device, parameters: ParameterSet) -> Iterator[list[Declaration]]:
+    """The numbers of a set, then the constants and functions of its parameters, one list each."""
+    if parameters.base or parameters.numbers is not None:
+        yield _declare_set(naming, parameters)
+    for parameter in parameters.parameters:
+        yield _declare_parameter(naming, device, parameters, parameter)
+        if not parameter.reserved:
+            for subindex in parameter.subindices:
+                if not subindex.reserved:
+                    yield _declare_subindex(naming, device, parameters, parameter, subindex)
+
+
+def wire_number_type(parameters: ParameterSet) -> str:
+    """The type of the set's numbers on the wire."""
+    assert parameters.numbers is not None
+    return "uint16_t" if parameters.base + parameters.numbers.high <= 0xFFFF else "uint32_t"
+
+
+def _number(parameters: ParameterSet, number: int) -> Literal:
+    """A number of the set as a constant: in hexadecimal where the manual writes it so."""
+    if parameters.base or "x}" in parameters.printed_as.lower():
+        return hexadecimal_digits(number, 4, "u")
+    return unsigned(number)
+
+
+def _number_text(parameters: ParameterSet, number: int) -> str:
+    """The same for people, without the mark of its type."""
+    return _number(parameters, number).text.removesuffix("u")
+
+
+def _declare_set(naming: Naming, parameters: ParameterSet) -> list[Declaration]:
+    """The base of the set's numbers on the wire, and the function that gives one where they are a formula."""
+    base_text = _number_text(parameters, parameters.base)
+    base = Identifier(naming.macro("parameter", parameters.name, "base"))
+    declarations: list[Declaration] = [
+        describe_fact(parameters, f"Their numbers on the wire are those of the set and {base_text}."),
+        Define(base.name, _number(parameters, parameters.base)),
+    ]
+    numbers = parameters.numbers
+    if numbers is None:
+        return declarations
+    declarations += [
+        Define(naming.macro("parameter", parameters.name, "first"), _number(parameters, numbers.low)),
+        Define(naming.macro("parameter", parameters.name, "last"), _number(parameters, numbers.high)),
+    ]
+    example = f"{_number_text(parameters, parameters.base + numbers.low)} for {parameters.number_text(numbers.low)}"
+    inside: list[Expression] = []
+    for low, high in numbers.intervals:
+        least, most = at_least(NUMBER, _number(parameters, low)), at_most(NUMBER, _number(parameters, high))
+        inside.append(most if low == 0 else Group(all_of([least, most])))
+    kind = wire_number_type(parameters)
+    body: Body = (
+        *refuse(naming, negate(any_of(inside)), "err_out_of_range"),
+        assign(dereference(OUT), Cast(kind, add(base, NUMBER))),
+        return_ok(naming),
+    )
+    function = Function(
+        status_type(naming),
+        naming.function("parameter", parameters.name, "wire_number"),
+        (Variable(Type("uint32_t"), "number"), Variable(Type(kind, pointer=True), "out")),
+        body,
+    )
+    about = f"A number of the set as it is on the wire: {example}. A number that there is not is refused."
+    return [*declarations, comment(about), function]
+
+
+def _declare_parameter(
+    naming: Naming, device: Device, parameters: ParameterSet, parameter: Parameter
+) -> list[Declaration]:
+    names = (parameters.name, parameter.name)
+    printed_number = parameters.number_text(parameter.number) if parameters.printed_as else ""
+    facts = (
+        "Reserved." if parameter.reserved else "",
+        f"{printed_number} of {parameters.name}." if printed_number else "",
+        ACCESS[parameter.access] if parameter.access else "",
+        "A change takes effect after a restart." if parameter.restart else "",
+        f"For {', '.join(parameter.applies_to)} only." if parameter.applies_to else "",
+        f"With {', '.join(parameter.messages)}." if parameter.messages else "",
+    )
+    constants = [("number", _number(parameters, parameters.base + parameter.number))]
+    if parameter.count > 1:
+        constants.append(("count", unsigned(parameter.count)))
+    if parameter.elements is not None:
+        constants.append(("elements", unsigned(parameter.elements)))
+    declarations: list[Declaration] = [
+        describe_fact(parameter, " ".join(fact for fact in facts if fact), describe_value(parameter.value)),
+        *(Define(naming.macro("parameter", *names, name), number) for name, number in constants),
+    ]
+    if parameter.reserved:
+        return declarations
+    return [*declarations, *_declare_parameter_value(naming, device, names, parameter.value, parameter.trigger)]
+
+
+def _declare_subindex(
+    naming: Naming, device: Device, parameters: ParameterSet, parameter: Parameter, subindex: Subindex
+) -> list[Declaration]:
+    names = (parameters.name, parameter.name, subindex.name)
+    low, high = subindex.indices.low, subindex.indices.high
+    ends = [("subindex", low)] if low == high else [("first_subindex", low), ("last_subindex", high)]
+    return [
+        describe_fact(subindex, f"Of {parameter.name}.", describe_value(subindex.value)),
+        *(Define(naming.macro("parameter", *names, end), unsigned(number)) for end, number in ends),
+        *_declare_parameter_value(naming, device, names, subindex.value, parameter.trigger),
+    ]
+
+
+def _declare_parameter_value(
+    naming: Naming, device: Device, names: tuple[str, ...], value: Value, trigger: bool
+) -> list[Declaration]:
+    order, swapped = Orders(device.byte_order, device.word_order).of(value)
+    wire = WireValue(value, order, swapped)
+    return [
+        *define_constants(naming, "parameter", names, value),
+        BLANK,
+        *access_functions(naming, device, "parameter", names, wire, value.size, trigger),
+    ]

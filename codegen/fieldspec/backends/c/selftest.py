@@ -3,114 +3,175 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 from typing import Any
 
-from fieldspec.backends.c.assertions import assigned, compared, same
-from fieldspec.backends.c.decided import Decided, every
-from fieldspec.backends.c.enums import coded
-from fieldspec.backends.c.expected import field_value, high_value, record_bytes, record_value
+from fieldspec.backends.c.assertions import (
+    LENGTH,
+    clear_variable,
+    expect,
+    expect_equal,
+    expect_members,
+    same_array,
+    set_member,
+)
+from fieldspec.backends.c.declarations import Function, escape_comment
+from fieldspec.backends.c.enums import code_tables
+from fieldspec.backends.c.expressions import (
+    SIZE_TYPE,
+    ZERO,
+    Call,
+    Expression,
+    Identifier,
+    Member,
+    SizeOf,
+    Type,
+    address_of,
+    byte_initializer,
+    decimal,
+    different,
+    integer,
+    subtract,
+)
 from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.naming import Naming, member
-from fieldspec.backends.c.proofs_of_constants import constants
-from fieldspec.backends.c.proofs_of_examples import example_lines
-from fieldspec.backends.c.proofs_of_values import conversions, values_at_bounds
-from fieldspec.backends.c.text import array, indented, integer, plain, string
-from fieldspec.backends.forms import filled
+from fieldspec.backends.c.printer import Printer
+from fieldspec.backends.c.runtime_files import all_records
+from fieldspec.backends.c.sample_values import (
+    RecordForm,
+    all_forms,
+    field_sample,
+    high_value,
+    record_bytes,
+    record_value,
+)
+from fieldspec.backends.c.selftest_examples import test_example
+from fieldspec.backends.c.selftest_values import test_constants, test_conversions, test_values
+from fieldspec.backends.c.statements import Statement, Variable, Variables, assign, call
+from fieldspec.backends.forms import filled, text
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 
+BYTE = Type("uint8_t")
+_BYTES, _WANTED, _IN, _OUT = (Identifier(name) for name in ("bytes", "wanted", "in", "out"))
 
-def program(layout: DeviceLayout, naming: Naming, header: str) -> str:
+_IN_POINTER, _OUT_POINTER, _LENGTH_POINTER = address_of(_IN), address_of(_OUT), address_of(LENGTH)
+_SIZE_OF_BYTES = SizeOf(_BYTES)
+_CUT_SIZE = subtract(SizeOf(_WANTED), decimal(1))
+_CLEAR = clear_variable(_BYTES), clear_variable(_IN_POINTER), clear_variable(_OUT_POINTER)
+_SAME_BYTES = same_array(_BYTES, _WANTED)
+_LENGTH_VARIABLE = Variable(SIZE_TYPE, "length", value=ZERO)
+_COPY = call("copy", _IN_POINTER, _IN_POINTER, SizeOf(_IN))
+
+
+def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
     """The text of the program. It prints each failure, then a count, and exits with 0 where all is well."""
-    tests = [*constants(layout, naming), *_fields(layout, naming), *values_at_bounds(layout, naming)]
-    tests += [*conversions(layout, naming)]
-    tests += [example_lines(layout, naming, example) for example in layout.device.examples.values()]
-    switches = f"#define {naming.own_macro('with_texts')}\n" if coded(layout.device) else ""
+    bodies = chain(
+        test_constants(layout, naming),
+        _test_records(layout, naming),
+        test_values(layout, naming),
+        test_conversions(layout, naming),
+        (test_example(layout, naming, example) for example in layout.device.examples.values()),
+    )
+    printer = Printer()
+    tests = [_print_test(printer, number, body) for number, body in enumerate(bodies)]
+    switches = f"#define {naming.own_macro('with_texts')}\n" if code_tables(layout.device) else ""
     return filled(
         "backends/c/selftest.c.in",
         header=header,
-        title=plain(f"{layout.device.name}, version {layout.device.version}"),
+        title=escape_comment(f"{layout.device.name}, version {layout.device.version}"),
         identity=layout.identity,
         selftest=naming.own("selftest"),
         switches=switches,
-        tests=[_function(f"test_{at}", lines) for at, lines in enumerate(tests)],
-        calls=[f"    test_{at}();\n" for at in range(len(tests))],
+        support=text("backends/c/runtime/selftest_support.h"),
+        tests=tests,
+        calls=[f"    test_{number}();\n" for number in range(len(tests))],
     )
 
 
-def _function(name: str, lines: list[str]) -> str:
-    return "\n".join(["", f"static void {name}(void)", "{", *indented("\n".join(lines).split("\n")), "}", ""])
+def _print_test(printer: Printer, number: int, body: list[Statement]) -> str:
+    function = Function(Type("void"), f"test_{number}", (), tuple(body), storage="static")
+    return "\n".join(["", *printer.print_declarations([function]), ""])
 
 
-def _records(layout: DeviceLayout) -> Iterator[RecordLayout]:
-    yield from layout.records.values()
-    for message in layout.messages.values():
-        yield from (message.request, message.response)
-
-
-def _fields(layout: DeviceLayout, naming: Naming) -> Iterator[list[str]]:
+def _test_records(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
     """Each member of each record at its highest while all others are low: the bytes show where it lies."""
-    for record in _records(layout):
-        for form, selecting in every(record):
-            for field in members(form.record):
-                values = {**record_value(layout.device, form.record), **selecting}
-                if field.name not in selecting:
-                    values[field.name] = field_value(layout.device, field, high_value)
+    for record in all_records(layout):
+        for form, selection in all_forms(record):
+            low_values = {**record_value(layout.device, form.record), **selection}
+            fields = members(form.record)
+            low_settings = [set_member(naming, form, field, low_values[field.name], _IN) for field in fields]
+            for number, field in enumerate(fields):
+                values, settings = low_values, low_settings
+                if field.name not in selection:
+                    value = field_sample(layout.device, field, high_value)
+                    values = {**low_values, field.name: value}
+                    settings = low_settings.copy()
+                    settings[number] = set_member(naming, form, field, value, _IN)
                 what = ".".join([record.name, *([form.case] if form.case else []), field.name])
-                yield _round(naming, form, values, record_bytes(form.record, values), what)
+                yield _test_member(naming, form, values, [*chain.from_iterable(settings)], what)
         if record.selector in members(record):
-            yield from _unchosen(naming, record)
+            yield from _test_unknown_selector(naming, record)
 
 
-def _round(naming: Naming, form: Decided, values: dict[str, Any], data: bytes, what: str) -> list[str]:
-    """Encodes values and compares bytes, decodes the bytes and encodes again."""
-    name = form.struct.name
-    encode, decode = naming.function("record", name, "encode"), naming.function("record", name, "decode")
-    ok = naming.own_macro("ok")
+def _record_call(naming: Naming, record: RecordLayout, verb: str, *arguments: Expression) -> Call:
+    return Call(naming.function("record", record.name, verb), arguments)
+
+
+def _test_member(
+    naming: Naming, form: RecordForm, values: dict[str, Any], settings: list[Statement], what: str
+) -> list[Statement]:
+    """Encodes values and compares bytes, decodes the bytes and compares members; too few bytes are refused."""
+    record = form.struct
+    ok = naming.status("ok")
     last = form.record.fields[-1]
-    cut = f"expect({decode}(wanted, sizeof wanted - 1, &out) != {ok}, {string(what + ' cut')});"
+    cut = _record_call(naming, record, "decode", _WANTED, _CUT_SIZE, _OUT_POINTER)
+    encoded = _record_call(naming, record, "encode", _IN_POINTER, _BYTES, _SIZE_OF_BYTES, _LENGTH_POINTER)
+    decoded = _record_call(naming, record, "decode", _BYTES, LENGTH, _OUT_POINTER)
+    short = _record_call(naming, record, "encode", _IN_POINTER, _BYTES, _CUT_SIZE, _LENGTH_POINTER)
+    size = Identifier(naming.macro("record", record.name, "size"))
     return [
-        f"static const uint8_t wanted[] = {{{array(data)}}};",
-        f"uint8_t bytes[{naming.macro('record', name, 'size')}];",
-        f"{naming.type('record', name)} in, out;",
-        "size_t length = 0;",
-        "clear(bytes, sizeof bytes);",
-        "clear(&in, sizeof in);",
-        "clear(&out, sizeof out);",
-        *assigned(naming, form, values, "in."),
-        "copy(&in, &in, sizeof in);",
-        same(f"{what} encodes", f"{encode}(&in, bytes, sizeof bytes, &length)", ok),
-        f"expect(length == sizeof wanted && same_bytes(bytes, wanted, length), {string(what + ' bytes')});",
-        same(f"{what} decodes", f"{decode}(bytes, length, &out)", ok),
-        *compared(naming, form, values, "out.", what),
-        same(f"{what} short", f"{encode}(&in, bytes, sizeof wanted - 1, &length)", naming.own_macro("err_capacity")),
-        *([cut] if last.count is not None or last.size > 1 else []),
+        Variable(BYTE, "wanted", (None,), byte_initializer(record_bytes(form.record, values)), "static const"),
+        Variable(BYTE, "bytes", (size,)),
+        Variables(Type(naming.type("record", record.name)), ("in", "out")),
+        _LENGTH_VARIABLE,
+        *_CLEAR,
+        *settings,
+        _COPY,
+        expect_equal(f"{what} encodes", encoded, ok),
+        expect(_SAME_BYTES, f"{what} bytes"),
+        expect_equal(f"{what} decodes", decoded, ok),
+        *expect_members(naming, form, values, _OUT, what),
+        expect_equal(f"{what} short", short, naming.status("err_capacity")),
+        *([expect(different(cut, ok), f"{what} cut")] if last.count is not None or last.size > 1 else []),
     ]
 
 
-def _unchosen(naming: Naming, record: RecordLayout) -> Iterator[list[str]]:
-    """A value of the selector for which nothing may follow is refused."""
-    by = record.selector
-    assert by is not None
-    assert by.value is not None
-    kind = by.value.type
-    number = next((n for n in range(kind.high, kind.high - len(record.chosen) - 1, -1) if n not in record.chosen), None)
+def _test_unknown_selector(naming: Naming, record: RecordLayout) -> Iterator[list[Statement]]:
+    """A value of the selector that chooses nothing is refused."""
+    selector = record.selector
+    assert selector is not None
+    assert selector.value is not None
+    kind = selector.value.type
+    highest = range(kind.high, kind.high - len(record.chosen) - 1, -1)
+    number = next((number for number in highest if number not in record.chosen), None)
     if number is None:
         return
-    name, literal = record.name, integer(number, kind.size, kind.signed)
-    encode, decode = naming.function("record", name, "encode"), naming.function("record", name, "decode")
-    refused = naming.own_macro("err_unknown_value")
-    wanted = bytearray(record.least)
-    wanted[by.offset : by.offset + by.size] = b"\xff" * by.size
-    lines = [
-        f"uint8_t bytes[{naming.macro('record', name, 'size')}];",
-        f"{naming.type('record', name)} in;",
-        "size_t length = 0;",
-        "clear(&in, sizeof in);",
-        f"in.{member(by.name)} = {literal};",
-        same(f"{name} chooses nothing", f"{encode}(&in, bytes, sizeof bytes, &length)", refused),
+    unknown_value = naming.status("err_unknown_value")
+    encoded = _record_call(naming, record, "encode", _IN_POINTER, _BYTES, _SIZE_OF_BYTES, _LENGTH_POINTER)
+    body: list[Statement] = [
+        Variable(BYTE, "bytes", (Identifier(naming.macro("record", record.name, "size")),)),
+        Variable(Type(naming.type("record", record.name)), "in"),
+        Variable(SIZE_TYPE, "length", value=ZERO),
+        clear_variable(_IN_POINTER),
+        assign(Member(_IN, member(selector.name)), integer(number, kind.size, kind.signed)),
+        expect_equal(f"{record.name} chooses nothing", encoded, unknown_value),
     ]
     if not kind.signed and number == kind.high:
-        lines.insert(0, f"static const uint8_t unknown[] = {{{array(bytes(wanted))}}};")
-        lines.append(same(f"{name} chooses nothing", f"{decode}(unknown, sizeof unknown, &in)", refused))
-    yield lines
+        data = bytearray(record.least)
+        data[selector.offset : selector.offset + selector.size] = b"\xff" * selector.size
+        unknown = Identifier("unknown")
+        decoded = _record_call(naming, record, "decode", unknown, SizeOf(unknown), _IN_POINTER)
+        body.insert(0, Variable(BYTE, "unknown", (None,), byte_initializer(bytes(data)), "static const"))
+        body.append(expect_equal(f"{record.name} chooses nothing", decoded, unknown_value))
+    yield body

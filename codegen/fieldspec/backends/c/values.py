@@ -1,12 +1,38 @@
-"""Single values in C: their types, how they are loaded and stored, and what is refused."""
+"""Single values in C: their types, how they are loaded and stored, and which of them are refused."""
 
 from __future__ import annotations
 
-from fieldspec.backends.c.machine import cleared, copied
+from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
+from fieldspec.backends.c.expressions import (
+    ZERO,
+    Call,
+    Cast,
+    Conditional,
+    Element,
+    Expression,
+    Group,
+    Literal,
+    Type,
+    all_of,
+    any_of,
+    at_least,
+    at_most,
+    decimal,
+    different,
+    equal,
+    greater,
+    integer,
+    less,
+    negate,
+    unsigned,
+    whole_float,
+)
 from fieldspec.backends.c.naming import Naming
-from fieldspec.backends.c.text import integer
+from fieldspec.backends.c.statements import Assignment, Body, Evaluation, Return, Variable, call, return_if
 from fieldspec.classes import dataclass
-from fieldspec.model.value import Kind, Value
+from fieldspec.layout.record import CaseLayout, FieldLayout
+from fieldspec.model.device import Device
+from fieldspec.model.value import Kind, Ranges, Value
 
 _TYPES = {
     "u8": "uint8_t",
@@ -21,11 +47,12 @@ _TYPES = {
     "bool8": "bool",
     "bool16": "bool",
 }
+_NUL = Literal("'\\0'")
 
 
 @dataclass(frozen=True, slots=True)
-class Wire:
-    """A value and the order of its bytes."""
+class WireValue:
+    """A value and the order of its bytes; `swapped` says that the least significant 16-bit word comes first."""
 
     value: Value
     order: str
@@ -33,7 +60,7 @@ class Wire:
 
     @property
     def kind(self) -> Kind:
-        """What it holds."""
+        """What it is: an integer, a float, a text..."""
         return self.value.type.kind
 
     @property
@@ -41,29 +68,43 @@ class Wire:
         """Its bytes."""
         return self.value.size
 
+    @property
+    def is_array(self) -> bool:
+        """Whether C has it as an array: a text or bytes."""
+        return self.kind in (Kind.TEXT, Kind.BYTES)
 
-def declaration(wire: Wire, name: str, count: int | None) -> str:
-    """The member of a struct, or the variable, that holds a value."""
-    times = f"[{count}]" if count is not None else ""
+    @property
+    def access(self) -> str:
+        """What the functions that load and store it are called after."""
+        return access_name(self.size, self.order, self.swapped)
+
+
+def field_value(field: FieldLayout | CaseLayout) -> WireValue:
+    """The value of a field that has one, or of one of its cases."""
+    assert field.value is not None
+    return WireValue(field.value, field.order, field.swapped)
+
+
+def type_name(value: Value) -> str:
+    """The type of an element of a value: `uint16_t`, and `char` of a text."""
+    kind = value.type.kind
+    if kind is Kind.TEXT:
+        return "char"
+    return "uint8_t" if kind is Kind.BYTES else _TYPES[value.type.name]
+
+
+def declare_value(wire: WireValue, name: str, count: int | None = None, const: bool = False) -> Variable:
+    """The member, parameter or variable that has a value, or `count` of them: `char name[count][33]`"""
+    dimensions = (decimal(count),) if count is not None else ()
     if wire.kind is Kind.TEXT:
-        return f"char {name}{times}[{wire.size + 1}]"
-    if wire.kind is Kind.BYTES:
-        return f"uint8_t {name}{times}[{wire.size}]"
-    return f"{_TYPES[wire.value.type.name]} {name}{times}"
-
-
-def shifts(size: int, order: str, swapped: bool) -> list[int]:
-    """By how many bits each byte is shifted, the byte at the lowest address first."""
-    steps = [8 * at for at in range(size)]
-    if (order == "big") != swapped:
-        steps.reverse()
-    if not swapped:
-        return steps
-    return [steps[at ^ 1] for at in range(size)]
+        dimensions = (*dimensions, decimal(wire.size + 1))
+    elif wire.kind is Kind.BYTES:
+        dimensions = (*dimensions, decimal(wire.size))
+    return Variable(Type(type_name(wire.value), const=const), name, dimensions)
 
 
 def access_name(size: int, order: str, swapped: bool) -> str:
-    """What the functions that load and store such a number are called: `u32_be`, `u32_be_words_le`."""
+    """What the functions that load and store such a number are called after: `u32_be`, `u32_be_words_le`."""
     if size == 1:
         return "u8"
     first = "be" if order == "big" else "le"
@@ -71,209 +112,186 @@ def access_name(size: int, order: str, swapped: bool) -> str:
     return f"u{8 * size}_{first}{second}"
 
 
-def access_functions(naming: Naming, size: int, order: str, swapped: bool) -> list[str]:
-    """The functions that load and store an unsigned number: right whatever the order of the machine."""
-    kind, wide = f"uint{8 * size}_t", "uint64_t" if size == 8 else "uint32_t"
-    name, inline = access_name(size, order, swapped), naming.own_macro("inline")
-    load, store = naming.own("load", name), naming.own("store", name)
-    if size == 1:
-        return [
-            *(f"{inline} {kind} {load}(const uint8_t *in)", "{", "    return in[0];", "}", ""),
-            *(f"{inline} void {store}(uint8_t *out, {kind} value)", "{", "    out[0] = value;", "}"),
-        ]
-    steps = shifts(size, order, swapped)
-    parts = [f"({wide})in[{at}]" + (f" << {step}" if step else "") for at, step in enumerate(steps)]
-    return [
-        f"{inline} {kind} {load}(const uint8_t *in)",
-        "{",
-        *_returned(kind, wide, parts),
-        "}",
-        "",
-        f"{inline} void {store}(uint8_t *out, {kind} value)",
-        "{",
-        *_stored(naming, size, steps),
-        "}",
-    ]
+def load(naming: Naming, wire: WireValue, source: Expression) -> Expression:
+    """`load_u16_be(in + 4)`: the number at `source`, a pointer to its first byte."""
+    number = Call(naming.own(f"load_{wire.access}"), (source,))
+    if wire.kind is Kind.INTEGER and wire.value.type.signed:
+        return Call(naming.own(f"signed_{8 * wire.size}"), (number,))
+    return number
 
 
-def _returned(kind: str, wide: str, parts: list[str]) -> list[str]:
-    """The statement that joins the bytes, two of them on a line where there are more."""
-    rows = [
-        " | ".join(part if "<<" not in part else f"({part})" for part in parts[at : at + 2])
-        for at in range(0, len(parts), 2)
-    ]
-    if kind != wide:
-        return [f"    return ({kind})({rows[0]});"]
-    return [f"    return {rows[0]} |", *(f"           {row} |" for row in rows[1:-1]), f"           {rows[-1]};"]
+def store(naming: Naming, access: str, target: Expression, number: Expression) -> Evaluation:
+    """`store_u16_be(out + 4, number);`"""
+    return call(naming.own(f"store_{access}"), target, number)
 
 
-def _stored(naming: Naming, size: int, steps: list[int]) -> list[str]:
-    """The statements that store a number: at once where the machine may and its bytes lie in one order."""
-    single = [f"    out[{at}] = (uint8_t){f'(value >> {step})' if step else 'value'};" for at, step in enumerate(steps)]
-    if steps not in (sorted(steps), sorted(steps, reverse=True)):
-        return single
-    turned = [f"    value = __builtin_bswap{8 * size}(value);"] if steps[0] else []
-    return [
-        f"#ifdef {naming.own_macro('stores_at_once')}",
-        *turned,
-        f"    {copied(naming, 'out', '&value', 'sizeof value')}",
-        "#else",
-        *single,
-        "#endif",
-    ]
+def copy_bytes(naming: Naming, target: Expression, source: Expression, size: Expression) -> Evaluation:
+    """`COPY(target, source, size);`, for bytes that do not overlap"""
+    return call(naming.own_macro("copy"), target, source, size)
 
 
-def load(naming: Naming, wire: Wire, source: str) -> str:
-    """An expression for the number at `source`, an expression for a pointer to its first byte."""
-    call = f"{naming.own('load', access_name(wire.size, wire.order, wire.swapped))}({source})"
-    if wire.value.type.signed and wire.kind is Kind.INTEGER:
-        return f"{naming.own('signed', str(8 * wire.size))}({call})"
-    return call
+def clear_bytes(naming: Naming, target: Expression, size: Expression) -> Evaluation:
+    """`CLEAR(target, size);`: fills bytes with zeros."""
+    return call(naming.own_macro("clear"), target, size)
 
 
-def signed_functions(naming: Naming) -> list[str]:
-    """Two's complement without conversions that the standard leaves to the compiler."""
-    lines: list[str] = []
-    for bits, wide in ((8, "int32_t"), (16, "int32_t"), (32, "int32_t"), (64, "int64_t")):
-        kind = f"uint{bits}_t"
-        top = f"UINT64_C(0x{1 << (bits - 1):X})" if bits == 64 else f"0x{1 << (bits - 1):X}u"
-        lines += [
-            f"{naming.own_macro('inline')} int{bits}_t {naming.own('signed', str(bits))}({kind} raw)",
-            "{",
-            f"    return (int{bits}_t)((raw & {top}) ? -({wide})({kind})~raw - 1 : ({wide})raw);",
-            "}",
-            "",
-        ]
-    return lines[:-1]
+def status_type(naming: Naming) -> Type:
+    """The type of the status."""
+    return naming.status_variable().type
 
 
-def range_test(value: Value, name: str) -> str:
-    """A condition under which an integer may not be written; empty where every value of its type is in it.
+def return_ok(naming: Naming) -> Return:
+    """`return OK;`"""
+    return Return(naming.status("ok"))
 
-    Bounds that are those of the type are left out: compilers warn of comparisons that are always true.
+
+def refuse(naming: Naming, test: Expression, error: str) -> Body:
+    """`if (test) { return ERR_OUT_OF_RANGE; }`"""
+    return (return_if(test, naming.status(error)),)
+
+
+def out_of_range_test(value: Value, number: Expression) -> Expression | None:
+    """`!(value >= 1u && value <= 12u)`: whether a number may not be written; None where all of its type may be.
+
+    Bounds that are those of the type are left out: compilers warn of comparisons that are always true. A sentinel
+    beside the range is taken.
     """
-    ranges = value.written_ranges
+    ranges = value.writable_ranges
     if ranges is None:
-        return ""
+        return None
     kind = value.type
-    parts = []
+    if kind.kind is Kind.FLOAT:
+        return _float_out_of_range_test(value, ranges, number)
+    tests: list[Expression] = []
     for low, high in sorted(ranges.intervals):
-        low_text, high_text = integer(low, value.size, kind.signed), integer(high, value.size, kind.signed)
+        least, most = integer(low, value.size, kind.signed), integer(high, value.size, kind.signed)
         if low == high:
-            parts.append(f"{name} == {low_text}")
+            tests.append(equal(number, least))
             continue
-        bounds = []
+        bounds: list[Expression] = []
         if low > kind.low:
-            bounds.append(f"{name} >= {low_text}")
+            bounds.append(at_least(number, least))
         if high < kind.high:
-            bounds.append(f"{name} <= {high_text}")
+            bounds.append(at_most(number, most))
         if not bounds:
-            return ""
-        parts.append(" && ".join(bounds))
-    parts += [
-        f"{name} == {integer(sentinel.value, value.size, kind.signed)}"
+            return None
+        tests.append(all_of(bounds))
+    tests += [
+        equal(number, integer(sentinel.value, value.size, kind.signed))
         for sentinel in value.sentinels
         if sentinel.value not in ranges
     ]
-    return "!(" + " || ".join(parts if len(parts) == 1 else [f"({part})" for part in parts]) + ")"
+    return negate(tests[0] if len(tests) == 1 else any_of([Group(test) for test in tests]))
 
 
-def float_test(value: Value, name: str) -> str:
-    """A condition under which a floating-point number is out of range; no comparison holds of a NaN."""
-    if value.ranges is None:
-        return ""
-    pairs = [*value.ranges.intervals, *((one.value, one.value) for one in value.sentinels if not one.is_nan)]
-    if value.absent_nan:
-        return " && ".join(f"({name} < {low}.0f || {name} > {high}.0f)" for low, high in sorted(pairs))
-    parts = [f"({name} >= {low}.0f && {name} <= {high}.0f)" for low, high in sorted(pairs)]
-    return f"!({' || '.join(parts)})" if len(parts) > 1 else f"!{parts[0]}"
+def _float_out_of_range_test(value: Value, ranges: Ranges, number: Expression) -> Expression:
+    """`!(value >= -5.0f && value <= 5.0f)`, of which a NaN is out of range, as no comparison holds of it.
 
-
-def load_lines(naming: Naming, wire: Wire, source: str, target: str) -> list[str]:
-    """Statements that move the value at `source` to `target` without a look at it."""
-    if wire.kind is Kind.TEXT:
-        return [copied(naming, target, source, f"{wire.size}u"), f"{target}[{wire.size}] = '\\0';"]
-    if wire.kind is Kind.BYTES:
-        return [copied(naming, target, source, f"{wire.size}u")]
-    if wire.kind is Kind.FLOAT:
-        return [f"{target} = {naming.own('float_of')}({load(naming, wire, source)});"]
-    if wire.kind is Kind.BOOLEAN:
-        return [f"{target} = {load(naming, wire, source)} != 0;"]
-    return [f"{target} = {load(naming, wire, source)};"]
-
-
-def found_tests(naming: Naming, wire: Wire, source: str, closed: str) -> list[str]:
-    """Statements that return where the value at `source`, which has been loaded, is refused."""
-    if wire.value.const is not None:
-        return const_test(naming, wire, source)
-    if wire.kind is Kind.TEXT:
-        return refused(naming, f"!{naming.own('is_ascii')}({source}, {wire.size}u)", "err_unknown_value")
-    if wire.kind is Kind.BOOLEAN:
-        return refused(naming, f"{load(naming, wire, source)} > 1u", "err_unknown_value")
-    return refused(naming, closed, "err_unknown_value") if closed else []
-
-
-def decode_lines(naming: Naming, wire: Wire, source: str, target: str, closed: str) -> list[str]:
-    """Statements that read the value at `source` into `target`, and return where it is refused.
-
-    `closed` is the condition under which a closed enum refuses the value, over the name `target`, or empty.
+    Where a NaN stands for an absent value: `(value < -5.0f || value > 5.0f)`, in which none is.
     """
-    if wire.value.const is not None:
-        return const_test(naming, wire, source)
-    return [*load_lines(naming, wire, source, target), *found_tests(naming, wire, source, closed)]
+    sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
+    bounds = [(whole_float(low), whole_float(high)) for low, high in sorted([*ranges.intervals, *sentinels])]
+    if value.absent_nan:
+        return all_of([Group(any_of([less(number, low), greater(number, high)])) for low, high in bounds])
+    return negate(any_of([Group(all_of([at_least(number, low), at_most(number, high)])) for low, high in bounds]))
 
 
-def refused(naming: Naming, test: str, error: str) -> list[str]:
-    """Statements that return an error where a condition holds."""
-    return [f"if ({test}) {{", f"    return {naming.own_macro(error)};", "}"]
+# Reading
 
 
-def const_test(naming: Naming, wire: Wire, source: str) -> list[str]:
-    """Statements that refuse another value than the constant at `source`."""
-    assert wire.value.const is not None
-    wanted = integer(wire.value.const, wire.size, wire.value.type.signed)
-    return refused(naming, f"{load(naming, wire, source)} != {wanted}", "err_wrong_const")
-
-
-def given_tests(naming: Naming, wire: Wire, source: str, closed: str) -> list[str]:
-    """Statements that return where the value `source`, which is to be written, is refused."""
+def load_value(naming: Naming, wire: WireValue, source: Expression, target: Expression) -> Body:
+    """`target = load_u16_be(in + 4);`: moves the value at `source` to `target` without a check."""
     if wire.kind is Kind.TEXT:
-        return refused(naming, f"!{naming.own('is_text')}({source}, {wire.size}u)", "err_unknown_value")
-    if wire.kind is Kind.FLOAT:
-        test = float_test(wire.value, source)
-        return refused(naming, test, "err_out_of_range") if test else []
-    if wire.kind is not Kind.INTEGER:
-        return []
-    lines = refused(naming, closed, "err_unknown_value") if closed else []
-    test = range_test(wire.value, source)
-    return [*lines, *refused(naming, test, "err_out_of_range")] if test else lines
-
-
-def store_lines(naming: Naming, wire: Wire, source: str, target: str) -> list[str]:
-    """Statements that write the value `source` at `target` without a look at it."""
-    if wire.kind is Kind.TEXT:
-        return [f"{naming.own('put_text')}({target}, {source}, {wire.size}u);"]
+        end = Assignment(Element(target, decimal(wire.size)), _NUL)
+        return copy_bytes(naming, target, source, unsigned(wire.size)), end
     if wire.kind is Kind.BYTES:
-        return [copied(naming, target, source, f"{wire.size}u")]
-    store = naming.own("store", access_name(wire.size, wire.order, wire.swapped))
+        return (copy_bytes(naming, target, source, unsigned(wire.size)),)
+    number = load(naming, wire, source)
     if wire.kind is Kind.FLOAT:
-        return [f"{store}({target}, {naming.own('bits_of')}({source}));"]
-    number = f"uint{8 * wire.size}_t"
+        number = Call(naming.own("float_of"), (number,))
+    elif wire.kind is Kind.BOOLEAN:
+        number = different(number, ZERO)
+    return (Assignment(target, number),)
+
+
+def check_loaded(naming: Naming, device: Device, wire: WireValue, source: Expression, target: Expression) -> Body:
+    """Refuses what was loaded from `source` to `target`: a wrong constant, or a value that the type does not have."""
+    if wire.value.const is not None:
+        return check_constant(naming, wire, source)
+    if wire.kind is Kind.TEXT:
+        ascii_test = Call(naming.own("is_ascii"), (source, unsigned(wire.size)))
+        return refuse(naming, negate(ascii_test), "err_unknown_value")
     if wire.kind is Kind.BOOLEAN:
-        return [f"{store}({target}, ({number})({source} ? 1 : 0));"]
-    cast = f"({number})" if wire.value.type.signed else ""
-    return [f"{store}({target}, {cast}{source});"]
+        return refuse(naming, greater(load(naming, wire, source), unsigned(1)), "err_unknown_value")
+    unknown = unknown_value_test(naming, device, wire.value, target)
+    return refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()
 
 
-def encode_lines(naming: Naming, wire: Wire, source: str, target: str, closed: str) -> list[str]:
-    """Statements that check the value `source` and write it at `target`, and return where it is refused."""
-    return [*given_tests(naming, wire, source, closed), *store_lines(naming, wire, source, target)]
+def decode_value(naming: Naming, device: Device, wire: WireValue, source: Expression, target: Expression) -> Body:
+    """Loads and checks a value; a constant is checked alone."""
+    checks = check_loaded(naming, device, wire, source, target)
+    if wire.value.const is not None:
+        return checks
+    return (*load_value(naming, wire, source, target), *checks)
 
 
-def fixed_lines(naming: Naming, wire: Wire, number: int, target: str) -> list[str]:
-    """Statements that write a number that nobody gives: a constant, or that of a reserved field."""
-    if wire.kind in (Kind.TEXT, Kind.BYTES):
-        return [cleared(naming, target, f"{wire.size}u")]
-    store = naming.own("store", access_name(wire.size, wire.order, wire.swapped))
+def check_constant(naming: Naming, wire: WireValue, source: Expression) -> Body:
+    """`if (load_u8(in + 4) != 3u) { return ERR_WRONG_CONST; }`"""
+    assert wire.value.const is not None
+    constant = integer(wire.value.const, wire.size, wire.value.type.signed)
+    return refuse(naming, different(load(naming, wire, source), constant), "err_wrong_const")
+
+
+# Writing
+
+
+def check_stored(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
+    """Refuses the value `source`, which is to be written: unknown to its closed enum, or out of its range."""
+    if wire.kind is Kind.TEXT:
+        text_test = Call(naming.own("is_text"), (source, unsigned(wire.size)))
+        return refuse(naming, negate(text_test), "err_unknown_value")
+    if wire.kind not in (Kind.INTEGER, Kind.FLOAT):
+        return ()
+    unknown = unknown_value_test(naming, device, wire.value, source)
+    outside = None if enum_implies_range(device, wire.value) else out_of_range_test(wire.value, source)
+    return (
+        *(refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()),
+        *(refuse(naming, outside, "err_out_of_range") if outside is not None else ()),
+    )
+
+
+def store_value(naming: Naming, wire: WireValue, source: Expression, target: Expression) -> Body:
+    """`store_u16_be(out + 4, in->speed);`: writes the value `source` at `target` without a check."""
+    if wire.kind is Kind.TEXT:
+        return (call(naming.own("put_text"), target, source, unsigned(wire.size)),)
+    if wire.kind is Kind.BYTES:
+        return (copy_bytes(naming, target, source, unsigned(wire.size)),)
+    number_type = f"uint{8 * wire.size}_t"
+    number = source
+    if wire.kind is Kind.FLOAT:
+        number = Call(naming.own("bits_of"), (source,))
+    elif wire.kind is Kind.BOOLEAN:
+        number = Cast(number_type, Conditional(source, decimal(1), ZERO))
+    elif wire.value.type.signed:
+        number = Cast(number_type, source)
+    return (store(naming, wire.access, target, number),)
+
+
+def encode_value(naming: Naming, device: Device, wire: WireValue, source: Expression, target: Expression) -> Body:
+    """Checks the value `source` and writes it at `target`."""
+    return (*check_stored(naming, device, wire, source), *store_value(naming, wire, source, target))
+
+
+def store_constant(naming: Naming, wire: WireValue, number: int, target: Expression) -> Body:
+    """`store_u16_be(out + 4, 3u);`: writes a number that no user sets, a constant or that of a reserved field."""
+    if wire.is_array:
+        return (clear_bytes(naming, target, unsigned(wire.size)),)
     raw = number & ((1 << (8 * wire.size)) - 1)
-    return [f"{store}({target}, {integer(raw, wire.size, False)});"]
+    return (store(naming, wire.access, target, integer(raw, wire.size, False)),)
+
+
+def fixed_number(value: Value) -> int:
+    """What is written for a field that no user sets: its constant, or its default, or 0."""
+    if value.const is not None:
+        return value.const
+    return value.default if isinstance(value.default, int) else 0

@@ -154,7 +154,7 @@ def _characters(text: str) -> str:
 def _facts(
     example: Example, link: Link, message: Message | None, holds: tuple[Line, ...]
 ) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    text = f"{example.direction} on " if not example.error else "refusal on "
+    text = f"{example.direction} on " if not example.exception_response else "refusal on "
     yield "Frame", ((text_piece(text), text_piece(link.title or link.name, f"#{link.place.path}")),)
     if message is not None:
         yield "Message", ((code(message.name, f"#{message.place.path}"),),)

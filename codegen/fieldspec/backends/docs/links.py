@@ -131,11 +131,11 @@ class FrameTable:
             yield (code(f"0x{message_code:0{2 * part.size}X}"), text_piece(f" ({message_code})"))
         elif part.role == "code":
             yield (text_piece("the code of the message"),)
-        elif part.role == "station" and not part.part.doc:
+        elif part.role == "unit_address" and not part.part.doc:
             yield (text_piece("the address of the device"),)
         elif part.role == "length":
             yield (text_piece(self._length(part, record)),)
-        elif part.role == "check":
+        elif part.role == "checksum":
             order = f"; the {END_FIRST[part.order]} byte is sent first" if part.size > 1 else ""
             yield (text_piece(f"{CHECKS[part.algorithm]} {self._covered(part)}{order}"),)
         elif part.reserved:
@@ -317,9 +317,9 @@ def _link(context: Context, link_layout: LinkLayout) -> Section:
         for direction, title in (("request", "Requests"), ("response", "Responses")):
             anchor = f"{link.place.path}/{direction}-frame"
             blocks.append(FrameTable(context, link_layout, direction, anchor, "links/").table(title, None))
-    if link.error is not None:
+    if link.exception_response is not None:
         anchor = f"{link.place.path}/refusal-frame"
-        body = context.layout.records[link.error.record]
+        body = context.layout.records[link.exception_response.record]
         frame = FrameTable(context, link_layout, "response", anchor, "")
         blocks.append(frame.table("Responses that refuse a request", body))
     return Section(link.place.path, context.section_title(link.title or link.name, link), tuple(blocks))
@@ -355,9 +355,12 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
         yield "Silence between frames", ((text_piece(f"{decimal_text(link.silence_milliseconds)} ms"),),)
     if link.silence_sources:
         yield "Source of the silence", (cited(link.silence_sources),)
-    if link.error is not None:
-        text = f"the code of the request with the bits {link.error.flag:02X}h set, and the record "
-        yield "Refusals", ((text_piece(text), code(link.error.record, f"#records/{link.error.record}")),)
+    if link.exception_response is not None:
+        text = f"the code of the request with the bits {link.exception_response.flag:02X}h set, and the record "
+        yield (
+            "Refusals",
+            ((text_piece(text), code(link.exception_response.record, f"#records/{link.exception_response.record}")),),
+        )
     yield from _stations(link)
     yield from _serial(link)
     if link.sources:
@@ -365,7 +368,7 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
 
 
 def _stations(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    stations = link.stations
+    stations = link.unit_addresses
     if stations is None:
         return
     if stations.ranges is not None:

@@ -23,7 +23,7 @@ from fieldspec.backends.docs.document import (
 )
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.explain.values import decimal_text
-from fieldspec.model.fact import PlainValue
+from fieldspec.model.fact import ScalarValue
 from fieldspec.model.texts import Limit, Lookup, LookupColumn, LookupRow, Note
 
 KINDS = {
@@ -82,7 +82,7 @@ def _lookup_row(context: Context, columns: tuple[LookupColumn, ...], row: Lookup
     return TableRow((*cells, cell(*notes, *context.beside(row.place)), where), row.place.path)
 
 
-def _lookup_cell(context: Context, column: LookupColumn, value: PlainValue) -> Cell:
+def _lookup_cell(context: Context, column: LookupColumn, value: ScalarValue) -> Cell:
     if value is None:
         return Cell()
     text = {True: "yes", False: "no"}[value] if isinstance(value, bool) else str(value)

@@ -34,6 +34,7 @@ from fieldspec.backends.docs.tasks import tasks
 from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Citation
+from fieldspec.model.value import merged
 
 COLUMNS = (
     TableColumn("Section", unbroken=True),
@@ -69,13 +70,7 @@ def _order(section: str) -> list[tuple[int, str]]:
 
 def _merged(lines: set[tuple[int, int]]) -> str:
     """Intervals of lines, those that touch in one."""
-    intervals: list[tuple[int, int]] = []
-    for first, last in sorted(lines):
-        if intervals and first <= intervals[-1][1] + 1:
-            intervals[-1] = (intervals[-1][0], max(intervals[-1][1], last))
-        else:
-            intervals.append((first, last))
-    return Citation("", tuple(intervals)).text()
+    return Citation("", tuple(merged(lines))).text()
 
 
 SECTIONS = (

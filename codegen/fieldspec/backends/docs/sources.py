@@ -8,12 +8,12 @@ from typing import TypeAlias
 from fieldspec.backends.docs.document import Footnote, Line, Piece, code, joined, styled, text_piece
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Claim, Fact
-from fieldspec.model.link import Stations
+from fieldspec.model.link import UnitAddresses
 from fieldspec.model.record import Record
 from fieldspec.model.registers import PrintedElement
 from fieldspec.model.texts import Example, LookupRow, Note, Statement
 
-Holder: TypeAlias = Fact | Claim | Example | Note | Statement | Stations | PrintedElement | LookupRow
+Holder: TypeAlias = Fact | Claim | Example | Note | Statement | UnitAddresses | PrintedElement | LookupRow
 
 
 def holders(device: Device) -> dict[str, Holder]:
@@ -26,8 +26,8 @@ def _all(device: Device) -> Iterator[Holder]:
         yield fact
         yield from fact.restated
     for link in device.links.values():
-        if link.stations is not None:
-            yield link.stations
+        if link.unit_addresses is not None:
+            yield link.unit_addresses
     for table in device.tables.values():
         yield from table.elements
     for lookup in device.lookups:

@@ -283,7 +283,7 @@ def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> 
         if values:
             name = f"{message.name} on {link.name}" if several else message.name
             # A frame with a check goes through a serial port, byte by byte; anything else is exchanged as words.
-            unit = 1 if shape.check else 2
+            unit = 1 if shape.checksum else 2
             each = tuple(value for some in values for value in some.regular(unit))
             yield Area(f"{name} {direction}", f"{message.name}{sign}", unit, size, each)
 

@@ -159,7 +159,7 @@ def _suffix(text: str, placed_value: PlacedValue, dialect: WordDialect) -> str |
 
 def _ranges(value: Value) -> Cells:
     """The bounds of what may be written, and all intervals where there are several, or others are read."""
-    ranges = value.written_ranges
+    ranges = value.writable_ranges
     if ranges is None:
         return {}
     several = ranges.text() if len(ranges.intervals) > 1 else None

@@ -87,7 +87,7 @@ def fixed_frame(
     constants = {part.name: held for part in frame.head if (held := known.get(part.role)) is not None}
     always = {part.name: held for part in frame.head if (held := constant(part)) is not None}
     constants |= always
-    algorithm = frame.check.algorithm if frame.check else ""
+    algorithm = frame.checksum.algorithm if frame.checksum else ""
     looked_up = algorithm == _WORDS and size <= TABLES and all(map(_single, shaped.fields))
     writing = writing_lines(shaped, frozenset(field.title for field in shaped.stored) if looked_up else frozenset(), "")
     letters = ("<" if order == "little" else ">") + "".join(map(letter, frame.head)) + shaped.letters
@@ -101,7 +101,7 @@ def fixed_frame(
     declared: list[str] = []
     if looked_up:
         written, read = (list(_crc_terms(shaped, link, frame, constants, order, size, raw)) for raw in (".raw", ""))
-        station = frame.role("station")
+        station = frame.role("unit_address")
         if station is not None and station.size == 1:
             most, table = greatest_part(link, station), f"_STATIONS{name}"
             declared = [_begun(table, written, most)]
@@ -117,7 +117,7 @@ def fixed_frame(
         wrong = ["check != expected", *constant_tests(shaped)]
         appended, taken, checked = "", "", ["check"]
     else:
-        big = algorithm == _WORDS and frame.check is not None and frame.check.order == "big"
+        big = algorithm == _WORDS and frame.checksum is not None and frame.checksum.order == "big"
         appended, (taken, checked, wrong) = _BIG if big else (_APPENDED[algorithm], _TAKEN[algorithm])
     wrong = [*(f"{variable(p)} != {constants[p.name]}" for p in frame.head if p.role == "length"), *wrong]
     wrong = [*(f"{variable(p)} != {always[p.name]}" for p in frame.head if p.name in always), *wrong]
@@ -218,7 +218,7 @@ def _crc_terms(
             varying.append((at, field.field.size, signed, most, local(field) + flags))
         elif field.constant:
             base[at : at + field.field.size] = field.bytes_of(field.constant)
-    constant, same = CHECKSUMS[_WORDS](bytes(base)), frame.check is not None and frame.check.order == order
+    constant, same = CHECKSUMS[_WORDS](bytes(base)), frame.checksum is not None and frame.checksum.order == order
     yield str(constant if same else (constant & 0xFF) << 8 | constant >> 8)
     table = "_C" if same else "_X"
     for at, width, signed, most, held in varying:

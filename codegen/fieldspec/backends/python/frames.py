@@ -27,7 +27,7 @@ class PartView:
 
 def variable(part: PartLayout) -> str:
     """The variable of a part of the head."""
-    return "station" if part.role == "station" else f"part_{part.name}"
+    return "station" if part.role == "unit_address" else f"part_{part.name}"
 
 
 def number(part: PartLayout) -> str:
@@ -61,7 +61,7 @@ def code_literal(code: int | None) -> str:
 
 def head_value(part: PartLayout, code: str) -> str:
     """What a part of the head holds before its length is known."""
-    if part.role in ("length", "check"):
+    if part.role in ("length", "checksum"):
         return "0"
     held = constant(part)
     return code if part.role == "code" else number(part) if held is None else str(held)
@@ -70,7 +70,7 @@ def head_value(part: PartLayout, code: str) -> str:
 def _allowed(link: LinkLayout, part: PartLayout) -> tuple[tuple[tuple[int, int], ...], tuple[int, ...]]:
     """The intervals of a part of the head, and values beside them."""
     assert part.value is not None
-    stations = link.link.stations if part.role == "station" else None
+    stations = link.link.unit_addresses if part.role == "unit_address" else None
     if stations is not None and stations.ranges is not None:
         beside = () if stations.broadcast is None else (stations.broadcast,)
         return stations.ranges.intervals, beside
@@ -87,7 +87,7 @@ def is_simple(frame: FrameLayout) -> bool:
 
     A length is then that of all parts. Any other frame takes the slower way, part by part.
     """
-    check, length = frame.check, frame.role("length")
+    check, length = frame.checksum, frame.role("length")
     return (
         len({part.order for part in frame.head if part.size > 1}) <= 1
         and not any(part.reserved for part in frame.head)
@@ -200,8 +200,8 @@ def framer(
     arguments.append(f"code_size={code.size}")
     rows = "".join(f"\n{' ' * 16}{code:#04x}: {extent}," for code, extent in extents.items())
     arguments.append(f"extents={{{rows}\n{' ' * 12}}}")
-    if refusal is not None and link.link.error is not None:
-        arguments += [f"flag={link.link.error.flag}", f"refusal={_extent(link, frame, refusal)}"]
+    if refusal is not None and link.link.exception_response is not None:
+        arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_extent(link, frame, refusal)}"]
     open_ended = [name for name, code, _ in carried if code is not None and extents[code][2] < 0]
     about.append(
         "The code, and what counts the repeated part, say where a frame ends; an unknown code is taken for garbage."
@@ -214,7 +214,7 @@ def framer(
 def _ordered(frame: FrameLayout) -> bool:
     """Whether all numbers by which a framer finds frames lie in the order of the head."""
     order = next((part.order for part in frame.head if part.size > 1), "big")
-    numbers = (frame.role(role) for role in ("station", "code", "length"))
+    numbers = (frame.role(role) for role in ("unit_address", "code", "length"))
     return all(part is None or part.size == 1 or part.order == order for part in numbers)
 
 
@@ -230,7 +230,7 @@ def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) ->
 def _stations(link: LinkLayout, frame: FrameLayout, direction: str) -> list[str]:
     order = next((part.order for part in frame.head if part.size > 1), "big")
     ordered = ['order="little"'] if order == "little" else []
-    station, stations = frame.role("station"), link.link.stations
+    station, stations = frame.role("unit_address"), link.link.unit_addresses
     if station is None or stations is None or stations.ranges is None:
         return ordered
     known = [_span(interval) for interval in stations.ranges.intervals]

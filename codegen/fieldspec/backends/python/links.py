@@ -144,7 +144,7 @@ def link_view(
     pascal = Name.of(link.name).pascal()
     coded = any(part.role == "code" for part in link.request.head)
     carried = [one for one in exchanges if carries(link, one.message)]
-    stations = link.link.stations
+    stations = link.link.unit_addresses
     views = {
         direction: _direction(link, direction, carried, records, words, pascal, scope)
         for direction in ("request", "response")
@@ -230,12 +230,16 @@ def _direction(
     frames = f"_{upper}_{direction.upper()}S"
     code = frame.role("code")
     plain = argument_views(frame, words)
-    station = frame.role("station")
+    station = frame.role("unit_address")
     wrapper = scope.take(f"{pascal}{direction.capitalize()}") if plain else f"_{direction.capitalize()}"
     alias = scope.take(f"Any{pascal}{direction.capitalize()}")
     views = [_exchange(link, direction, one, frames, wrapper, plain) for one in carried]
     messages = [(one.message.name, one.message.message.code, one.side(direction)[0].record) for one in carried]
-    refusal = records[link.link.error.record] if link.link.error and direction == "response" else None
+    refusal = (
+        records[link.link.exception_response.record]
+        if link.link.exception_response and direction == "response"
+        else None
+    )
     framing, arguments, doc = framer(link, direction, messages, refusal, frames)
     held = f"head[{frame.head.index(station)}]" if station else "0"
     return DirectionView(
@@ -296,15 +300,15 @@ def _simple_arguments(frame: FrameLayout) -> list[str]:
     order = next((part.order for part in frame.head if part.size > 1), "big")
     letters = "".join(map(letter, frame.head))
     arguments = [literal(f"{'<' if order == 'little' else '>'}{letters}")]
-    arguments.append(literal(frame.check.algorithm if frame.check else ""))
-    if frame.check and frame.check.order == "big":
+    arguments.append(literal(frame.checksum.algorithm if frame.checksum else ""))
+    if frame.checksum and frame.checksum.order == "big":
         arguments.append('check_order="big"')
     return arguments
 
 
 def _part_arguments(frame: FrameLayout) -> list[str]:
     """The arguments of `_PartFrames` that say what the parts are."""
-    check, length = frame.check, frame.role("length")
+    check, length = frame.checksum, frame.role("length")
     arguments = [part_rows(frame.head), part_rows(frame.tail), literal(check.algorithm if check else "")]
     if check is not None:
         arguments += [f"check={frame.parts.index(check)}", f"covers=({check.start}, {check.stop})"]
@@ -320,8 +324,8 @@ def _exchange(
     frame = link.frame(direction)
     code = one.message.message.code
     upper = f"_{Name.of(one.message.name).upper()}_{Name.of(link.name).upper()}_{direction.upper()}"
-    part, station = frame.role("code"), frame.role("station")
-    flag = link.link.error.flag if link.link.error and direction == "response" else 0
+    part, station = frame.role("code"), frame.role("unit_address")
+    flag = link.link.exception_response.flag if link.link.exception_response and direction == "response" else 0
     together = has_fixed_length(shaped, frame)
     # A code with the flag of refusals in it never names a message; and only a code of one byte is quickly had.
     reads = together and (part is None or (part.size == 1 and not (code or 0) & flag))
@@ -348,7 +352,7 @@ def _exchange(
 
 
 def _error(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> ErrorView | None:
-    error, frame = link.link.error, link.response
+    error, frame = link.link.exception_response, link.response
     code = frame.role("code")
     if error is None or code is None or code.value is None:
         return None

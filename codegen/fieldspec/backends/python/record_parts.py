@@ -8,9 +8,9 @@ from fieldspec.backends.python.quantities import quantity, ratio
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import availability, described, literal, printed, sentence
-from fieldspec.backends.python.writing import joined, pairs, tuple_of
+from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.value import Kind, Ranges
+from fieldspec.model.value import Kind, Ranges, merged
 from fieldspec.names import Name
 
 
@@ -64,7 +64,7 @@ def _tests(shaped: RecordShape, field: Slots) -> str:
         return pairs(Ranges(((0, 1),)))
     if field.field.value is not None and field.enum is not None and not field.enum.open:
         known = [(value, value) for value in (*field.enum.values, *field.sentinels)]
-        return tuple_of(f"({low}, {high})" for low, high in joined(known))
+        return tuple_of(f"({low}, {high})" for low, high in merged(known))
     return ""
 
 

@@ -80,7 +80,7 @@ def _call(name: str, letters: str, more: list[str]) -> str:
 
 
 def _ranges(value: Value) -> Ranges | None:
-    ranges = value.written_ranges
+    ranges = value.writable_ranges
     return None if ranges is None or ranges.intervals == ((value.type.low, value.type.high),) else ranges
 
 

@@ -167,7 +167,7 @@ class Slots:
     @property
     def ranges(self) -> Ranges | None:
         """The ranges of what may be written, where they are narrower than the type."""
-        ranges = self.field.value.written_ranges if self.field.value is not None else None
+        ranges = self.field.value.writable_ranges if self.field.value is not None else None
         if ranges is None or self.kind is Kind.FLOAT:
             return ranges
         full = ranges.intervals == ((self.value.type.low, self.value.type.high),)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fieldspec.backends.python.enums import EnumView
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
-from fieldspec.model.value import Kind, Primitive, Ranges
+from fieldspec.model.value import Kind, Primitive, Ranges, merged
 
 FEW = 3
 """Comparisons up to which a test is written out."""
@@ -21,7 +21,7 @@ def within(
     """
     least, most = packed
     parts = []
-    for low, high in joined([*ranges.intervals, *((value, value) for value in others)]):
+    for low, high in merged([*ranges.intervals, *((value, value) for value in others)]):
         if low == least and high == most:
             return ""
         if low == high:
@@ -31,17 +31,6 @@ def within(
         else:
             parts.append(f"{held} >= {low}" if high == most else f"{low} <= {held} <= {high}")
     return parts[0] if len(parts) == 1 else f"({' or '.join(parts)})"
-
-
-def joined(intervals: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """The same whole numbers in as few intervals as there can be, in order."""
-    joined: list[tuple[int, int]] = []
-    for low, high in sorted(intervals):
-        if joined and low <= joined[-1][1] + 1:
-            joined[-1] = (joined[-1][0], max(joined[-1][1], high))
-        else:
-            joined.append((low, high))
-    return joined
 
 
 def fixed(field: Slots) -> list[str]:

@@ -49,7 +49,7 @@ def vector(layout: DeviceLayout, example: Example) -> Vector:
         "link": example.link,
         "direction": example.direction,
         "message": example.message or None,
-        "error": example.error,
+        "error": example.exception_response,
         "refused": example.refused or None,
         "reply_to": example.reply_to or None,
         "origin": example.origin,

@@ -225,7 +225,7 @@ _KEYS = (
     "link",
     "direction",
     "message",
-    "error",
+    "exception_response",
     "refused",
     "reply_to",
     "frame",
@@ -242,7 +242,7 @@ def example_changed(both: Comparison) -> Iterator[Change]:
 
     Why: nobody is hurt by an example. But where its frame has changed and no fact has, one of the two is wrong.
 
-    Example: a `frame` with another check.
+    Example: a `frame` with another checksum.
 
     Cure: Look whether the manual or the transcription has changed.
     """

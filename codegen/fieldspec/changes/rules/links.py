@@ -10,7 +10,7 @@ from fieldspec.changes.comparing import Comparison, Pair
 from fieldspec.changes.evidence import hexadecimal
 from fieldspec.changes.finding import change, named, turned
 from fieldspec.model.device import Device, VersionLine
-from fieldspec.model.link import ErrorReply, Link, Part, Serial
+from fieldspec.model.link import ExceptionResponse, Link, Part, Serial
 from fieldspec.model.record import Field, Measure, Message
 from fieldspec.model.value import ParameterPart
 
@@ -54,7 +54,7 @@ def check_changed(both: Comparison) -> Iterator[Change]:
             yield change("check_changed", Effect.WIRE, pair, "algorithm", text, old, new)
         old, new = _counted(pair.old), _counted(pair.new)
         if old != new:
-            check = "check" in (pair.old.role, pair.new.role)
+            check = "checksum" in (pair.old.role, pair.new.role)
             what, key = ("what it covers", "covers") if check else ("what it counts", "counts")
             yield change(
                 "check_changed", Effect.WIRE, pair, key, f"{named(pair.new)}: {turned(what, old, new)}", old, new
@@ -66,7 +66,7 @@ def _counted(part: Part) -> str:
     span = part.span
     words = [f"from {span.first}"] if span.first else []
     words += [f"to {span.last}"] if span.last else []
-    if part.role == "check":
+    if part.role == "checksum":
         return " ".join(words) or "all before it"
     counted = " ".join(["words" if part.unit_size == 2 else "bytes", *(words or ["of the frame"])])
     return f"{counted} {'plus' if part.plus > 0 else 'minus'} {abs(part.plus)}" if part.plus else counted
@@ -106,13 +106,16 @@ def error_reply_changed(both: Comparison) -> Iterator[Change]:
     """
 
     for pair in both.of(Link):
-        old, new = _error_text(both, pair.old.error, True), _error_text(both, pair.new.error, False)
+        old, new = (
+            _error_text(both, pair.old.exception_response, True),
+            _error_text(both, pair.new.exception_response, False),
+        )
         if old != new:
             text = f"{named(pair.new)}: {turned('the reply that refuses', old, new)}"
-            yield change("error_reply_changed", Effect.WIRE, pair, "error", text, old, new)
+            yield change("error_reply_changed", Effect.WIRE, pair, "exception_response", text, old, new)
 
 
-def _error_text(both: Comparison, error: ErrorReply | None, before: bool) -> str:
+def _error_text(both: Comparison, error: ExceptionResponse | None, before: bool) -> str:
     if error is None:
         return ""
     record = both.renamed_to("records", error.record) if before else error.record
@@ -124,8 +127,8 @@ def role_changed(both: Comparison) -> Iterator[Change]:
 
     Why: the same bytes are read as a length, a code, an address or a plain value.
 
-    Example: `role: plain` that becomes `role: station`, or `measures: {bytes: values}` that becomes `measures: {items:
-    values}`.
+    Example: `role: plain` that becomes `role: unit_address`, or `measures: {bytes: values}` that becomes
+    `measures: {items: values}`.
 
     Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
     own.
@@ -272,17 +275,17 @@ def broadcast_changed(both: Comparison) -> Iterator[Change]:
 
     Why: a request that was for one device is carried out by all of them, or by none.
 
-    Example: `broadcast: 0` that becomes `broadcast: 255` at the stations of a link.
+    Example: `broadcast: 0` that becomes `broadcast: 255` at the `unit_addresses` of a link.
 
     Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
     own.
     """
 
     for link in both.of(Link):
-        old, new = (side.stations.broadcast if side.stations else None for side in (link.old, link.new))
+        old, new = (side.unit_addresses.broadcast if side.unit_addresses else None for side in (link.old, link.new))
         if old != new:
             text = f"{named(link.new)}: {turned('the address of all stations', old, new)}"
-            yield change("broadcast_changed", Effect.WIRE, link, "stations", text, old, new)
+            yield change("broadcast_changed", Effect.WIRE, link, "unit_addresses", text, old, new)
     for message in both.of(Message):
         if message.old.broadcast != message.new.broadcast:
             text = "can be sent to all stations" if message.new.broadcast else "can no longer be sent to all stations"

@@ -259,7 +259,7 @@ class _Exchange:
 
     def _station_names(self) -> list[str]:
         """The variables for the station, in the request and in the answer."""
-        parts = [part for part in head_members(self.link.response) if part.role == "station"]
+        parts = [part for part in head_members(self.link.response) if part.role == "unit_address"]
         values = [(part.name, part.value) for part in parts if part.value is not None]
         names = [self.world.variable(name, self.world.type_of(value)) for name, value in values]
         return [name for name in names if name in self.asked and name in self.answered]

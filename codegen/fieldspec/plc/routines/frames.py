@@ -80,9 +80,9 @@ def _close(world: World, link: LinkLayout) -> Routine:
     out_of_room = compared(total, ">", number(most))
     draft.refuse(either([compared(body_length, "<", number(0)), out_of_room]), "no_room")
     for part in shape.head:
-        if part.role != "check":
+        if part.role != "checksum":
             draft.add(_write_header_part(draft, world, link, shape, part, arguments, code, total, holder))
-    check = shape.check
+    check = shape.checksum
     behind = [part for part in shape.tail if part is not check]
     if behind:
         tail = draft.local("iTail")
@@ -134,9 +134,9 @@ def _write_header_part(
     if part.constant is not None:
         return _write_constant(part, holder, part.offset)
     source = arguments[part.name]
-    stations = link.link.stations
+    stations = link.link.unit_addresses
     statements: list[Statement] = []
-    if part.role == "station" and stations is not None and stations.ranges is not None:
+    if part.role == "unit_address" and stations is not None and stations.ranges is not None:
         intervals = [*stations.ranges.intervals]
         if stations.broadcast is not None and stations.broadcast not in stations.ranges:
             intervals.append((stations.broadcast, stations.broadcast))
@@ -188,7 +188,7 @@ def _open(world: World, link: LinkLayout) -> Routine:
     frame = draft.declare("aFrame", world.frame, "in_out", "is read only")
     outputs = {part.name: _part_declared(draft, world, part, "output") for part in head_members(shape)}
     kind = code_type(shape)
-    error = link.link.error
+    error = link.link.exception_response
     flag = "" if error is None else ", without the mark of a refusal"
     code = draft.declare(f"{PREFIXES[kind.name]}Code", kind, "output", f"code{flag}") if kind else None
     refused = draft.declare("xRefused", BOOL, "output", "the body says why") if error is not None else None
@@ -204,7 +204,7 @@ def _open(world: World, link: LinkLayout) -> Routine:
     length_part = shape.role("length")
     if length_part is not None:
         draft.refuse(_length_differs(world, shape, length_part, holder, length), "wrong_length")
-    check = shape.check
+    check = shape.checksum
     if check is not None:
 
         def place(at: int) -> Expression:
@@ -217,7 +217,7 @@ def _open(world: World, link: LinkLayout) -> Routine:
         wide = world.checksum(check.algorithm, stop, frame, place(check.start))
         draft.refuse(compared(wide, "<>", have), "wrong_check")
     for part in shape.head:
-        if part.role not in ("length", "code", "check") and not part.reserved:
+        if part.role not in ("length", "code", "checksum") and not part.reserved:
             target = outputs.get(part.name)
             draft.add(read(draft, world, wire_of(part), holder, part.offset, target))
     behind = [part for part in shape.tail if part is not check and not part.reserved]
@@ -253,7 +253,7 @@ def _code_read(
     bits = holder.number(part.offset, part.size, part.order, False)
     assert isinstance(code.type, Elementary)
     statements: list[Statement] = [Assignment(code, Conversion(bits, code.type))]
-    error = link.link.error
+    error = link.link.exception_response
     if error is not None and refused is not None:
         assert isinstance(bits.type, Elementary)
         marked = compared(Operation("AND", (bits, Whole(error.flag, bits.type)), bits.type), "<>", Whole(0, bits.type))

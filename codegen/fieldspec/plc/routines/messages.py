@@ -206,7 +206,7 @@ def _write_length(
 
 def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     name, group, about = _of_message(world, link, message, "parse")
-    error = link.link.error
+    error = link.link.exception_response
     refusal = world.layout.records[error.record] if error is not None else None
     refused_doc = "Where the device refuses, the status says so, and further outputs say why." if refusal else ""
     draft = Draft(name, group, world.status, about, message.message.doc, refused_doc)

@@ -183,7 +183,7 @@ def _to_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     )
     value = draft.declare("lrValue", LREAL, "input", f"in {first.value.unit}" if first.value.unit else "")
     shifted = _plus(value, -Ratio(first.value.offset))
-    _rounded(draft, _times(shifted, 1 / Ratio(first.value.scale)), first.kind, _intervals(first.value.as_written()))
+    _rounded(draft, _times(shifted, 1 / Ratio(first.value.scale)), first.kind, _intervals(first.value.for_writing()))
     return draft.finished()
 
 

@@ -155,7 +155,7 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
     if value.const is not None:
         differs = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
         statements.append(draft.refusal(differs, "wrong_constant"))
-    ranges = value.written_ranges
+    ranges = value.writable_ranges
     if ranges is not None:
         sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if sentinel.value not in ranges]
         wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)

@@ -8,7 +8,7 @@ from fieldspec.classes import dataclass, field
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.fact import Fact
-from fieldspec.model.link import CHECK_SIZES
+from fieldspec.model.link import CHECKSUM_SIZES
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
@@ -103,14 +103,14 @@ class World:
 
     def checksum(self, algorithm: str, length: Expression, frame: Expression, first: Expression) -> Call:
         """The check of the bytes of a frame from an index on up to a length."""
-        kind = WORD if CHECK_SIZES[algorithm] == 2 else BYTE
+        kind = WORD if CHECKSUM_SIZES[algorithm] == 2 else BYTE
         begin = (("iFirst", first),) if self.begins_later(algorithm) else ()
         return Call(self.routine(algorithm), (*begin, ("iLength", length), ("aFrame", frame)), (), kind)
 
     def begins_later(self, algorithm: str) -> bool:
         """Whether a check with an algorithm covers bytes that do not begin with the first one."""
         shapes = (shape for link in self.layout.links.values() for shape in (link.request, link.response))
-        checks = (shape.check for shape in shapes)
+        checks = (shape.checksum for shape in shapes)
         return any(check is not None and check.algorithm == algorithm and check.start != 0 for check in checks)
 
     def struct(self, name: str) -> StructType:

@@ -1,1 +1,1 @@
-"""Node tree -> model. One noun a file; the tree is typed and fits the schema."""
+"""Node tree to model, one kind of object a file; the tree is typed and fits the schema."""

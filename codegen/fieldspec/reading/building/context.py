@@ -9,8 +9,8 @@ from functools import lru_cache
 from typing import Any, TypeAlias, TypeVar, cast
 
 from fieldspec.diagnostics import Diagnostic, Label
-from fieldspec.model.fact import Citation, Claim, Place, PlainValue, Report, Standard
-from fieldspec.model.value import UNSPECIFIED, Handling, Ranges, intervals, whole_intervals
+from fieldspec.model.fact import Citation, Claim, Place, Report, ScalarValue, Standard
+from fieldspec.model.value import HANDLING_KEYS, UNSPECIFIED, Handling, Ranges, intervals, whole_intervals
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, exact
 from fieldspec.source import Span
 
@@ -24,18 +24,18 @@ class Entry:
     `defaults` are keys of an enclosing group that stand in for missing ones.
     """
 
-    __slots__ = ("defaults", "found", "node", "own", "path", "section", "sources")
+    __slots__ = ("defaults", "findings", "node", "own", "path", "section", "sources")
 
     def __init__(
         self,
         node: Mapping,
         path: str,
-        found: list[Diagnostic],
+        findings: list[Diagnostic],
         section: str = "",
         sources: tuple[Citation, ...] = (),
         defaults: Mapping | None = None,
     ) -> None:
-        self.node, self.path, self.found, self.defaults = node, path, found, defaults
+        self.node, self.path, self.findings, self.defaults = node, path, findings, defaults
         self.own = own = node.values
         self.section, self.sources = section, sources
         if defaults is not None or "section" in own:
@@ -51,7 +51,7 @@ class Entry:
             node = self.defaults.values.get(key)
         return node
 
-    def value(self, key: str) -> PlainValue:
+    def value(self, key: str) -> ScalarValue:
         """The typed value of a scalar, or None."""
         node = self.own.get(key)
         if node is None:
@@ -116,7 +116,7 @@ class Entry:
         node = self.get(key)
         if not isinstance(node, Mapping):
             return None
-        return Entry(node, f"{self.path}/{key}", self.found, self.section, self.sources)
+        return Entry(node, f"{self.path}/{key}", self.findings, self.section, self.sources)
 
     def entries(self, key: str, name: str = "name", defaults: Mapping | None = None) -> Iterator[Entry]:
         """The mappings of the list under a key, each with its own path."""
@@ -129,9 +129,9 @@ class Entry:
     def _list_items(self, node: Node | None, path: str, name: str, defaults: Mapping | None) -> Iterator[Entry]:
         for number, item in enumerate(node.items if isinstance(node, Sequence) else ()):
             if isinstance(item, Mapping):
-                held = item.values.get(name)
-                step = held.text if isinstance(held, Scalar) else str(number)
-                yield Entry(item, f"{path}/{step}", self.found, self.section, self.sources, defaults)
+                identifier = item.values.get(name)
+                step = identifier.text if isinstance(identifier, Scalar) else str(number)
+                yield Entry(item, f"{path}/{step}", self.findings, self.section, self.sources, defaults)
 
     def place(self) -> Place:
         """The place of this entry in the spec."""
@@ -143,7 +143,7 @@ class Entry:
 
     def refuse(self, code: str, key: str, message: str, help: str, *labels: Label) -> None:
         """Adds a finding at a key's value."""
-        self.found.append(Diagnostic(code, message, self.span(key), labels, help))
+        self.findings.append(Diagnostic(code, message, self.span(key), labels, help))
 
     def citations(self, key: str) -> tuple[Citation, ...]:
         """The places that a key cites."""
@@ -162,9 +162,9 @@ class Entry:
         numbers = whole_intervals(node.text)
         if numbers is not None and all(low <= high for low, high in numbers):
             return Ranges(numbers)
-        found = intervals(node.text)
-        whole = tuple((int(low), int(high)) for low, high in found)
-        if any(Decimal(low) != a or Decimal(high) != b for (low, high), (a, b) in zip(whole, found, strict=True)):
+        bounds = intervals(node.text)
+        whole = tuple((int(low), int(high)) for low, high in bounds)
+        if any(Decimal(low) != a or Decimal(high) != b for (low, high), (a, b) in zip(whole, bounds, strict=True)):
             self.refuse("wrong_form", key, "a bound is no whole number", "counts are whole; use `unit_range`")
         elif any(low > high for low, high in whole):
             self.refuse("wrong_form", key, "an interval ends before it starts", "write the lower bound first")
@@ -186,7 +186,7 @@ class Entry:
 
     def handling(self) -> Handling:
         """What whoever reads or writes the value must know."""
-        if self.defaults is None and _HANDLING.isdisjoint(self.own):
+        if self.defaults is None and self.own.keys().isdisjoint(HANDLING_KEYS):
             return UNSPECIFIED
         endurance = self.value("endurance")
         return Handling(
@@ -215,7 +215,7 @@ class Entry:
             node = holder.values.get(key) if holder is not None else None
             for name, inner in node.values.items() if isinstance(node, Mapping) else ():
                 if isinstance(inner, Mapping):
-                    entry = Entry(inner, f"{self.path}/{key}/{name}", self.found)
+                    entry = Entry(inner, f"{self.path}/{key}/{name}", self.findings)
                     standards[name] = Standard(entry.text("name"), entry.text("clause"))
         return standards
 
@@ -252,10 +252,9 @@ _FACT: dict[str, tuple[str, Callable[[Entry, str], object], object]] = {
 """The keys of a fact: the argument of the model, how it is read, and what it is where the key is not given."""
 
 _ABSENT: dict[str, Any] = {argument: absent for argument, _, absent in _FACT.values()}
-_HANDLING = frozenset(("memory", "saved_by", "endurance", "clears_on_read", "opposite_of"))
 
 
-def _claimed(node: Node) -> PlainValue:
+def _claimed(node: Node) -> ScalarValue:
     """What a claim says under a key; a list of names as one text."""
     if isinstance(node, Sequence):
         return ", ".join(item.text for item in node.items if isinstance(item, Scalar))
@@ -274,23 +273,23 @@ _NUMBERS = re.compile(r"[0-9]+")
 @lru_cache(maxsize=65536)
 def citations(text: str, section: str) -> tuple[Citation, ...]:
     """`8.2 L1622-1623, 1630; 9.1 L5` as citations; a part without a section takes the one given."""
-    found = []
+    citations = []
     for part in text.split("; ") if text else ():
         head, _, numbers = part.rpartition("L")
         lines = []
         for piece in numbers.split(","):
             bounds = [int(number) for number in _NUMBERS.findall(piece)]
             lines.append((bounds[0], bounds[-1]))
-        found.append(Citation(head.strip() or section, tuple(lines)))
-    return tuple(found)
+        citations.append(Citation(head.strip() or section, tuple(lines)))
+    return tuple(citations)
 
 
 Item = TypeVar("Item")
 
 Reused: TypeAlias = dict[object, dict[int, tuple[object, object]]]
-"""What is built, by all that it depends on beside its own node, and by the identity of that node in memory.
+"""What is built, by everything that it depends on beside its own node, and by the identity of that node in memory.
 
-The node is kept too: as long as it is there, no other one has its identity.
+The node is stored too: while it exists, no other node has its identity.
 """
 
 
@@ -298,13 +297,13 @@ def rows(
     entry: Entry,
     path: str,
     defaults: Mapping | None,
-    kept: Reused,
+    reused: Reused,
     build: Callable[[Entry], Item],
     *more: object,
     key: str = "rows",
 ) -> tuple[Item, ...]:
     """What is built of the rows of an entry, each under a path with its name; `more` is what else it depends on."""
-    same = kept.setdefault((id(defaults), path, entry.section, entry.sources, *more), {})
+    same = reused.setdefault((id(defaults), path, entry.section, entry.sources, *more), {})
     if defaults is not None:
         same[id(defaults)] = defaults, None
     return reused_items(entry, key, path, "name", defaults, same, build)
@@ -320,20 +319,20 @@ def reused_items(
     build: Callable[[Entry], Item],
 ) -> tuple[Item, ...]:
     """What is built of the list under a key of an entry; `same` has what is built of its items already."""
-    held = entry.node.values.get(key)
-    made: list[Item] = []
-    for number, item in enumerate(held.items if isinstance(held, Sequence) else ()):
+    sequence = entry.node.values.get(key)
+    items: list[Item] = []
+    for number, item in enumerate(sequence.items if isinstance(sequence, Sequence) else ()):
         if not isinstance(item, Mapping):
             continue
         before = same.get(id(item))
         if before is not None:
-            made.append(cast("Item", before[1]))
+            items.append(cast("Item", before[1]))
             continue
         named = item.values.get(name)
         step = named.text if isinstance(named, Scalar) else str(number)
-        quiet = len(entry.found)
-        noun = build(Entry(item, f"{path}/{step}", entry.found, entry.section, entry.sources, defaults))
-        made.append(noun)
-        if isinstance(named, Scalar) and len(entry.found) == quiet:  # a finding is for every version
-            same[id(item)] = item, noun
-    return tuple(made)
+        quiet = len(entry.findings)
+        result = build(Entry(item, f"{path}/{step}", entry.findings, entry.section, entry.sources, defaults))
+        items.append(result)
+        if isinstance(named, Scalar) and len(entry.findings) == quiet:  # a finding is for every version
+            same[id(item)] = item, result
+    return tuple(items)

@@ -16,19 +16,20 @@ from fieldspec.source import Span
 Item = TypeVar("Item")
 
 
-def built(tree: Mapping, version: str, kept: Reused | None = None) -> tuple[Device, list[Diagnostic]]:
-    """The model of a device's tree at one version, and what keeps it from being complete.
+def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[Device, list[Diagnostic]]:
+    """The model of a device's tree at one version, and the findings that keep it from being complete.
 
-    `kept` has what was built of other versions of the device, and gets what is built here.
+    `reused` holds what was built for other versions of the device; what is built here is added to it. Raises
+    ValueError for a tree without the section `device`.
     """
-    kept = {} if kept is None else kept
-    found: list[Diagnostic] = []
-    root = Entry(tree, "", found)
+    reused = {} if reused is None else reused
+    findings: list[Diagnostic] = []
+    root = Entry(tree, "", findings)
     head = root.entry("device")
     if head is None:
         raise ValueError("a device's tree has the section `device`")
-    placed = _by_name(root, "signals", values.signal, kept)
-    types = {name: one.value.type.name for name, one in placed.items()}
+    signals = _by_name(root, "signals", values.signal, reused)
+    types = {name: signal.value.type.name for name, signal in signals.items()}
     return (
         Device(
             id=head.text("id"),
@@ -40,72 +41,74 @@ def built(tree: Mapping, version: str, kept: Reused | None = None) -> tuple[Devi
             doc=head.text("doc"),
             manual=_manual(head),
             lines=tuple(_line(entry) for entry in root.entries("versions", "line")),
-            links=_by_name(root, "links", links.link, kept),
-            messages=_by_name(root, "messages", lambda entry: records.message(entry, kept), kept),
-            records=_by_name(root, "records", lambda entry: records.record(entry, kept), kept),
-            enums=_by_name(root, "enums", enums.enum, kept),
-            flags=_by_name(root, "flags", enums.flags, kept),
-            spaces=_by_name(root, "spaces", registers.address_space, kept),
-            groups=_groups(root, kept),
-            tables=_by_name(root, "tables", registers.table, kept),
-            parameters=_by_name(root, "parameters", lambda entry: registers.parameter_set(entry, kept), kept),
-            signals=placed,
+            links=_by_name(root, "links", links.link, reused),
+            messages=_by_name(root, "messages", lambda entry: records.message(entry, reused), reused),
+            records=_by_name(root, "records", lambda entry: records.record(entry, reused), reused),
+            enums=_by_name(root, "enums", enums.enum, reused),
+            flags=_by_name(root, "flags", enums.flags, reused),
+            spaces=_by_name(root, "spaces", registers.address_space, reused),
+            groups=_groups(root, reused),
+            tables=_by_name(root, "tables", registers.table, reused),
+            parameters=_by_name(root, "parameters", lambda entry: registers.parameter_set(entry, reused), reused),
+            signals=signals,
             conversions=_by_name(root, "conversions", lambda entry: values.conversion(entry, types), {}),
-            lookups=tuple(_by_name(root, "lookups", texts.lookup, kept).values()),
-            limits=tuple(_by_name(root, "limits", texts.limit, kept).values()),
-            tasks=tuple(_by_name(root, "tasks", tasks.task, kept).values()),
-            notes=tuple(_by_name(root, "notes", texts.note, kept).values()),
-            examples=_by_name(root, "examples", texts.example, kept, "id"),
-            errata=tuple(_by_name(root, "errata", texts.erratum, kept, "id").values()),
+            lookups=tuple(_by_name(root, "lookups", texts.lookup, reused).values()),
+            limits=tuple(_by_name(root, "limits", texts.limit, reused).values()),
+            tasks=tuple(_by_name(root, "tasks", tasks.task, reused).values()),
+            notes=tuple(_by_name(root, "notes", texts.note, reused).values()),
+            examples=_by_name(root, "examples", texts.example, reused, "id"),
+            errata=tuple(_by_name(root, "errata", texts.erratum, reused, "id").values()),
             accepts=tuple(texts.acceptance(entry) for entry in root.named("accepts", "accepts")),
         ),
-        found,
+        findings,
     )
 
 
 def _by_name(
-    root: Entry, section: str, build: Callable[[Entry], Item], kept: Reused, name: str = "name"
+    root: Entry, section: str, build: Callable[[Entry], Item], reused: Reused, name: str = "name"
 ) -> dict[str, Item]:
-    """The nouns of a section by name; a name that is taken is a finding. What is the same node is the same noun."""
-    held = root.own.get(section)
-    sections, same = kept.setdefault((section, "whole"), {}), kept.setdefault(section, {})
-    if id(held) in sections:
-        return cast("dict[str, Item]", sections[id(held)][1])
-    nouns: dict[str, Item] = {}
+    """The objects of a section by name; a name that is taken is a finding. The same node gives the same object."""
+    sequence = root.own.get(section)
+    sections, same = reused.setdefault((section, "whole"), {}), reused.setdefault(section, {})
+    if id(sequence) in sections:
+        return cast("dict[str, Item]", sections[id(sequence)][1])
+    items: dict[str, Item] = {}
     first: dict[str, Mapping] = {}
-    before = len(root.found)
-    for item in mappings(held):
+    before = len(root.findings)
+    for item in mappings(sequence):
         key = _text(item, name)
         known = same.get(id(item))
-        if key in nouns:
+        if key in items:
             label = Label(_span(first[key], name), "the first one")
             text = f"`{section}` has two entries named `{key}`"
             help = "give one of them another name"
-            root.found.append(Diagnostic("duplicate_name", text, _span(item, name), (label,), help))
+            root.findings.append(Diagnostic("duplicate_name", text, _span(item, name), (label,), help))
         elif known is not None:
-            first[key], nouns[key] = item, cast("Item", known[1])
+            first[key], items[key] = item, cast("Item", known[1])
         else:
-            quiet = len(root.found)
-            first[key], nouns[key] = item, build(Entry(item, f"{section}/{key}", root.found))
-            if len(root.found) == quiet:  # a finding is for every version
-                same[id(item)] = item, nouns[key]
-    if len(root.found) == before:
-        sections[id(held)] = held, nouns
-    return nouns
+            quiet = len(root.findings)
+            first[key], items[key] = item, build(Entry(item, f"{section}/{key}", root.findings))
+            if len(root.findings) == quiet:  # a finding is for every version
+                same[id(item)] = item, items[key]
+    if len(root.findings) == before:
+        sections[id(sequence)] = sequence, items
+    return items
 
 
 def _text(item: Mapping, key: str) -> str:
-    held = item.values.get(key)
-    return held.text if isinstance(held, Scalar) else ""
+    scalar = item.values.get(key)
+    return scalar.text if isinstance(scalar, Scalar) else ""
 
 
 def _span(item: Mapping, name: str) -> Span:
     return Entry(item, "", []).span(name)
 
 
-def _groups(root: Entry, kept: Reused) -> tuple[RegisterGroup, ...]:
-    same = kept.setdefault("registers", {})
-    return reused_items(root, "registers", "registers", "group", None, same, lambda entry: registers.group(entry, kept))
+def _groups(root: Entry, reused: Reused) -> tuple[RegisterGroup, ...]:
+    same = reused.setdefault("registers", {})
+    return reused_items(
+        root, "registers", "registers", "group", None, same, lambda entry: registers.group(entry, reused)
+    )
 
 
 def _manual(head: Entry) -> Manual:

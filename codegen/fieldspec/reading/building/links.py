@@ -1,19 +1,19 @@
-"""Links: parts of frames, stations, serial settings."""
+"""Links: parts of frames, unit addresses, serial settings."""
 
 from __future__ import annotations
 
-from fieldspec.model.link import ErrorReply, Link, Part, PartSpan, Serial, Stations
+from fieldspec.model.link import ExceptionResponse, Link, Part, PartSpan, Serial, UnitAddresses
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.building.values import VALUE_KEYS, value
 
-_VALUED = ("station", "code", "length", "plain")
+_VALUED = ("unit_address", "code", "length", "plain")
 _NUMBER_KEYS = frozenset({"type", "byte_order"})
 _KEYS = {
-    "station": _NUMBER_KEYS | {"range"},
+    "unit_address": _NUMBER_KEYS | {"range"},
     "code": _NUMBER_KEYS,
     "length": _NUMBER_KEYS | {"range", "counts"},
     "body": frozenset[str](),
-    "check": frozenset({"algorithm", "byte_order", "covers"}),
+    "checksum": frozenset({"algorithm", "byte_order", "covers"}),
     "plain": VALUE_KEYS - {"length", "characters", "sentinels", "parameter", "default", "unit_default"} | {"reserved"},
 }
 """What can be said of a part beside what can be said of any fact, by its role."""
@@ -23,7 +23,7 @@ _HELP = {
     "const": "remove `const`, or make the part a plain one by removing its `role`",
     "offset": "a length takes `counts: {plus: ..}` instead; remove `offset`",
     "counts": "give it to the part with `role: length`",
-    "covers": "give it to the part with `role: check`",
+    "covers": "give it to the part with `role: checksum`",
     "algorithm": "give or remove `algorithm`",
     "reserved": "give it to a part without a `role`",
 }
@@ -31,7 +31,11 @@ _HELP = {
 
 def link(entry: Entry) -> Link:
     """A link."""
-    error, silence, names = entry.entry("error"), entry.entry("silence"), entry.entry("direction_names")
+    exception, silence, names = (
+        entry.entry("exception_response"),
+        entry.entry("silence"),
+        entry.entry("direction_names"),
+    )
     arguments = entry.fact()
     if silence and silence.get("source"):  # what the manual prints is no longer from the standard
         arguments["standard"] = {key: standard for key, standard in arguments["standard"].items() if key != "silence"}
@@ -48,8 +52,8 @@ def link(entry: Entry) -> Link:
         message_name=entry.text("message_name") or "message",
         request_name=names.text("request") if names and names.text("request") else "request",
         response_name=names.text("response") if names and names.text("response") else "response",
-        error=ErrorReply(error.integer("flag") or 0, error.text("record"), error.sources) if error else None,
-        stations=_stations(entry),
+        exception_response=_exception_response(exception) if exception else None,
+        unit_addresses=_unit_addresses(entry),
         serial=_serial(entry),
         silence_characters=silence.decimal("characters") if silence else None,
         silence_milliseconds=silence.decimal("milliseconds") if silence else None,
@@ -57,18 +61,22 @@ def link(entry: Entry) -> Link:
     )
 
 
+def _exception_response(entry: Entry) -> ExceptionResponse:
+    return ExceptionResponse(flag=entry.integer("flag") or 0, record=entry.text("record"), sources=entry.sources)
+
+
 def _part(entry: Entry) -> Part:
     role = entry.text("role") or "plain"
     algorithm = entry.text("algorithm")
-    if (role == "check") != bool(algorithm):
-        entry.refuse("wrong_form", "role", "a check, and nothing else, has an algorithm", _HELP["algorithm"])
+    if (role == "checksum") != bool(algorithm):
+        entry.refuse("wrong_form", "role", "a checksum, and nothing else, has an algorithm", _HELP["algorithm"])
         algorithm = algorithm or "sum8"
     for key in entry.own:
         if key in _SPECIFIC and key not in _KEYS[role] and key != "algorithm":
             text = f"`{key}` has no effect in a part with the role {role}"
             entry.refuse("wrong_form", key, text, _HELP.get(key, f"remove `{key}`"))
     counts, covers = entry.entry("counts"), entry.entry("covers")
-    span = counts if role == "length" else covers if role == "check" else None
+    span = counts if role == "length" else covers if role == "checksum" else None
     return Part(
         **entry.fact(),
         role=role,
@@ -82,30 +90,30 @@ def _part(entry: Entry) -> Part:
     )
 
 
-def _stations(entry: Entry) -> Stations | None:
-    held = entry.entry("stations")
-    if held is None:
+def _unit_addresses(entry: Entry) -> UnitAddresses | None:
+    addresses = entry.entry("unit_addresses")
+    if addresses is None:
         return None
-    return Stations(
-        place=held.place(),
-        ranges=held.whole_ranges("range"),
-        broadcast=held.integer("broadcast"),
-        rule=held.text("rule"),
-        notes=held.texts("notes"),
-        sources=held.sources,
+    return UnitAddresses(
+        place=addresses.place(),
+        ranges=addresses.whole_ranges("range"),
+        broadcast=addresses.integer("broadcast"),
+        rule=addresses.text("rule"),
+        notes=addresses.texts("notes"),
+        sources=addresses.sources,
     )
 
 
 def _serial(entry: Entry) -> Serial | None:
-    held = entry.entry("serial")
-    if held is None:
+    serial = entry.entry("serial")
+    if serial is None:
         return None
     return Serial(
-        baud=held.integers("baud"),
-        default_baud=held.integer("default_baud"),
-        data_bits=held.integers("data_bits"),
-        parity=held.texts("parity"),
-        stop_bits=held.integers("stop_bits"),
-        start_bits=held.integer("start_bits"),
-        sources=held.sources,
+        baud=serial.integers("baud"),
+        default_baud=serial.integer("default_baud"),
+        data_bits=serial.integers("data_bits"),
+        parity=serial.texts("parity"),
+        stop_bits=serial.integers("stop_bits"),
+        start_bits=serial.integer("start_bits"),
+        sources=serial.sources,
     )

@@ -7,13 +7,13 @@ from fieldspec.reading.building.context import Entry, Reused, rows
 from fieldspec.reading.building.values import VALUE_KEYS, value
 
 
-def record(entry: Entry, kept: Reused) -> Record:
+def record(entry: Entry, reused: Reused) -> Record:
     """A record."""
     return Record(
         **entry.fact(),
         size=entry.integer("size"),
         words=entry.integer("words"),
-        fields=rows(entry, entry.path, None, kept, _field, key="fields"),
+        fields=rows(entry, entry.path, None, reused, _field, key="fields"),
         same_as=entry.text("same_as"),
     )
 
@@ -25,10 +25,10 @@ def _field(entry: Entry) -> Field:
         )
     name = entry.text("record")
     choice = entry.entry("choice")
-    given = [key for key in ("type", "record", "choice") if entry.get(key)]
-    if len(given) > 1:
-        text = f"the field has a `{given[0]}` and a `{given[1]}`"
-        entry.refuse("type_given", given[0], text, "keep one of them")
+    kinds = [key for key in ("type", "record", "choice") if entry.get(key)]
+    if len(kinds) > 1:
+        text = f"the field has a `{kinds[0]}` and a `{kinds[1]}`"
+        entry.refuse("type_given", kinds[0], text, "keep one of them")
     words = entry.integer("words")
     measures = entry.entry("measures")
     measure = None
@@ -76,7 +76,7 @@ def _span(text: str) -> tuple[int, int] | None:
     return int(first), int(last or first)
 
 
-def message(entry: Entry, kept: Reused) -> Message:
+def message(entry: Entry, reused: Reused) -> Message:
     """A message. Its data are records that are named after it."""
     lengths, words = entry.entry("frame_length"), entry.entry("data_words")
     access = entry.entry("accesses")
@@ -88,8 +88,8 @@ def message(entry: Entry, kept: Reused) -> Message:
         number=entry.integer("number"),
         links=entry.texts("links"),
         supplements=entry.texts("supplements"),
-        request=_data(entry, "request", kept),
-        response=_data(entry, "response", kept),
+        request=_data(entry, "request", reused),
+        response=_data(entry, "response", reused),
         request_length=lengths.integer("request") if lengths else None,
         response_length=lengths.integer("response") if lengths else None,
         request_words=words.integer("request") if words else None,
@@ -102,7 +102,7 @@ def message(entry: Entry, kept: Reused) -> Message:
     )
 
 
-def _data(entry: Entry, direction: str, kept: Reused) -> Record:
+def _data(entry: Entry, direction: str, reused: Reused) -> Record:
     arguments = entry.fact() | {
         "name": f"{entry.text('name')}_{direction}",
         "doc": "",
@@ -114,5 +114,5 @@ def _data(entry: Entry, direction: str, kept: Reused) -> Record:
         "roles": (),
         "unverified": False,
     }
-    fields = rows(entry, f"{entry.path}/{direction}", None, kept, _field, key=direction)
+    fields = rows(entry, f"{entry.path}/{direction}", None, reused, _field, key=direction)
     return Record(**arguments, size=None, words=None, fields=fields)

@@ -31,10 +31,9 @@ def address_space(entry: Entry) -> AddressSpace:
     )
 
 
-def group(entry: Entry, kept: Reused) -> RegisterGroup:
+def group(entry: Entry, reused: Reused) -> RegisterGroup:
     """A group of registers."""
-    held = entry.node.values.get("defaults")
-    defaults = held if isinstance(held, Mapping) else None
+    defaults = _defaults(entry)
     arguments = entry.fact() | {"name": entry.text("group")}
     space = entry.text("space")
     return RegisterGroup(
@@ -44,7 +43,7 @@ def group(entry: Entry, kept: Reused) -> RegisterGroup:
         section=entry.section,
         ascending=entry.text("order") != "as_listed",
         gaps=tuple(_gap(inner) for inner in entry.entries("gaps")),
-        registers=rows(entry, "registers", defaults, kept, lambda inner: _register(inner, space), space),
+        registers=rows(entry, "registers", defaults, reused, lambda inner: _register(inner, space), space),
     )
 
 
@@ -145,10 +144,9 @@ def _subindex(entry: Entry, type_name: str) -> Subindex:
     )
 
 
-def parameter_set(entry: Entry, kept: Reused) -> ParameterSet:
+def parameter_set(entry: Entry, reused: Reused) -> ParameterSet:
     """A set of numbered parameters."""
-    held = entry.node.values.get("defaults")
-    defaults = held if isinstance(held, Mapping) else None
+    defaults = _defaults(entry)
     type_name = entry.text("type")
     return ParameterSet(
         **entry.fact(),
@@ -157,7 +155,7 @@ def parameter_set(entry: Entry, kept: Reused) -> ParameterSet:
         base=entry.integer("base") or 0,
         numbers=entry.whole_ranges("numbers"),
         printed_as=entry.text("printed_as"),
-        parameters=rows(entry, entry.path, defaults, kept, lambda inner: _parameter(inner, type_name), type_name),
+        parameters=rows(entry, entry.path, defaults, reused, lambda inner: _parameter(inner, type_name), type_name),
     )
 
 
@@ -178,3 +176,9 @@ def _parameter(entry: Entry, type_name: str) -> Parameter:
         handling=entry.handling(),
         reserved=entry.flag("reserved"),
     )
+
+
+def _defaults(entry: Entry) -> Mapping | None:
+    """The keys that stand in for those that rows do not give."""
+    node = entry.node.values.get("defaults")
+    return node if isinstance(node, Mapping) else None

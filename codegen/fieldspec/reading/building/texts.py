@@ -23,8 +23,8 @@ def lookup(entry: Entry) -> Lookup:
 
 
 def _row(entry: Entry, width: int) -> LookupRow:
-    held = entry.node.values.get("cells")
-    items = held.items if isinstance(held, Sequence) else ()
+    sequence = entry.node.values.get("cells")
+    items = sequence.items if isinstance(sequence, Sequence) else ()
     cells = tuple(item.value for item in items if isinstance(item, Scalar))
     if len(cells) != width:
         text = f"the row has {len(cells)} cells, the table {width} columns"
@@ -76,7 +76,7 @@ def example(entry: Entry) -> Example:
         link=entry.text("link"),
         direction=entry.text("direction"),
         message=entry.text("message"),
-        error=entry.flag("error"),
+        exception_response=entry.flag("exception_response"),
         refused=entry.text("refused"),
         reply_to=entry.text("reply_to"),
         frame=_frame(entry),

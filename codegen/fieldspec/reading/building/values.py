@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from fieldspec.model.fact import PlainValue
+from fieldspec.model.fact import ScalarValue
 from fieldspec.model.value import (
     PRIMITIVES,
     Conversion,
@@ -22,7 +22,7 @@ from fieldspec.schema import schema
 
 UNTYPED = PRIMITIVES["u16"]
 
-_ZERO, _ONE = Decimal(0), Decimal(1)
+_ZERO, _UNITY = Decimal(0), Decimal(1)
 
 VALUE_KEYS = frozenset(schema()["$defs"]["value"]["properties"])
 """The keys that say how a value lies on the wire and what it means."""
@@ -39,7 +39,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         entry.refuse("wrong_value", "scale", "a scale of 0 makes all values equal", "give the worth of one count")
         scale = None
     offset = entry.decimal("offset") or _ZERO
-    scale = scale if scale is not None else _ONE
+    scale = scale if scale is not None else _UNITY
     part = entry.entry("parameter")
     return Value(
         type=primitive,
@@ -72,21 +72,21 @@ def _sentinel(entry: Entry) -> Sentinel:
 
 def _scale(entry: Entry) -> Decimal | None:
     """The scale as an exact number; a fraction that is none is a finding."""
-    given = entry.value("scale")
-    if not isinstance(given, str):
+    text = entry.value("scale")
+    if not isinstance(text, str):
         return entry.decimal("scale")
-    scale = exact_scale(given)
+    scale = exact_scale(text)
     if scale is None:
         help = "its divisor must be made of twos and fives, so that the scale is an exact decimal number"
-        entry.refuse("wrong_form", "scale", f"`{given}` is no exact decimal number", help)
+        entry.refuse("wrong_form", "scale", f"`{text}` is no exact decimal number", help)
     return scale
 
 
-def scale_text(given: PlainValue) -> str:
+def scale_text(scale: ScalarValue) -> str:
     """A scale as the spec writes it; empty where it gives none."""
-    if isinstance(given, Decimal):
-        return f"{given:f}"
-    return "" if given is None else str(given)
+    if isinstance(scale, Decimal):
+        return f"{scale:f}"
+    return "" if scale is None else str(scale)
 
 
 def _size(entry: Entry, primitive: Primitive, words: int | None) -> int:
@@ -119,8 +119,8 @@ def _ranges(entry: Entry, scale: Decimal, offset: Decimal) -> Ranges | None:
 def _default(entry: Entry, scale: Decimal, offset: Decimal) -> int | str | None:
     in_unit = entry.decimal("unit_default")
     if in_unit is None:
-        given = entry.value("default")
-        return given if isinstance(given, int | str) else None
+        default = entry.value("default")
+        return default if isinstance(default, int | str) else None
     from fractions import Fraction
 
     raw = (Fraction(in_unit) - Fraction(offset)) / Fraction(scale)
@@ -137,7 +137,7 @@ def signal(entry: Entry) -> Signal:
 def conversion(entry: Entry, types: dict[str, str]) -> Conversion:
     """A conversion; `types` are those of the signals by name."""
     signals = entry.texts("signals")
-    name = entry.text("type") or next((types[one] for one in signals if one in types), "")
+    name = entry.text("type") or next((types[signal] for signal in signals if signal in types), "")
     if name not in PRIMITIVES:
         entry.refuse("type_given", "type", "nothing says how the count lies on the wire", "give it a `type`")
     return Conversion(

@@ -1,10 +1,6 @@
-
-/* ---- Texts of codes, in UTF-8 ---- */
-
-#ifdef ${macro}
 /** The texts of a code. Several causes, or remedies, are parted by line ends.
  * The number is the other one under which the manual knows the code, or -1; printed is how the manual writes it. */
-typedef struct ${type} {
+typedef struct device_code_text {
     int64_t code;
     int64_t number;
     const char *printed;
@@ -13,5 +9,4 @@ typedef struct ${type} {
     const char *problem;
     const char *causes;
     const char *remedies;
-} ${type};
-${texts}#endif
+} device_code_text;

@@ -1,0 +1,129 @@
+"""The frames of messages: functions that encode the body to where it lies in a frame, then close the frame."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.backends.c.declarations import BLANK, Declaration, Function, comment
+from fieldspec.backends.c.expressions import (
+    CAPACITY,
+    IN,
+    LENGTH,
+    OUT,
+    SIZE_TYPE,
+    ZERO,
+    Call,
+    Expression,
+    Identifier,
+    Operation,
+    Type,
+    add,
+    add_size,
+    address_of,
+    decimal,
+    less,
+    unsigned,
+)
+from fieldspec.backends.c.fields import members, return_error
+from fieldspec.backends.c.frames import (
+    CODE_TYPE,
+    DIRECTIONS,
+    OUTPUT_PARAMETERS,
+    header_parameters,
+)
+from fieldspec.backends.c.naming import Naming
+from fieldspec.backends.c.statements import (
+    Body,
+    Return,
+    Variable,
+)
+from fieldspec.backends.c.values import (
+    refuse,
+    status_type,
+)
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.layout.record import RecordLayout
+
+_CODE, _BODY_LENGTH = Identifier("code"), Identifier("body_length")
+
+
+def declare_messages(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[Declaration]:
+    """The functions for all messages of a link, and the one for its exception response."""
+    declarations: list[Declaration] = []
+    for message in link.messages.values():
+        for direction in DIRECTIONS:
+            code = message.message.code if link.frame(direction).role("code") is not None else None
+            data = message.data(direction)
+            declarations += [BLANK, *_declare_message(naming, link, direction, data, message.name, code)]
+    if link.link.exception_response is not None:
+        declarations += [BLANK, *_declare_exception_response(naming, layout, link)]
+    return declarations
+
+
+def _declare_message(
+    naming: Naming, link: LinkLayout, direction: str, data: RecordLayout, name: str, code: int | None
+) -> list[Declaration]:
+    """The function that writes the whole frame of a message.
+
+    `codec_status rtu_encode_move_request(uint8_t station, const move_request *in, uint8_t *out, ...)`
+    """
+    function = naming.function("link", link.name, "encode", name, direction)
+    codes = [unsigned(code)] if code is not None else []
+    about = comment(f"Writes the whole frame of the {direction} {data.name}.")
+    return [about, _encode_frame(naming, link, direction, data, function, [], codes)]
+
+
+def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[Declaration]:
+    """The function that writes an exception response to a code: `code | 128u`"""
+    error = link.link.exception_response
+    assert error is not None
+    function = naming.function("link", link.name, "encode", "error")
+    code: list[Expression] = [Operation("|", (_CODE, unsigned(error.flag)))]
+    parameters = [Variable(CODE_TYPE, "code")]
+    record = layout.records[error.record]
+    about = comment("Writes the whole frame of an error reply to a code.")
+    return [about, _encode_frame(naming, link, "response", record, function, parameters, code)]
+
+
+def _encode_frame(
+    naming: Naming,
+    link: LinkLayout,
+    direction: str,
+    data: RecordLayout,
+    function: str,
+    code_parameters: list[Variable],
+    code: Sequence[Expression],
+) -> Function:
+    """The function that encodes the body to where it lies in the frame, then closes the frame."""
+    frame = link.frame(direction)
+    header = header_parameters(frame)
+    parameters = [*header, *code_parameters]
+    if members(data):
+        parameters.append(Variable(Type(naming.type("record", data.name), const=True, pointer=True), "in"))
+    close = naming.function("link", link.name, direction, "close")
+    body_length = _BODY_LENGTH if data.fields else ZERO
+    arguments = [*(Identifier(parameter.name) for parameter in header), *code, body_length, OUT, CAPACITY, LENGTH]
+    body: Body = (
+        *(_write_body(naming, frame, data) if data.fields else ()),
+        Return(Call(close, tuple(arguments))),
+    )
+    return Function(status_type(naming), function, (*parameters, *OUTPUT_PARAMETERS), body)
+
+
+def _write_body(naming: Naming, frame: FrameLayout, data: RecordLayout) -> Body:
+    """Encodes the body of a frame to where it lies in it."""
+    struct = (IN,) if members(data) else ()
+    size = frame.head_size
+    room: tuple[Expression, ...] = (OUT, CAPACITY)
+    checks: Body = ()
+    if size:
+        room = add(OUT, decimal(size)), add_size(CAPACITY, -size)
+        checks = refuse(naming, less(CAPACITY, unsigned(size)), "err_capacity")
+    encode = naming.function("record", data.name, "encode")
+    return (
+        Variable(SIZE_TYPE, "body_length", value=ZERO),
+        Variable(status_type(naming), "status"),
+        *checks,
+        *return_error(naming, Call(encode, (*struct, *room, address_of(_BODY_LENGTH)))),
+    )

@@ -1,0 +1,396 @@
+"""Writes trees of C as text: the only place that knows how C is indented, folded and put in parentheses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from operator import attrgetter
+from typing import Any
+
+from fieldspec.backends.c.declarations import (
+    Blank,
+    Comment,
+    Declaration,
+    Define,
+    Directive,
+    Enumeration,
+    Function,
+    Source,
+    Struct,
+    Typedef,
+    Union,
+)
+from fieldspec.backends.c.expressions import (
+    Call,
+    Cast,
+    Conditional,
+    Element,
+    Expression,
+    Group,
+    Identifier,
+    Initializer,
+    Literal,
+    Local,
+    Member,
+    Operation,
+    PointerMember,
+    SizeOf,
+    Type,
+    Unary,
+)
+from fieldspec.backends.c.statements import (
+    Assignment,
+    Block,
+    Break,
+    CompileIf,
+    Constant,
+    CountDown,
+    CountUp,
+    Evaluation,
+    Expectation,
+    If,
+    Return,
+    Statement,
+    Switch,
+    Table,
+    Variable,
+    Variables,
+)
+
+_PRECEDENCE = {"&": 7, "^": 6, "|": 5, "&&": 4, "||": 3} | {
+    **dict.fromkeys(("*", "/", "%"), 12),
+    **dict.fromkeys(("+", "-"), 11),
+    **dict.fromkeys(("<<", ">>"), 10),
+    **dict.fromkeys(("<", "<=", ">", ">="), 9),
+    **dict.fromkeys(("==", "!="), 8),
+}
+_UNARY, _CONDITIONAL = 13, 2
+_ASSOCIATIVE = ("+", "&", "^", "|", "&&", "||")
+
+
+class ExpressionPrinter:
+    """Writes expressions. It notes which local variables it has written."""
+
+    def __init__(self) -> None:
+        self._used: set[str] = set()
+        # Leaves are most of a tree, so nothing of ours is called for them.
+        self._expressions: dict[type, Callable[[Any], str]] = {
+            Identifier: attrgetter("name"),
+            Local: self._local,
+            Literal: attrgetter("text"),
+            Call: self._call,
+            Member: self._member,
+            PointerMember: self._pointer_member,
+            Element: self._element,
+            Unary: self._unary,
+            Cast: self._cast,
+            SizeOf: self._size_of,
+            Operation: self._operation,
+            Group: self._group,
+            Conditional: self._conditional,
+            Initializer: self._initializer,
+        }
+
+    def _text(self, expression: Expression) -> str:
+        return self._expressions[expression.__class__](expression)
+
+    def _local(self, node: Local) -> str:
+        self._used.add(node.name)
+        return node.name
+
+    def _call(self, node: Call) -> str:
+        texts = self._expressions
+        return f"{node.function}({', '.join([texts[argument.__class__](argument) for argument in node.arguments])})"
+
+    def _member(self, node: Member) -> str:
+        return f"{self._text(node.structure)}.{node.name}"
+
+    def _pointer_member(self, node: PointerMember) -> str:
+        return f"{self._text(node.pointer)}->{node.name}"
+
+    def _element(self, node: Element) -> str:
+        return f"{self._text(node.array)}[{self._text(node.index)}]"
+
+    def _unary(self, node: Unary) -> str:
+        return f"{node.operator}{self._operand(node.operand, _UNARY)}"
+
+    def _cast(self, node: Cast) -> str:
+        return f"({node.type}){self._operand(node.operand, _UNARY)}"
+
+    def _size_of(self, node: SizeOf) -> str:
+        return f"sizeof {self._operand(node.operand, _UNARY)}"
+
+    def _group(self, node: Group) -> str:
+        return f"({self._text(node.content)})"
+
+    def _initializer(self, node: Initializer) -> str:
+        return f"{{{', '.join([self._text(value) for value in node.values])}}}"
+
+    def _operation(self, node: Operation) -> str:
+        operator, texts = node.operator, self._expressions
+        strength = _PRECEDENCE[operator]
+        parts: list[str] = []
+        for operand in node.operands:
+            text = texts[operand.__class__](operand)
+            if isinstance(operand, Operation):
+                text = f"({text})" if _PRECEDENCE[operand.operator] < strength else text
+            elif isinstance(operand, Conditional):
+                text = f"({text})"
+            if not parts and operator not in _ASSOCIATIVE:
+                strength += 1
+            parts.append(text)
+        return f" {operator} ".join(parts)
+
+    def _conditional(self, node: Conditional) -> str:
+        test = self._operand(node.test, _CONDITIONAL + 1)
+        return f"{test} ? {self._text(node.positive)} : {self._text(node.negative)}"
+
+    def _operand(self, node: Expression, strength: int) -> str:
+        """An operand, in parentheses where it binds less than `strength`."""
+        text = self._expressions[node.__class__](node)
+        if isinstance(node, Operation):
+            return f"({text})" if _PRECEDENCE[node.operator] < strength else text
+        return f"({text})" if isinstance(node, Conditional) else text
+
+
+_STEP = "    "
+_CONTINUATION = "        "
+
+
+class Printer(ExpressionPrinter):
+    """Writes trees as lines. It notes which local variables a function uses, so that only these are declared.
+
+    Heads of functions and conditions that are longer than `longest_line` go on in further lines.
+    """
+
+    def __init__(self, longest_line: int = 120) -> None:
+        super().__init__()
+        self.lines: list[str] = []
+        self._longest_line = longest_line
+        self._statements: dict[type, Callable[[Any, str], None]] = {
+            Assignment: self._assignment,
+            Evaluation: self._evaluation,
+            Expectation: self._expectation,
+            Return: self._return,
+            Break: self._break,
+            If: self._if,
+            CountUp: self._count_up,
+            CountDown: self._count_down,
+            Switch: self._switch,
+            Variable: self._variable_statement,
+            Variables: self._variables,
+            Constant: self._constant,
+            Table: self._table,
+            Block: self._block,
+            CompileIf: self._compile_if,
+        }
+        self._declarations: dict[type, Callable[[Any], None]] = {
+            Comment: self._comment,
+            Blank: self._blank,
+            Directive: self._directive,
+            Define: self._define,
+            Typedef: self._typedef,
+            Struct: self._struct,
+            Enumeration: self._enumeration,
+            Function: self._function,
+            Source: self._source,
+        }
+
+    def print_declarations(self, declarations: Iterable[Declaration]) -> list[str]:
+        """The lines of declarations."""
+        self.lines = []
+        for declaration in declarations:
+            self._declarations[declaration.__class__](declaration)
+        return self.lines
+
+    def print_statements(self, body: Iterable[Statement], indent: str) -> list[str]:
+        """The lines of statements, which declare their variables themselves."""
+        self.lines = []
+        self._body(body, indent)
+        return self.lines
+
+    def _body(self, body: Iterable[Statement], indent: str) -> None:
+        for statement in body:
+            self._statements[statement.__class__](statement, indent)
+
+    # Declarations
+
+    def _blank(self, node: Blank) -> None:
+        self.lines.append("")
+
+    def _directive(self, node: Directive) -> None:
+        self.lines.append(f"#{node.keyword} {node.condition}".rstrip())
+
+    def _typedef(self, node: Typedef) -> None:
+        self.lines.append(f"typedef {node.type.name} {node.name};")
+
+    def _source(self, node: Source) -> None:
+        self.lines += node.text.rstrip("\n").split("\n")
+
+    def _comment(self, node: Comment, indent: str = "") -> None:
+        lines = node.lines
+        if len(lines) == 1:
+            self.lines.append(f"{indent}/** {lines[0]} */")
+        elif lines:
+            self.lines.append(f"{indent}/**")
+            self.lines += [f"{indent} * {line}".rstrip() for line in lines]
+            self.lines.append(f"{indent} */")
+
+    def _define(self, node: Define) -> None:
+        self.lines.append(f"#define {node.name} {self._text(node.value)}{_beside(node.remark)}")
+
+    def _struct(self, node: Struct) -> None:
+        self.lines.append(f"typedef struct {node.name} {{")
+        self._members(node.members, _STEP)
+        self.lines.append(f"}} {node.name};")
+
+    def _members(self, members: Sequence[Comment | Variable | Union], indent: str) -> None:
+        for member in members:
+            if isinstance(member, Comment):
+                self._comment(member, indent)
+            elif isinstance(member, Union):
+                self.lines.append(f"{indent}union {{")
+                self._members(member.members, indent + _STEP)
+                self.lines.append(f"{indent}}} {member.name};")
+            else:
+                self.lines.append(f"{indent}{self.print_variable(member)};")
+
+    def _enumeration(self, node: Enumeration) -> None:
+        self.lines.append(f"typedef enum {node.name} {{")
+        last = len(node.enumerators) - 1
+        for number, member in enumerate(node.enumerators):
+            comma = "," if number < last else ""
+            self.lines.append(f"{_STEP}{member.name} = {self._text(member.value)}{comma}{_beside(member.remark)}")
+        self.lines.append(f"}} {node.name};")
+
+    def _function(self, node: Function) -> None:
+        parameters = ", ".join([self.print_variable(parameter) for parameter in node.parameters]) or "void"
+        head = f"{node.storage} {_declarator(node.result, node.name)}({parameters})"
+        self.lines += _fold(head, "", self._longest_line) if len(head) > self._longest_line else [head]
+        self.lines.append("{")
+        self._used.clear()
+        start = len(self.lines)
+        self._body(node.body, _STEP)
+        if self._used:
+            used = [local for local in node.locals if local.name in self._used]
+            self.lines[start:start] = [f"{_STEP}{_declarator(local.type, local.name)};" for local in used]
+        self.lines.append("}")
+
+    # Statements
+
+    def _assignment(self, node: Assignment, indent: str) -> None:
+        texts, target, value = self._expressions, node.target, node.value
+        left, right = texts[target.__class__](target), texts[value.__class__](value)
+        self.lines.append(f"{indent}{left} {node.operator} {right};")
+
+    def _expectation(self, node: Expectation, indent: str) -> None:
+        texts, left, right = self._expressions, node.left, node.right
+        test = f"{texts[left.__class__](left)} == {texts[right.__class__](right)}"
+        self.lines.append(f"{indent}expect({test}, {node.what.text});")
+
+    def _evaluation(self, node: Evaluation, indent: str) -> None:
+        self.lines.append(f"{indent}{self._text(node.expression)};")
+
+    def _return(self, node: Return, indent: str) -> None:
+        value = node.value
+        self.lines.append(f"{indent}return;" if value is None else f"{indent}return {self._text(value)};")
+
+    def _if(self, node: If, indent: str, before: str = "") -> None:
+        line = f"{indent}{before}if ({self._text(node.test)}) {{"
+        if len(line) > self._longest_line:
+            self.lines += _fold(line.lstrip(), indent, self._longest_line)
+        else:
+            self.lines.append(line)
+        self._body(node.body, indent + _STEP)
+        alternative = node.alternative
+        if len(alternative) == 1 and isinstance(alternative[0], If):
+            self._if(alternative[0], indent, "} else ")
+            return
+        if alternative:
+            self.lines.append(f"{indent}}} else {{")
+            self._body(alternative, indent + _STEP)
+        self.lines.append(f"{indent}}}")
+
+    def _break(self, node: Break, indent: str) -> None:
+        self.lines.append(f"{indent}break;")
+
+    def _count_up(self, node: CountUp, indent: str) -> None:
+        index = self._text(node.index)
+        self.lines.append(f"{indent}for ({index} = 0; {index} < {self._text(node.limit)}; {index}++) {{")
+        self._body(node.body, indent + _STEP)
+        self.lines.append(f"{indent}}}")
+
+    def _count_down(self, node: CountDown, indent: str) -> None:
+        index = self._text(node.index)
+        self.lines.append(f"{indent}for ({index} = {self._text(node.start)}; {index}-- > 0;) {{")
+        self._body(node.body, indent + _STEP)
+        self.lines.append(f"{indent}}}")
+
+    def _switch(self, node: Switch, indent: str) -> None:
+        self.lines.append(f"{indent}switch ({self._text(node.value)}) {{")
+        for labels, body in node.branches:
+            if labels:
+                self.lines += [f"{indent}case {self._text(label)}:" for label in labels]
+                self._body((*body, Break()), indent + _STEP)
+        self.lines.append(f"{indent}default:")
+        self._body(node.default, indent + _STEP)
+        self.lines.append(f"{indent}}}")
+
+    def _variable_statement(self, node: Variable, indent: str) -> None:
+        self.lines.append(f"{indent}{self.print_variable(node)};")
+
+    def _variables(self, node: Variables, indent: str) -> None:
+        self.lines.append(f"{indent}{_declarator(node.type, ', '.join(node.names))};")
+
+    def _constant(self, node: Constant, indent: str) -> None:
+        self.lines.append(f"{indent}enum {{ {node.name} = {self._text(node.value)} }};")
+
+    def _table(self, node: Table, indent: str) -> None:
+        self.lines.append(f"{indent}static const {_declarator(node.type, node.name)}[] = {{")
+        self.lines += [f"{indent}{_STEP}{self._text(row)}," for row in node.rows]
+        self.lines.append(f"{indent}}};")
+
+    def _block(self, node: Block, indent: str) -> None:
+        self.lines.append(f"{indent}{{")
+        self._body(node.body, indent + _STEP)
+        self.lines.append(f"{indent}}}")
+
+    def _compile_if(self, node: CompileIf, indent: str) -> None:
+        self.lines.append(f"{indent}#{node.directive} {node.condition}")
+        self._body(node.body, indent)
+        self.lines.append(f"{indent}#endif")
+
+    def print_variable(self, node: Variable) -> str:
+        """The declaration of a variable, a parameter or a member, without what ends it."""
+        kind = node.type
+        line = f"{kind.name} *{node.name}" if kind.pointer else f"{kind.name} {node.name}"
+        if kind.const:
+            line = f"const {line}"
+        if node.storage:
+            line = f"{node.storage} {line}"
+        for dimension in node.dimensions:
+            line += "[]" if dimension is None else f"[{self._text(dimension)}]"
+        return line if node.value is None else f"{line} = {self._text(node.value)}"
+
+
+def _declarator(kind: Type, name: str) -> str:
+    """`const uint8_t *name`"""
+    const = "const " if kind.const else ""
+    return f"{const}{kind.name} *{name}" if kind.pointer else f"{const}{kind.name} {name}"
+
+
+def _beside(remark: str) -> str:
+    """A comment behind what it is about."""
+    return f" /**< {remark} */" if remark else ""
+
+
+def _fold(line: str, indent: str, longest_line: int) -> list[str]:
+    """A line that is too long, in several: it goes on behind `||`, or else behind commas and `&&`."""
+    ends = (" || ",) if " || " in line else (", ", " && ")
+    for end in ends:
+        line = line.replace(end, f"{end}\n")
+    lines = [indent]
+    for piece in line.split("\n"):
+        if len(lines[-1]) + len(piece.rstrip()) > longest_line and lines[-1].strip():
+            lines.append(indent + _CONTINUATION)
+        lines[-1] += piece
+    return [part.rstrip() for part in lines]

@@ -1,0 +1,147 @@
+/* ---- RECORD ---- */
+
+/* Decodes, encodes, and does both again; then encodes into exactly enough room, and into one byte less. */
+#define RECORD(type, decode, encode, most, exact) \
+    do { \
+        type value, second; \
+        uint8_t out[most], again[most]; \
+        uint8_t *room; \
+        size_t length = 0, beyond = 0; \
+        memset(&value, 0, sizeof value); \
+        memset(&second, 0, sizeof second); \
+        if (decode(data, size, &value) != DEVICE_OK) { \
+            break; \
+        } \
+        if (encode(&value, out, sizeof out, &length) == DEVICE_ERR_OUT_OF_RANGE) { \
+            break; \
+        } \
+        hold(encode(&value, out, sizeof out, &length) == DEVICE_OK && length == size); \
+        hold(!(exact) || memcmp(out, data, size) == 0); \
+        hold(decode(out, length, &second) == DEVICE_OK); \
+        hold(encode(&second, again, sizeof again, &length) == DEVICE_OK && length == size); \
+        hold(memcmp(out, again, size) == 0); \
+        room = (uint8_t *)malloc(size); \
+        if (room != NULL && size > 0) { \
+            hold(encode(&value, room, size, &length) == DEVICE_OK && memcmp(room, out, size) == 0); \
+            hold(encode(&value, room, size - 1, &beyond) == DEVICE_ERR_CAPACITY); \
+        } \
+        free(room); \
+    } while (0)
+
+/* ---- PACKED ---- */
+
+/* Reads any bytes as a record and writes it, twice: the second time changes nothing. */
+#define PACKED(type, unpack, pack, length) \
+    do { \
+        type value; \
+        uint8_t out[length], again[length]; \
+        if (size < (length)) { \
+            break; \
+        } \
+        memset(&value, 0, sizeof value); \
+        unpack(data, &value); \
+        pack(&value, out); \
+        unpack(out, &value); \
+        pack(&value, again); \
+        hold(memcmp(out, again, sizeof out) == 0); \
+    } while (0)
+
+/* ---- FIXED ---- */
+
+/* A record that nobody gives anything: there is one form of it. */
+#define FIXED(decode, encode, most, exact) \
+    do { \
+        uint8_t out[(most) + 1u]; \
+        size_t length = 0; \
+        if (decode(data, size) != DEVICE_OK) { \
+            break; \
+        } \
+        hold(encode(out, sizeof out, &length) == DEVICE_OK && length == size); \
+        hold(!(exact) || memcmp(out, data, size) == 0); \
+    } while (0)
+
+/* ---- VALUE ---- */
+
+/* The value of a register or a parameter. */
+#define VALUE(type, decode, encode, held, length) \
+    do { \
+        type value; \
+        uint8_t out[length]; \
+        if (size < (length) || decode(data, &value) != DEVICE_OK || encode(value, out) == DEVICE_ERR_OUT_OF_RANGE) { \
+            break; \
+        } \
+        hold(encode(value, out) == DEVICE_OK && memcmp(out, data, held) == 0); \
+    } while (0)
+
+/* ---- ARRAY ---- */
+
+/* The text or the bytes of a register or a parameter. A text ends at its first zero. */
+#define ARRAY(declared, decode, encode, exact, length) \
+    do { \
+        declared, second[sizeof value]; \
+        uint8_t out[length], again[length]; \
+        if (size < (length) || decode(data, value) != DEVICE_OK) { \
+            break; \
+        } \
+        hold(encode(value, out) == DEVICE_OK && (!(exact) || memcmp(out, data, sizeof out) == 0)); \
+        hold(decode(out, second) == DEVICE_OK && encode(second, again) == DEVICE_OK && memcmp(out, again, sizeof out) == 0); \
+    } while (0)
+
+/* ---- CONSTANT ---- */
+
+/* A constant: what is written can be read, and so can what else the device answers. */
+#define CONSTANT(type, decode, encode, length) \
+    do { \
+        type value; \
+        uint8_t out[length]; \
+        hold(encode(out) == DEVICE_OK && decode(out, &value) == DEVICE_OK); \
+        hold(size < (length) || decode(data, &value) != DEVICE_ERR_WRONG_CONST); \
+    } while (0)
+
+/* ---- TRIGGER ---- */
+
+/* What starts an action: the device answers anything, and what may be written is read as it was. */
+#define TRIGGER(type, decode, encode, held, length) \
+    do { \
+        type value; \
+        uint8_t out[length]; \
+        if (size < (length)) { \
+            break; \
+        } \
+        hold(decode(data, &value) == DEVICE_OK); \
+        hold(encode(value, out) != DEVICE_OK || memcmp(out, data, held) == 0); \
+    } while (0)
+
+/* ---- ADDRESS ---- */
+
+/* An address or a number that is worked out from another: of those that are taken no two have the same. */
+#define ADDRESS(type, at) \
+    do { \
+        type one = 0, other = 0; \
+        uint32_t first, second; \
+        if (size < 8) { \
+            break; \
+        } \
+        first = data[0] | (uint32_t)data[1] << 8 | (uint32_t)data[2] << 16 | (uint32_t)data[3] << 24; \
+        second = data[4] | (uint32_t)data[5] << 8 | (uint32_t)data[6] << 16 | (uint32_t)data[7] << 24; \
+        if (at(first, &one) == DEVICE_OK && at(second, &other) == DEVICE_OK) { \
+            hold((first == second) == (one == other)); \
+        } \
+    } while (0)
+
+/* ---- CONVERSION ---- */
+
+/* Any quantity is refused or becomes a count, and a count becomes itself again where the reference is a usual one. */
+#define CONVERSION(type, from_raw, to_raw, exact) \
+    do { \
+        type raw = 0, again = 0; \
+        double quantity, reference; \
+        if (size < 2 * sizeof quantity) { \
+            break; \
+        } \
+        memcpy(&quantity, data, sizeof quantity); \
+        memcpy(&reference, data + sizeof quantity, sizeof reference); \
+        if (to_raw(quantity, reference, &raw) == DEVICE_OK && (exact) && reference > 1e-9 && reference < 1e9) { \
+            hold(to_raw(from_raw(raw, reference), reference, &again) == DEVICE_OK && again == raw); \
+        } \
+    } while (0)

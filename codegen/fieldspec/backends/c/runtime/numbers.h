@@ -1,0 +1,311 @@
+/* ---- u8 ---- */
+
+DEVICE_INLINE uint8_t device_load_u8(const uint8_t *in)
+{
+    return in[0];
+}
+
+DEVICE_INLINE void device_store_u8(uint8_t *out, uint8_t value)
+{
+    out[0] = value;
+}
+
+/* ---- u16_be ---- */
+
+DEVICE_INLINE uint16_t device_load_u16_be(const uint8_t *in)
+{
+    return (uint16_t)(((uint32_t)in[0] << 8) | (uint32_t)in[1]);
+}
+
+DEVICE_INLINE void device_store_u16_be(uint8_t *out, uint16_t value)
+{
+#ifdef DEVICE_STORES_AT_ONCE
+    value = __builtin_bswap16(value);
+    DEVICE_COPY(out, &value, sizeof value);
+#else
+    out[0] = (uint8_t)(value >> 8);
+    out[1] = (uint8_t)value;
+#endif
+}
+
+/* ---- u16_le ---- */
+
+DEVICE_INLINE uint16_t device_load_u16_le(const uint8_t *in)
+{
+    return (uint16_t)((uint32_t)in[0] | ((uint32_t)in[1] << 8));
+}
+
+DEVICE_INLINE void device_store_u16_le(uint8_t *out, uint16_t value)
+{
+#ifdef DEVICE_STORES_AT_ONCE
+    DEVICE_COPY(out, &value, sizeof value);
+#else
+    out[0] = (uint8_t)value;
+    out[1] = (uint8_t)(value >> 8);
+#endif
+}
+
+/* ---- u32_be ---- */
+
+DEVICE_INLINE uint32_t device_load_u32_be(const uint8_t *in)
+{
+    return ((uint32_t)in[0] << 24) | ((uint32_t)in[1] << 16) |
+           ((uint32_t)in[2] << 8) | (uint32_t)in[3];
+}
+
+DEVICE_INLINE void device_store_u32_be(uint8_t *out, uint32_t value)
+{
+#ifdef DEVICE_STORES_AT_ONCE
+    value = __builtin_bswap32(value);
+    DEVICE_COPY(out, &value, sizeof value);
+#else
+    out[0] = (uint8_t)(value >> 24);
+    out[1] = (uint8_t)(value >> 16);
+    out[2] = (uint8_t)(value >> 8);
+    out[3] = (uint8_t)value;
+#endif
+}
+
+/* ---- u32_be_words_le ---- */
+
+DEVICE_INLINE uint32_t device_load_u32_be_words_le(const uint8_t *in)
+{
+    return ((uint32_t)in[0] << 8) | (uint32_t)in[1] |
+           ((uint32_t)in[2] << 24) | ((uint32_t)in[3] << 16);
+}
+
+DEVICE_INLINE void device_store_u32_be_words_le(uint8_t *out, uint32_t value)
+{
+    out[0] = (uint8_t)(value >> 8);
+    out[1] = (uint8_t)value;
+    out[2] = (uint8_t)(value >> 24);
+    out[3] = (uint8_t)(value >> 16);
+}
+
+/* ---- u32_le ---- */
+
+DEVICE_INLINE uint32_t device_load_u32_le(const uint8_t *in)
+{
+    return (uint32_t)in[0] | ((uint32_t)in[1] << 8) |
+           ((uint32_t)in[2] << 16) | ((uint32_t)in[3] << 24);
+}
+
+DEVICE_INLINE void device_store_u32_le(uint8_t *out, uint32_t value)
+{
+#ifdef DEVICE_STORES_AT_ONCE
+    DEVICE_COPY(out, &value, sizeof value);
+#else
+    out[0] = (uint8_t)value;
+    out[1] = (uint8_t)(value >> 8);
+    out[2] = (uint8_t)(value >> 16);
+    out[3] = (uint8_t)(value >> 24);
+#endif
+}
+
+/* ---- u32_le_words_be ---- */
+
+DEVICE_INLINE uint32_t device_load_u32_le_words_be(const uint8_t *in)
+{
+    return ((uint32_t)in[0] << 16) | ((uint32_t)in[1] << 24) |
+           (uint32_t)in[2] | ((uint32_t)in[3] << 8);
+}
+
+DEVICE_INLINE void device_store_u32_le_words_be(uint8_t *out, uint32_t value)
+{
+    out[0] = (uint8_t)(value >> 16);
+    out[1] = (uint8_t)(value >> 24);
+    out[2] = (uint8_t)value;
+    out[3] = (uint8_t)(value >> 8);
+}
+
+/* ---- u64_be ---- */
+
+DEVICE_INLINE uint64_t device_load_u64_be(const uint8_t *in)
+{
+    return ((uint64_t)in[0] << 56) | ((uint64_t)in[1] << 48) |
+           ((uint64_t)in[2] << 40) | ((uint64_t)in[3] << 32) |
+           ((uint64_t)in[4] << 24) | ((uint64_t)in[5] << 16) |
+           ((uint64_t)in[6] << 8) | (uint64_t)in[7];
+}
+
+DEVICE_INLINE void device_store_u64_be(uint8_t *out, uint64_t value)
+{
+#ifdef DEVICE_STORES_AT_ONCE
+    value = __builtin_bswap64(value);
+    DEVICE_COPY(out, &value, sizeof value);
+#else
+    out[0] = (uint8_t)(value >> 56);
+    out[1] = (uint8_t)(value >> 48);
+    out[2] = (uint8_t)(value >> 40);
+    out[3] = (uint8_t)(value >> 32);
+    out[4] = (uint8_t)(value >> 24);
+    out[5] = (uint8_t)(value >> 16);
+    out[6] = (uint8_t)(value >> 8);
+    out[7] = (uint8_t)value;
+#endif
+}
+
+/* ---- u64_be_words_le ---- */
+
+DEVICE_INLINE uint64_t device_load_u64_be_words_le(const uint8_t *in)
+{
+    return ((uint64_t)in[0] << 8) | (uint64_t)in[1] |
+           ((uint64_t)in[2] << 24) | ((uint64_t)in[3] << 16) |
+           ((uint64_t)in[4] << 40) | ((uint64_t)in[5] << 32) |
+           ((uint64_t)in[6] << 56) | ((uint64_t)in[7] << 48);
+}
+
+DEVICE_INLINE void device_store_u64_be_words_le(uint8_t *out, uint64_t value)
+{
+    out[0] = (uint8_t)(value >> 8);
+    out[1] = (uint8_t)value;
+    out[2] = (uint8_t)(value >> 24);
+    out[3] = (uint8_t)(value >> 16);
+    out[4] = (uint8_t)(value >> 40);
+    out[5] = (uint8_t)(value >> 32);
+    out[6] = (uint8_t)(value >> 56);
+    out[7] = (uint8_t)(value >> 48);
+}
+
+/* ---- u64_le ---- */
+
+DEVICE_INLINE uint64_t device_load_u64_le(const uint8_t *in)
+{
+    return (uint64_t)in[0] | ((uint64_t)in[1] << 8) |
+           ((uint64_t)in[2] << 16) | ((uint64_t)in[3] << 24) |
+           ((uint64_t)in[4] << 32) | ((uint64_t)in[5] << 40) |
+           ((uint64_t)in[6] << 48) | ((uint64_t)in[7] << 56);
+}
+
+DEVICE_INLINE void device_store_u64_le(uint8_t *out, uint64_t value)
+{
+#ifdef DEVICE_STORES_AT_ONCE
+    DEVICE_COPY(out, &value, sizeof value);
+#else
+    out[0] = (uint8_t)value;
+    out[1] = (uint8_t)(value >> 8);
+    out[2] = (uint8_t)(value >> 16);
+    out[3] = (uint8_t)(value >> 24);
+    out[4] = (uint8_t)(value >> 32);
+    out[5] = (uint8_t)(value >> 40);
+    out[6] = (uint8_t)(value >> 48);
+    out[7] = (uint8_t)(value >> 56);
+#endif
+}
+
+/* ---- u64_le_words_be ---- */
+
+DEVICE_INLINE uint64_t device_load_u64_le_words_be(const uint8_t *in)
+{
+    return ((uint64_t)in[0] << 48) | ((uint64_t)in[1] << 56) |
+           ((uint64_t)in[2] << 32) | ((uint64_t)in[3] << 40) |
+           ((uint64_t)in[4] << 16) | ((uint64_t)in[5] << 24) |
+           (uint64_t)in[6] | ((uint64_t)in[7] << 8);
+}
+
+DEVICE_INLINE void device_store_u64_le_words_be(uint8_t *out, uint64_t value)
+{
+    out[0] = (uint8_t)(value >> 48);
+    out[1] = (uint8_t)(value >> 56);
+    out[2] = (uint8_t)(value >> 32);
+    out[3] = (uint8_t)(value >> 40);
+    out[4] = (uint8_t)(value >> 16);
+    out[5] = (uint8_t)(value >> 24);
+    out[6] = (uint8_t)value;
+    out[7] = (uint8_t)(value >> 8);
+}
+
+/* ---- signed ---- */
+
+DEVICE_INLINE int8_t device_signed_8(uint8_t raw)
+{
+    return (int8_t)((raw & 0x80u) ? -(int32_t)(uint8_t)~raw - 1 : (int32_t)raw);
+}
+
+DEVICE_INLINE int16_t device_signed_16(uint16_t raw)
+{
+    return (int16_t)((raw & 0x8000u) ? -(int32_t)(uint16_t)~raw - 1 : (int32_t)raw);
+}
+
+DEVICE_INLINE int32_t device_signed_32(uint32_t raw)
+{
+    return (int32_t)((raw & 0x80000000u) ? -(int32_t)(uint32_t)~raw - 1 : (int32_t)raw);
+}
+
+DEVICE_INLINE int64_t device_signed_64(uint64_t raw)
+{
+    return (int64_t)((raw & UINT64_C(0x8000000000000000)) ? -(int64_t)(uint64_t)~raw - 1 : (int64_t)raw);
+}
+
+/* ---- float ---- */
+
+DEVICE_INLINE float device_float_of(uint32_t bits)
+{
+    float value;
+    DEVICE_COPY(&value, &bits, sizeof value);
+    return value;
+}
+
+DEVICE_INLINE uint32_t device_bits_of(float value)
+{
+    uint32_t bits;
+    DEVICE_COPY(&bits, &value, sizeof bits);
+    return bits;
+}
+
+/* ---- text ---- */
+
+static inline bool device_is_ascii(const uint8_t *in, size_t size)
+{
+    size_t at;
+    for (at = 0; at < size; at++) {
+        if (in[at] > 127u) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** Whether a text of at most size characters has no others than those of ASCII. */
+static inline bool device_is_text(const char *text, size_t size)
+{
+    size_t at;
+    for (at = 0; at < size && text[at] != '\0'; at++) {
+        if ((uint8_t)text[at] > 127u) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** Writes a text of at most size characters, filled up with zeros. */
+static inline void device_put_text(uint8_t *out, const char *text, size_t size)
+{
+    size_t at;
+    DEVICE_CLEAR(out, size);
+    for (at = 0; at < size && text[at] != '\0'; at++) {
+        out[at] = (uint8_t)text[at];
+    }
+}
+
+/* ---- hexadecimal ---- */
+
+/** The value of a hexadecimal digit; more than 15 for any other character. */
+static inline uint8_t device_digit(uint8_t character)
+{
+    if (character >= 0x30u && character <= 0x39u) {
+        return (uint8_t)(character - 0x30u);
+    }
+    if (character >= 0x41u && character <= 0x46u) {
+        return (uint8_t)(character - 0x37u);
+    }
+    if (character >= 0x61u && character <= 0x66u) {
+        return (uint8_t)(character - 0x57u);
+    }
+    return 0xFFu;
+}
+
+static inline uint8_t device_hex_digit(uint8_t value)
+{
+    return (uint8_t)(value < 10u ? value + 0x30u : value + 0x37u);
+}

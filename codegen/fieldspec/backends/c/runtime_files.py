@@ -1,0 +1,111 @@
+"""C that is the same in all headers but for the prefix of its names: the files of `runtime/`, and their parts.
+
+The names in these files begin with `device_` and `DEVICE_`. A file has parts where a line such as
+`/* ---- u16_be ---- */` begins each.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+
+from fieldspec.backends.c.declarations import Source
+from fieldspec.backends.c.naming import Naming
+from fieldspec.backends.c.values import WireValue, access_name
+from fieldspec.backends.forms import text
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import Orders, RecordLayout
+from fieldspec.model.value import Kind
+
+_FOLDER = "backends/c/runtime"
+_PART = re.compile(r"^/\* ---- (\w+) ---- \*/\n\n", re.MULTILINE)
+_PREFIXED = re.compile(r"\b(?:device|DEVICE)_(\w+)")
+_STATUS = re.compile(r"^    DEVICE_(\w+) = ", re.MULTILINE)
+
+
+def copy_runtime(naming: Naming, file: str, part: str = "") -> Source:
+    """A file, or a part of it, with the names of a device."""
+    content = _parts(file)[part] if part else text(f"{_FOLDER}/{file}")
+    return Source(_PREFIXED.sub(lambda match: _device_name(naming, match), content))
+
+
+def _device_name(naming: Naming, match: re.Match[str]) -> str:
+    name = match[1]
+    return naming.own_macro(name.lower()) if match[0][0] == "D" else naming.own(name)
+
+
+@cache
+def _parts(file: str) -> dict[str, str]:
+    """The parts of a file by their names."""
+    _, *pieces = _PART.split(text(f"{_FOLDER}/{file}"))
+    return dict(zip(pieces[::2], pieces[1::2], strict=True))
+
+
+def runtime_parts(file: str) -> list[str]:
+    """The names of a file's parts."""
+    return list(_parts(file))
+
+
+def status_names() -> list[str]:
+    """The constants of the status in the order of their numbers: `ok`, `err_incomplete`, ..."""
+    return [name.lower() for name in _STATUS.findall(text(f"{_FOLDER}/status.h"))]
+
+
+def runtime_macros() -> list[str]:
+    """The macros that every header defines."""
+    defined = re.findall(r"#define DEVICE_(\w+)", text(f"{_FOLDER}/machine.h"))
+    return [*dict.fromkeys(name.lower() for name in defined), *status_names()]
+
+
+def copy_checksums(naming: Naming, algorithms: set[str]) -> list[list[Source]]:
+    """The functions of the checksums that the device's links use."""
+    return [[copy_runtime(naming, "checksums.h", name)] for name in sorted(algorithms)]
+
+
+def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
+    """The functions for the numbers, texts and characters that the device has."""
+    kinds = {wire.kind for wire in _wire_values(layout)}
+    characters = any(link.link.encoding == "hex_ascii" for link in layout.links.values())
+    parts = [
+        *_accesses(layout),
+        "signed",
+        *(["float"] if Kind.FLOAT in kinds else []),
+        *(["text"] if Kind.TEXT in kinds else []),
+        *(["hexadecimal"] if characters else []),
+    ]
+    return [[copy_runtime(naming, "numbers.h", part)] for part in parts]
+
+
+def _accesses(layout: DeviceLayout) -> list[str]:
+    """The widths and orders of the device's numbers, as in the names of the functions that load and store them."""
+    used = {wire.access for wire in _wire_values(layout) if not wire.is_array}
+    for link in layout.links.values():
+        for frame in (link.request, link.response):
+            used |= {access_name(part.size, part.order, False) for part in (*frame.head, *frame.tail)}
+    return [name for name in runtime_parts("numbers.h") if name in used]
+
+
+def _wire_values(layout: DeviceLayout) -> Iterator[WireValue]:
+    """The values of records, registers and parameters, as they lie in bytes."""
+    device = layout.device
+    orders = Orders(device.byte_order, device.word_order)
+    for record in all_records(layout):
+        for field in record.fields:
+            if field.value is not None:
+                yield WireValue(field.value, field.order, field.swapped)
+            yield from (WireValue(case.value, case.order, case.swapped) for case in field.cases)
+    for register in layout.registers:
+        yield WireValue(register.register.value, register.order, register.swapped)
+    for parameters in device.parameters.values():
+        for parameter in parameters.parameters:
+            for value in (parameter.value, *(inner.value for inner in parameter.subindices)):
+                yield WireValue(value, *orders.of(value))
+
+
+def all_records(layout: DeviceLayout) -> Iterator[RecordLayout]:
+    """The records of a device, then the data of its messages."""
+    yield from layout.records.values()
+    for message in layout.messages.values():
+        yield message.request
+        yield message.response

@@ -1,0 +1,177 @@
+"""Values for self-tests and their bytes, worked out from the layout by other means than the C functions."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from fieldspec.backends.c.enums import available_members
+from fieldspec.backends.c.fields import case_member, count_member, greatest_count, is_set_by_user, members
+from fieldspec.backends.c.naming import member
+from fieldspec.classes import dataclass
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.device import Device
+from fieldspec.model.value import Kind, Value
+
+ValuePicker = Callable[[Device, Value], Any]
+
+
+# Records whose selector has a value
+
+
+@dataclass(frozen=True, slots=True)
+class RecordForm:
+    """A record without cases, and the record with cases of which it is a form: that one has the struct.
+
+    `case` is the member of the union, empty where there is none.
+    """
+
+    record: RecordLayout
+    struct: RecordLayout
+    case: str
+
+    def member_names(self, field: FieldLayout) -> tuple[str, ...]:
+        """The member that has a field's values, and the member in that one where it is a union."""
+        name = member(field.name)
+        return (name, self.case) if self.case and field is self.record.fields[-1] else (name,)
+
+    def count_name(self, field: FieldLayout) -> str:
+        """The member that has the number of elements."""
+        return count_member(self.struct, field)
+
+
+def all_forms(record: RecordLayout) -> Iterator[tuple[RecordForm, dict[str, Any]]]:
+    """Each form of a record, and the value of the selector that chooses it."""
+    if record.selector is None:
+        yield RecordForm(record, record, ""), {}
+        return
+    in_struct = record.selector in members(record)
+    for number in record.chosen:
+        values = {record.selector.name: number}
+        yield form_of_values(record, values), values if in_struct else {}
+
+
+def form_of_values(record: RecordLayout, values: Mapping[str, Any]) -> RecordForm:
+    """The form of a record that has some values."""
+    if record.selector is None:
+        return RecordForm(record, record, "")
+    constant = record.selector.value.const if record.selector.value is not None else None
+    number = values[record.selector.name] if constant is None else constant
+    case = next(case for case in record.fields[-1].cases if number in case.numbers)
+    return RecordForm(record.chosen[number], record, case_member(case))
+
+
+# Values
+
+
+def low_value(device: Device, value: Value) -> Any:
+    """A value that is always taken: 0 where it is in range."""
+    if value.type.kind is Kind.TEXT:
+        return ""
+    if value.type.kind is Kind.BYTES:
+        return bytes(value.size)
+    if value.type.kind is Kind.FLOAT:
+        return 0.0 if value.ranges is None or 0 in value.ranges else float(value.ranges.low)
+    numbers = legal_numbers(device, value)
+    return 0 if 0 in numbers else numbers[0]
+
+
+def high_value(device: Device, value: Value) -> Any:
+    """A value that is as different from it as can be."""
+    if value.type.kind is Kind.TEXT:
+        return "".join(chr(0x41 + at % 26) for at in range(value.size))
+    if value.type.kind is Kind.BYTES:
+        return bytes((0xA1 + at) & 0xFF for at in range(value.size))
+    if value.type.kind is Kind.FLOAT:
+        return -1.5 if value.ranges is None else float(value.ranges.high)
+    return legal_numbers(device, value)[-1]
+
+
+def legal_numbers(device: Device, value: Value) -> list[int]:
+    """Numbers that are taken, the least and the greatest of each interval among them."""
+    ranges = value.writable_ranges
+    if value.enum and not device.enums[value.enum].open:
+        numbers = sorted(member.value for member in available_members(device.enums[value.enum]))
+        inside = [number for number in numbers if ranges is None or number in ranges]
+        return inside or numbers
+    if ranges is not None:
+        return [bound for pair in ranges.intervals for bound in pair]
+    return [0, value.type.low, value.type.high]
+
+
+def record_value(device: Device, record: RecordLayout) -> dict[str, Any]:
+    """Low values for all members of a record; lists are as short as they may be, but not empty."""
+    return {field.name: field_sample(device, field, low_value) for field in members(record)}
+
+
+def field_sample(device: Device, field: FieldLayout, pick: ValuePicker) -> Any:
+    """A value for a field, a list of them where it is a list."""
+
+    def sample() -> Any:
+        if field.record is None:
+            assert field.value is not None
+            return pick(device, field.value)
+        return {inner.name: field_sample(device, inner, pick) for inner in members(field.record)}
+
+    if not field.is_list:
+        return sample()
+    repeat = field.field.repeat
+    count = greatest_count(field) if repeat is None else max(repeat.low, min(1, repeat.high))
+    return [sample() for _ in range(count)]
+
+
+# Bytes
+
+
+def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
+    """The bytes of a record."""
+    data = b""
+    for field in record.fields:
+        if field.field.measures is not None:
+            value: Any = _measured_size(record, field, values)
+        elif is_set_by_user(field):
+            value = values.get(field.name)
+        else:
+            value = _fixed_value(field)
+        for item in value if field.is_list else [value]:
+            data += record_bytes(field.record, item) if field.record else _element_bytes(field, item)
+    return data
+
+
+def _fixed_value(field: FieldLayout) -> Any:
+    """What a field has that no user sets."""
+    assert field.value is not None
+    default = field.value.default if isinstance(field.value.default, int) else 0
+    value: Any = field.value.const if field.value.const is not None else default
+    if field.value.type.letter == "s":
+        value = b""
+    return [value] * (field.count or 1) if field.is_list else value
+
+
+def _measured_size(record: RecordLayout, field: FieldLayout, values: dict[str, Any]) -> int:
+    measure = field.field.measures
+    assert measure is not None
+    other = record.named(measure.field)
+    assert other is not None
+    items = len(values[other.name]) if other.is_list else 1
+    return items * other.size if measure.of == "bytes" else items
+
+
+def _element_bytes(field: FieldLayout, item: Any) -> bytes:
+    assert field.value is not None
+    return value_bytes(field.value, field.order, field.swapped, item)
+
+
+def value_bytes(value: Value, order: str, swapped: bool, item: Any) -> bytes:
+    """The bytes of a value in an order."""
+    kind = value.type.kind
+    if kind in (Kind.TEXT, Kind.BYTES):
+        data = item.encode("ascii") if isinstance(item, str) else bytes(item)
+        return data.ljust(value.size, b"\0")
+    number = int.from_bytes(struct.pack(">f", item), "big") if kind is Kind.FLOAT else int(item)
+    words_little = (order == "little") != swapped
+    data = (number & ((1 << 8 * value.size) - 1)).to_bytes(value.size, "little" if words_little else "big")
+    if swapped:
+        return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+    return data

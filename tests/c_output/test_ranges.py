@@ -1,0 +1,49 @@
+"""A closed enum and a range are both tested only where the enum has a member beside the range."""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from fieldspec.backends.c.backend import header
+from fieldspec.backends.c.naming import Naming
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.value import Kind, Value
+from laid_out import MADE_UP, SPECS, layouts
+
+NEWEST = [versions[-1] for root in (SPECS, MADE_UP) for versions in layouts(root).values()]
+
+
+def expected_errors(layout: DeviceLayout, value: Value) -> tuple[bool, bool]:
+    """Whether a number that the enum does not know, and one that it takes and that is out of range, can be written."""
+    sentinels = {sentinel.value for sentinel in value.sentinels}
+    enum = layout.device.enums[value.enum] if value.enum else None
+    closed = enum is not None and not enum.open
+    ranges = value.writable_ranges
+    if enum is not None and closed:
+        numbers = {member.value for member in enum.members if not member.unavailable}
+    else:
+        intervals = ranges.intervals if ranges is not None else ()
+        numbers = {number for low, high in intervals for number in (low - 1, high + 1)}
+    attempts = {number for number in numbers if value.type.low <= number <= value.type.high} - sentinels
+    return closed, ranges is not None and any(number not in ranges for number in attempts)
+
+
+@pytest.mark.parametrize("layout", NEWEST, ids=[layout.device.id for layout in NEWEST])
+def test_a_register_tests_nothing_that_another_test_implies(layout: DeviceLayout) -> None:
+    naming = Naming(layout.device.id)
+    text = header(layout, naming)
+    for register in layout.registers:
+        value = register.register.value
+        if value.type.kind is not Kind.INTEGER or value.const is not None:
+            continue
+        name = naming.function("register", register.name, "encode")
+        function = re.search(rf"{name}\(.*?\n}}\n", text, re.DOTALL)
+        assert function is not None
+        errors = tuple(naming.own_macro(error) in function[0] for error in ("err_unknown_value", "err_out_of_range"))
+        assert errors == expected_errors(layout, value), register.name

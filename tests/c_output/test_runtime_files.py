@@ -1,0 +1,111 @@
+"""The files of C that headers, self-tests and fuzz targets are made of compile on their own, without a warning."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from compiling import compiled
+
+from fieldspec.backends.c import runtime_files
+
+FOLDER = Path(runtime_files.__file__).parent
+RUNTIME = FOLDER / "runtime"
+STANDARD = ["stdbool.h", "stddef.h", "stdint.h", "stdlib.h", "string.h"]
+
+# What a file needs before it, and statements that use all of it.
+PROGRAMS = {
+    "machine.h": ([], "uint8_t out[2] = {1, 2}, in[2] = {0, 0}; DEVICE_COPY(in, out, 2); DEVICE_CLEAR(out, 2);"),
+    "status.h": ([], "device_codec_status status = DEVICE_OK; (void)status;"),
+    "code_text.h": ([], "device_code_text text = {1, -1, 0, 0, 0, 0, 0, 0}; (void)text;"),
+    "numbers.h": (
+        ["machine.h"],
+        "uint8_t out[8]; device_store_u64_be_words_le(out, UINT64_C(0x0102030405060708));"
+        " if (out[0] != 7 || device_load_u64_be_words_le(out) != UINT64_C(0x0102030405060708)) return 1;"
+        " if (device_signed_16(0x8000u) != -32768 || device_digit(0x66u) != 15u) return 1;",
+    ),
+    "checksums.h": (
+        [],
+        'const uint8_t *text = (const uint8_t *)"123456789"; if (device_crc16_modbus(text, 9) != 0x4B37u) return 1;'
+        " if (device_sum8(text, 9) != 0xDDu || device_lrc(text, 9) != 0x23u) return 1;",
+    ),
+    "selftest_support.h": (
+        [],
+        'told = NULL; expect(same_text("a", "a"), ""); copy(&failed, &failed, 1); clear(&failed, 1);'
+        ' if (passed != 1 || !same_bytes("a", "a", 1)) return 1;',
+    ),
+    "fuzz_macros.h": (
+        ["status.h", "functions"],
+        "RECORD(uint8_t, decode, encode, 1, 1); PACKED(uint8_t, unpack, pack, 1); FIXED(decode_nothing, encode_nothing,"
+        " 1, 1); VALUE(uint8_t, read_value, write_value, 1, 1); ARRAY(uint8_t value[1], unpack_status, write_array, 1,"
+        " 1); CONSTANT(uint8_t, read_value, write_constant, 1); TRIGGER(uint8_t, read_value, write_value, 1, 1);"
+        " ADDRESS(uint16_t, at); CONVERSION(uint8_t, from_raw, to_raw, 1);",
+    ),
+}
+FUNCTIONS = """
+static const uint8_t data[] = {7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+static const size_t size = 1;
+static void hold(bool so) { if (!so) abort(); }
+static device_codec_status decode(const uint8_t *in, size_t length, uint8_t *out)
+{ *out = in[0]; return length == 1 ? DEVICE_OK : DEVICE_ERR_WRONG_LENGTH; }
+static device_codec_status encode(const uint8_t *in, uint8_t *out, size_t capacity, size_t *length)
+{ if (capacity < 1) return DEVICE_ERR_CAPACITY; out[0] = *in; *length = 1; return DEVICE_OK; }
+static device_codec_status decode_nothing(const uint8_t *in, size_t length)
+{ (void)in; return length == 1 ? DEVICE_OK : DEVICE_ERR_WRONG_LENGTH; }
+static device_codec_status encode_nothing(uint8_t *out, size_t capacity, size_t *length)
+{ if (capacity < 1) return DEVICE_ERR_CAPACITY; out[0] = 7; *length = 1; return DEVICE_OK; }
+static void unpack(const uint8_t *in, uint8_t *out) { *out = in[0]; }
+static void pack(const uint8_t *in, uint8_t *out) { out[0] = *in; }
+static device_codec_status unpack_status(const uint8_t *in, uint8_t *out) { *out = in[0]; return DEVICE_OK; }
+static device_codec_status write_array(const uint8_t *in, uint8_t *out) { *out = in[0]; return DEVICE_OK; }
+static device_codec_status read_value(const uint8_t *in, uint8_t *out) { *out = in[0]; return DEVICE_OK; }
+static device_codec_status write_value(uint8_t value, uint8_t *out) { out[0] = value; return DEVICE_OK; }
+static device_codec_status write_constant(uint8_t *out) { out[0] = 7; return DEVICE_OK; }
+static device_codec_status at(uint32_t number, uint16_t *address)
+{ *address = (uint16_t)number; return number < 9 ? DEVICE_OK : DEVICE_ERR_OUT_OF_RANGE; }
+static double from_raw(uint8_t raw, double reference) { return reference * raw; }
+static device_codec_status to_raw(double quantity, double reference, uint8_t *raw)
+{ (void)quantity; (void)reference; *raw = 0; return DEVICE_ERR_OUT_OF_RANGE; }
+"""
+
+
+def test_every_file_has_a_program() -> None:
+    assert sorted(PROGRAMS) == sorted(path.name for path in RUNTIME.iterdir())
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang", "g++", "tcc"])
+@pytest.mark.parametrize("file", PROGRAMS)
+def test_a_file_compiles_on_its_own_and_does_what_it_says(file: str, compiler: str, tmp_path: Path) -> None:
+    before, statements = PROGRAMS[file]
+    lines = [f"#include <{name}>" for name in STANDARD]
+    lines += [FUNCTIONS if name == "functions" else f'#include "{RUNTIME / name}"' for name in [*before, file]]
+    source = tmp_path / "program.c"
+    source.write_text("\n".join([*lines, f"int main(void) {{ {statements} return 0; }}\n"]), encoding="utf-8")
+    program = compiled(compiler, source, tmp_path / "program")
+    assert subprocess.run([str(program)], check=False).returncode == 0
+
+
+def test_every_order_of_bytes_has_a_function_that_loads_and_one_that_stores() -> None:
+    parts = [part for part in runtime_files.runtime_parts("numbers.h") if part.startswith("u")]
+    assert len(parts) == 11
+    text = (RUNTIME / "numbers.h").read_text("utf-8")
+    assert [part for part in parts for verb in ("load", "store") if f" device_{verb}_{part}(" not in text] == []
+
+
+def test_no_generator_looks_at_what_it_has_written() -> None:
+    # These look at texts of specs and at files of C, before anything is written.
+    readers = {"declarations.py", "expressions.py", "runtime_files.py"}
+    users = set()
+    for path in FOLDER.glob("*.py"):
+        tree = ast.parse(path.read_text("utf-8"))
+        if any(
+            isinstance(node, ast.Import) and "re" in [alias.name for alias in node.names] for node in ast.walk(tree)
+        ):
+            users.add(path.name)
+    assert users == readers
