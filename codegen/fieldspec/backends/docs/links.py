@@ -294,10 +294,7 @@ def length_text(around: int, record: RecordLayout) -> str:
 
 
 ENCODINGS = {"binary": "bytes as they are", "hex_ascii": "each byte as two hexadecimal characters, the high one first"}
-ORDERS = {
-    "big": "the most significant first",
-    "little": "the least significant first",
-}
+ORDERS = {"big": "the most significant first", "little": "the least significant first"}
 
 
 def links(context: Context) -> Section:
