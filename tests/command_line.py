@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import pytest
 
 from fieldspec.cli import main
-from fieldspec.commands import compiled
+from fieldspec.commands import layout_cache
 
 SPECS = Path(__file__).resolve().parent.parent / "specs"
 MADE_UP = Path(__file__).resolve().parent / "specs"
@@ -35,7 +35,7 @@ class CommandLine:
 
     def __init__(self, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
         self.capsys, self.monkeypatch, self.folder = capsys, monkeypatch, folder
-        monkeypatch.setattr(compiled, "layout", _layout)
+        monkeypatch.setattr(layout_cache, "layout", _layout)
 
     def __call__(self, *arguments: str, stdin: bytes = b"") -> Ran:
         self.monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BufferedReader(io.BytesIO(stdin))))
@@ -47,4 +47,4 @@ class CommandLine:
         return json.loads(self(*arguments, "--format", "json", stdin=stdin).out)
 
 
-_layout = cache(compiled.layout)
+_layout = cache(layout_cache.layout)

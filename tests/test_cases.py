@@ -19,7 +19,7 @@ from fieldspec.audit.register_dump import compared, judged
 from fieldspec.audit.review import sign_off
 from fieldspec.audit.section import Subject
 from fieldspec.backends import OUTPUTS
-from fieldspec.commands.sources import files as specs
+from fieldspec.commands.spec_files import files as specs
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.facts import rows
 from fieldspec.lists.dump import dump

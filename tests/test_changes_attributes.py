@@ -105,6 +105,8 @@ def devices() -> tuple[Device, ...]:
 def classes() -> Iterator[type]:
     """All dataclasses of the model."""
     for module in iter_modules(fieldspec.model.__path__, "fieldspec.model."):
+        if module.name == "fieldspec.model.attributes":
+            continue  # it describes these classes
         for held in vars(import_module(module.name)).values():
             if dataclasses.is_dataclass(held) and isinstance(held, type) and held.__module__ == module.name:
                 yield held

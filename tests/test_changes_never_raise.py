@@ -7,7 +7,7 @@ import random
 import pytest
 
 from fieldspec.changes import changes
-from fieldspec.changes.judging import Compared, accepts_used, judged
+from fieldspec.changes.acceptances import ComparedVersions, accepts_used, judged_changes
 from fieldspec.reading.building.device import built
 from fieldspec.reading.nodes import Mapping, Node
 from fieldspec.reading.scalars import violations_at
@@ -38,8 +38,8 @@ def test_broken_devices_are_compared(seed: int) -> None:
         for old, new in ((sound, device), (device, sound)):
             found = changes(old, new)
             assert [change for change in found if change.old == change.new] == []
-            held = Compared(old, new, found, step=True)
-            assert len(judged(held)) == len(found)
+            held = ComparedVersions(old, new, found, step=True)
+            assert len(judged_changes(held)) == len(found)
             list(accepts_used([held]))
         compared += 1
         if compared == ROUNDS:

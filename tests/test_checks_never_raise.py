@@ -50,7 +50,7 @@ def trees() -> tuple[Mapping, ...]:
     folders = [TESTS.parent / "specs", TESTS / "specs", *sorted(TESTS.glob("cases/*/*"))]
     for folder in folders:
         files = {}
-        for path in sorted(folder.rglob("*.yaml")):
+        for path in sorted(path for path in folder.rglob("*.yaml") if path.is_file()):
             inside = path.relative_to(folder).as_posix()
             files[inside if "/" in inside else f"gadget/{inside}"] = path.read_bytes()
         project = read(files)

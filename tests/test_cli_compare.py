@@ -234,6 +234,12 @@ def test_the_text_says_which_columns_are_used_and_what_differs(run: CommandLine)
     )
 
 
+def test_at_most_ten_rows_without_an_address_are_named(run: CommandLine) -> None:
+    text = "Address,Name\n0x10,speed\n" + "Axis,\n" * 12
+    out = run("compare", "gadget", "-", stdin=text.encode()).out
+    assert "rows without an address: 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 and 2 more\n" in out
+
+
 def test_csv_has_a_row_for_each_result_and_no_formula(run: CommandLine) -> None:
     text = "Address,Name\n0x10,=1+2\n0x999,@x\n"
     ran = run("compare", "gadget", "-", "--format", "csv", stdin=text.encode())

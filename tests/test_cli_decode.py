@@ -77,7 +77,7 @@ def test_every_good_example_is_explained_with_exit_code_0(run: CommandLine, exam
 def test_every_example_that_is_refused_is_explained_with_exit_code_1(run: CommandLine, example: Example) -> None:
     found = run("decode", "widget", example.frame.hex(), "--direction", example.direction)
     assert found.code == 1
-    assert "this is no good frame of widget" in found.out
+    assert "this is not a valid frame of widget" in found.out
     assert any(line.startswith("wrong: ") for line in found.lines)
     assert example.refused in decoded(run, example.frame.hex(), "--direction", example.direction)["reasons"]
 
@@ -144,8 +144,8 @@ def test_the_request_gives_a_response_its_registers(run: CommandLine) -> None:
 @pytest.mark.parametrize(
     ("frame", "request_frame", "said"),
     [
-        (ANSWER, "01 03 10 00 00 03 01 0B", "the request asks for 3 words, and the response has 2"),
-        (ANSWER, "02 03 10 00 00 02 C0 F8", "station is 1, and 2 in the request"),
+        (ANSWER, "01 03 10 00 00 03 01 0B", "the request asks for 3 words, but the response has 2"),
+        (ANSWER, "02 03 10 00 00 02 C0 F8", "station is 1, but 2 in the request"),
         ("01 06 20 00 00 06 02 08", WRITE, "value does not repeat the request: should be 5"),
     ],
 )
@@ -170,7 +170,7 @@ def test_a_value_beyond_the_manual_is_doubtful_and_not_wrong(run: CommandLine) -
 def test_a_frame_of_characters_shows_them_beside_their_bytes(run: CommandLine) -> None:
     found = run("decode", "widget", r":010310000002EA")
     assert found.code == 0
-    assert "the text lacks CR LF at the end of the frame, which is taken as sent" in found.lines
+    assert "CR LF is missing at the end of the text and is assumed to have been sent" in found.lines
     assert any(line.split()[:4] == ["5", "1000", "10", "00"] for line in found.lines)
 
 
@@ -200,7 +200,7 @@ def test_a_misprint_of_the_manual_is_recognised(
         (["decode", "widget@9", READ], "there is no version of widget 9"),
         (["decode", "widget", "hello"], "this is no frame: there are no bytes in it"),
         (["decode", "widget", "01 0"], None),
-        (["decode", "widget", "01 06 xx"], "this is no frame: `xx` is no byte in hexadecimal digits"),
+        (["decode", "widget", "01 06 xx"], "this is no frame: `xx` is not a byte in hexadecimal digits"),
         (["decode", "widget", "# 01"], "this is no frame: there are no bytes in it"),
         (["decode", "widget", READ, "--link", "rto"], "there is no link rto; did you mean rtu?"),
         (["decode", "widget", READ, "--message", "stopp"], "there is no message stopp; did you mean stop?"),

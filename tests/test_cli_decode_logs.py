@@ -157,7 +157,7 @@ def test_lines_that_cannot_be_read_are_reported_and_do_not_stop_the_run(run: Com
     assert found.code == 1
     assert found.err.splitlines() == [
         "fieldspec: line 1: there are no bytes in it",
-        "fieldspec: line 3: `xx` is no byte in hexadecimal digits",
+        "fieldspec: line 3: `xx` is not a byte in hexadecimal digits",
     ]
     assert [line for line in found.lines if line.startswith("line ")] == [
         f"line {number}: read_registers request, rtu, Widget 2.0: Read registers" for number in (2, 4)

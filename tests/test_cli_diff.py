@@ -210,7 +210,7 @@ def test_what_the_old_side_has_accepted_already_counts_no_more(run: Run, tmp_pat
     [
         (ACCEPTS.replace("registers/speed", "registers/sped"), "finds no change at `registers/sped`"),
         (ACCEPTS.replace("register_moved", "scale_changed"), "`scale_changed` finds no change"),
-        (ACCEPTS.replace("register_moved", "register_move"), "there is no rule `register_move`"),
+        (ACCEPTS.replace("register_moved", "register_move"), "there is no rule of changes `register_move`"),
     ],
 )
 def test_accepting_what_has_not_happened_is_an_error(run: Run, tmp_path: Path, accepts: str, said: str) -> None:

@@ -76,5 +76,6 @@ def test_a_part_of_a_value_that_must_be_accessed_in_one_request_is_pointed_out(r
     frame = run("encode", "ck10", "read_registers", "station=1", "address=resolution", "word_count=1").lines[0]
     found = run("decode", "ck10", frame)
     assert (
-        "note on resolution: The frame holds a part of its words, which must be accessed in one request." in found.lines
+        "note on resolution: The frame contains only some of its words, which must be accessed in one request."
+        in found.lines
     )

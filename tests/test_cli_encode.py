@@ -102,9 +102,9 @@ def test_what_is_encoded_can_be_decoded(run: CommandLine) -> None:
         ([*READ, "--link", "tcp"], "there is no link tcp; there are ascii, packet, rtu"),
         (READ[:3], "missing_value: word_count is not given; the request has the fields station, address, word_count"),
         ([*READ, "adress=1"], "there is no field adress; did you mean address?"),
-        ([*READ, "station=2"], "station is given twice"),
-        ([*READ[:3], "word_count"], "word_count is no NAME=VALUE"),
-        ([*READ[:3], "=1"], "=1 is no NAME=VALUE"),
+        ([*READ, "station=2"], "station has two values"),
+        ([*READ[:3], "word_count"], "word_count is not of the form NAME=VALUE"),
+        ([*READ[:3], "=1"], "=1 is not of the form NAME=VALUE"),
         ([*READ[:3], "word_count=11"], "out_of_range: word_count is 11, not in 1..10"),
         ([*READ[:3], "word_count=two"], "word_count: `two` is no number; give a count"),
         (["read_registers", "station=99", *READ[2:]], "out_of_range: station is 99"),
@@ -115,9 +115,9 @@ def test_what_is_encoded_can_be_decoded(run: CommandLine) -> None:
         (["nest", *PACKET, "nest=4", "nest.color=1"], "nest.color: nest has a value of its own"),
         (["read_corners", *PACKET, "count=1", "corners.1.x=1"], "there is no field corners"),
         (["write_one", *PACKET, "number=1", "value=1", "--direction", "sideways"], "there is no direction sideways"),
-        ([], "nothing says which message it is; widget has "),
-        (["station=1"], "nothing says which message it is; widget has "),
-        (["--message", "stop", "stop"], "stop is no NAME=VALUE"),
+        ([], "name the message; widget has "),
+        (["station=1"], "name the message; widget has "),
+        (["--message", "stop", "stop"], "stop is not of the form NAME=VALUE"),
     ],
 )
 def test_wrong_use_says_what_is_wrong(run: CommandLine, arguments: list[str], said: str) -> None:
@@ -215,3 +215,9 @@ def test_what_can_only_be_read_is_read_and_echoed(run_on_devices: CommandLine) -
     assert run("encode", "ck10", "read_registers", "station=1", "address=0x4E26", "word_count=3").code == 0
     echo = ["write_register", "station=1", "address=0x4E26", "value=1", "--direction", "response"]
     assert run("encode", "ck10", *echo).code == 0
+
+
+def test_a_count_of_a_register_has_no_leading_zeros(run: CommandLine) -> None:
+    ran = run("encode", "widget", *WRITE, "values=-1.00 mm, 007")
+    assert (ran.code, ran.out) == (2, "")
+    assert "`007` is no number" in ran.err

@@ -6,7 +6,7 @@ import pytest
 from rich.console import Console
 
 from command_line import MADE_UP, SPECS, CommandLine
-from fieldspec.commands import output
+from fieldspec.commands import terminal
 from fieldspec.plc.layout.memory import MEMORIES
 from laid_out import newest
 
@@ -96,7 +96,7 @@ def test_cells_of_members_that_say_nothing_are_empty(run: CommandLine) -> None:
 
 def test_a_drawing_is_not_broken_on_a_narrow_terminal(run: CommandLine, monkeypatch: pytest.MonkeyPatch) -> None:
     wide = [line for line in run("layout", "hiwin-e", "111", "--target", "tc3:2").lines if line.endswith("|")]
-    monkeypatch.setattr(output, "on_terminal", lambda: True)
-    monkeypatch.setattr(output, "_console", lambda: Console(width=30, highlight=False))
+    monkeypatch.setattr(terminal, "on_terminal", lambda: True)
+    monkeypatch.setattr(terminal, "_console", lambda: Console(width=30, highlight=False))
     narrow = [line for line in run("layout", "hiwin-e", "111", "--target", "tc3:2").lines if line.endswith("|")]
     assert [line for line in narrow if line in wide] == wide

@@ -9,7 +9,7 @@ import pytest
 
 from command_line import SPECS
 from fieldspec.cli import main
-from fieldspec.commands.compiled import layout
+from fieldspec.commands.layout_cache import layout
 
 
 @pytest.fixture
@@ -63,14 +63,14 @@ def test_a_version_of_another_line_stands_behind_the_last_one_of_it(folder: Path
         (("device", "tc100", "--protocol", "modbus"), "there is a file"),
         (("device", "x", "--protocol", "modbuss"), "there is no protocol modbuss; did you mean modbus?"),
         (("device", "x"), "there is no protocol"),
-        (("device", "My Drive", "--protocol", "packet"), "My Drive is no name of a device"),
-        (("device", "../x", "--protocol", "packet"), "../x is no name of a device"),
+        (("device", "My Drive", "--protocol", "packet"), "My Drive is not a valid name of a device"),
+        (("device", "../x", "--protocol", "packet"), "../x is not a valid name of a device"),
         (("device", "x", "1.0", "--protocol", "packet"), "a new device has no version yet"),
         (("version", "tc100"), "name the version"),
         (("version", "tc100", "2.0"), "tc100 has a version 2.0 already"),
         (("version", "tc100", "2.1", "--based-on", "1.9"), "there is no version of tc100 1.9"),
         (("version", "tc100", "2.1", "--line", "software"), "there is no line of versions of tc100 software"),
-        (("version", "tc100", "../2.1"), "../2.1 is no name of a version"),
+        (("version", "tc100", "../2.1"), "../2.1 is not a valid name of a version"),
         (("version", "nothing", "2.1"), "there is no device nothing"),
     ],
 )

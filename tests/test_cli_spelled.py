@@ -132,7 +132,7 @@ def test_a_frame_of_characters_is_read_as_it_stands(text: str) -> None:
 def test_an_end_mark_that_the_text_lacks_is_added_and_said(text: str, lacks: str) -> None:
     found = log_line(text, LINKS)
     assert found == LogLine(
-        CHARACTERS, "", (f"the text lacks {lacks} at the end of the frame, which is taken as sent",)
+        CHARACTERS, "", (f"{lacks} is missing at the end of the text and is assumed to have been sent",)
     )
 
 
@@ -153,10 +153,10 @@ def test_a_line_may_say_only_which_way_the_next_one_goes(text: str, direction: s
     ("text", "why"),
     [
         ("hello", "there are no bytes in it"),
-        ("01 06 ?? 1E", "`??` is no byte in hexadecimal digits"),
-        ("01 06 1G", "`1G` is no byte in hexadecimal digits"),
+        ("01 06 ?? 1E", "`??` is not a byte in hexadecimal digits"),
+        ("01 06 1G", "`1G` is not a byte in hexadecimal digits"),
         ("0106201", "`0106201` has an odd number of digits"),
-        ("TX: 01 0xx", "`0xx` is no byte in hexadecimal digits"),
+        ("TX: 01 0xx", "`0xx` is not a byte in hexadecimal digits"),
         ("0x", "there are no bytes in it"),
     ],
 )

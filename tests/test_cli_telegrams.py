@@ -10,7 +10,7 @@ import pytest
 
 from command_line import MADE_UP, CommandLine
 from fieldspec.cli import main
-from fieldspec.commands.device_help import suggest
+from fieldspec.commands.completion import suggest
 from fieldspec.model.texts import Example
 from laid_out import newest
 from test_cli_encode import written
@@ -121,7 +121,7 @@ def test_a_frame_of_another_length_than_the_telegram_is_wrong(run: CommandLine) 
         (["--telegramm", "3"], "there is no option --telegramm; did you mean --telegram?"),
         (["--verbose"], "there is no option --verbose; there are --direction, --format, --link, --message, --telegram"),
         (["--telegram"], "--telegram needs a name or a number"),
-        (["--telegram", "3", "--message", "3"], "--message and --telegram both say which message it is"),
+        (["--telegram", "3", "--message", "3"], "--message and --telegram both name the message"),
         (["--telegram", "read_parameter"], "read_parameter is not sent on cyclic, but on channel"),
         (["--link", "channel", "--telegram", "3"], "channel has no telegram; what it sends is called message"),
         (["--link", "channel", "--message", "telegram_3"], "telegram_3 is not sent on channel, but on cyclic"),
@@ -227,7 +227,7 @@ def test_values_of_which_nothing_says_the_type_are_left_as_they_are(run: Command
     found = run("decode", "glider-x", "07 01 00 03 01 00 00", "--link", "channel", "--direction", "response")
     assert found.code == 1
     assert "wrong: format at byte 3: should be one of 1, 2, 4, 6, 8, 66" in found.lines
-    assert "wrong: values at byte 5: format 3 does not say what lies here" in found.lines
+    assert "wrong: values at byte 5: format 3 does not decide the type of values" in found.lines
 
 
 @pytest.mark.parametrize(
@@ -280,7 +280,7 @@ def test_a_share_that_is_no_whole_count_is_rounded_and_said(run: CommandLine) ->
         (["--telegram", "4"], "there is no telegram 4; there are 3, 11, 70"),
         (["--telegram", "3", "control=0"], "speed_setpoint is not given; telegram_3 received has the fields control, "),
         (["--telegram", "3", "--direction", "request", "speed=1"], "there is no field speed"),
-        (["--telegram", "3", "control=1", "CTL=2"], "CTL is control, which is given twice"),
+        (["--telegram", "3", "control=1", "CTL=2"], "CTL and control are the same field"),
         (["--telegram", "3", "control=of"], "`of` is no bit of control_word: on, no_off2, acknowledge, sign_of_life"),
         (["--telegram", "3", "control=sign_of_life=16"], "16 does not fit the 4 bits of sign_of_life"),
         (["--telegram", "3", "control=0", "speed_setpoint=250 %"], "out_of_range"),

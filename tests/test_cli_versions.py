@@ -138,7 +138,7 @@ def test_a_matrix_as_a_page_has_hostile_texts_escaped(capsys: pytest.CaptureFixt
         (("resolve", "glider-x@1.0+9"), "there is no version of glider-x 9"),
         (("blame", "glider-x", "registers/nothing"), "glider-x has no fact registers/nothing at 1.1"),
         (("blame", "glider-x", "registers"), "glider-x has no fact registers at 1.1, only a list"),
-        (("matrix", "glider-x@1.0"), "the matrix is of all versions; leave out @1.0"),
+        (("matrix", "glider-x@1.0"), "the matrix shows all versions; leave out @1.0"),
     ],
 )
 def test_what_is_not_there_is_wrong_use(capsys: pytest.CaptureFixture[str], words: tuple[str, ...], text: str) -> None:

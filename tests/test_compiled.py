@@ -18,7 +18,7 @@ from command_line import MADE_UP, SPECS
 from fieldspec.checks.layout_conditions import LAYOUT_CONDITIONS
 from fieldspec.classes import attributes, replace
 from fieldspec.cli import main
-from fieldspec.commands import caching, compiled, layout_json, sources
+from fieldspec.commands import cache_folder, layout_cache, spec_files
 from fieldspec.commands.specs import layout_of
 from fieldspec.model.fact import Citation, Claim, Place
 from fieldspec.reading import project
@@ -30,14 +30,14 @@ BROKEN = sorted(
     for check in LAYOUT_CONDITIONS
     for file in Path(__file__).parent.joinpath("cases", check).glob("failing*/device.yaml")
 )
-DEVICES = [(folder, device) for folder in (SPECS, MADE_UP) for device in sources.devices(folder)]
+DEVICES = [(folder, device) for folder in (SPECS, MADE_UP) for device in spec_files.devices(folder)]
 
 
 @pytest.fixture
 def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The folder of compiled devices."""
     monkeypatch.setenv("FIELDSPEC_CACHE", str(tmp_path / "cache"))
-    return tmp_path / "cache" / compiled.KIND
+    return tmp_path / "cache" / layout_cache.KIND
 
 
 @pytest.fixture
@@ -81,21 +81,23 @@ def alike(one: Any, other: Any, met: set[tuple[int, int]]) -> bool:
 
 @pytest.mark.parametrize(("folder", "device"), DEVICES, ids=[device for _, device in DEVICES])
 def test_a_thawed_layout_holds_all_that_was_frozen(folder: Path, device: str) -> None:
-    files = sources.files(folder, frozenset([device]))
+    files = spec_files.files(folder, frozenset([device]))
     spec = project.read(files, frozenset([device])).devices[device]
     for version in {spec.versions()[0], spec.versions()[-1]}:
         layout = layout_of(spec, version)
-        thawed = layout_json.from_json(layout_json.to_json(layout), lambda path: SourceFile(path, files[path].decode()))
+        thawed = layout_cache.from_json(
+            layout_cache.to_json(layout), lambda path: SourceFile(path, files[path].decode())
+        )
         assert alike(thawed, layout, set())
 
 
 def test_an_object_that_nobody_has_looked_at_is_equal_to_another_and_hashed_alike() -> None:
     citations = [(3, 17), (4, 20)]
     held = [Citation("8.2", (lines,)) for lines in citations]
-    content = layout_json.to_json(Claim(Place("x", NOWHERE, {}), tuple(held), {}))
+    content = layout_cache.to_json(Claim(Place("x", NOWHERE, {}), tuple(held), {}))
 
     def new() -> tuple[Citation, ...]:
-        found: tuple[Citation, ...] = layout_json.from_json(content, lambda path: NOWHERE.file).sources
+        found: tuple[Citation, ...] = layout_cache.from_json(content, lambda path: NOWHERE.file).sources
         return found
 
     assert new()[0] == held[0]
@@ -129,7 +131,7 @@ def test_a_spec_that_has_changed_is_read_again(cache: Path, folder: Path, capsys
 
 def test_with_another_compiler_a_spec_is_read_again(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert shown(MADE_UP) == 0
-    monkeypatch.setattr(caching, "state", lambda: "another")
+    monkeypatch.setattr(cache_folder, "state", lambda: "another")
     unread(monkeypatch)
     with pytest.raises(AssertionError, match="a spec is read"):
         shown(MADE_UP)
@@ -139,13 +141,13 @@ def test_the_state_of_the_compiler_changes_with_each_of_its_files(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     package = tmp_path / "fieldspec"
-    shutil.copytree(caching._PACKAGE, package)
-    monkeypatch.setattr(caching, "_PACKAGE", str(package))
-    states = {caching.state()}
+    shutil.copytree(cache_folder._PACKAGE, package)
+    monkeypatch.setattr(cache_folder, "_PACKAGE", str(package))
+    states = {cache_folder.state()}
     for name in ("layout/record.py", "schema/spec.schema.json", "source.py"):
         with (package / name).open("a", encoding="utf-8") as file:
             file.write("\n")
-        states.add(caching.state())
+        states.add(cache_folder.state())
     assert len(states) == 4
 
 
@@ -167,8 +169,10 @@ def test_without_the_cache_nothing_is_looked_at_and_nothing_is_kept(
         lambda text: text[: len(text) // 2],
         lambda text: text.replace(b"Widget", b"Gadget"),
         lambda text: b"\xff\xfe" + text,
-        lambda text: b"%s\n%s" % (caching.checksum(b"\xff").encode(), b"\xff"),
-        lambda text: b"%s\n%s" % (caching.checksum(b'[["os:system"],[]]\n[1]').encode(), b'[["os:system"],[]]\n[1]'),
+        lambda text: b"%s\n%s" % (cache_folder.checksum(b"\xff").encode(), b"\xff"),
+        lambda text: (
+            b"%s\n%s" % (cache_folder.checksum(b'[["os:system"],[]]\n[1]').encode(), b'[["os:system"],[]]\n[1]')
+        ),
     ],
     ids=["empty", "half written", "changed by hand", "not text", "no lines", "naming what it must not"],
 )
@@ -211,7 +215,7 @@ def test_places_are_shown_as_they_are_found_from_here(
     cache: Path, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def path() -> str:
-        held = compiled.layout(str(folder), "widget").device
+        held = layout_cache.layout(str(folder), "widget").device
         return next(iter(held.records.values())).place.whole.file.path
 
     monkeypatch.chdir(folder.parent)

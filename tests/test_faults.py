@@ -12,9 +12,9 @@ import pytest
 
 from faults import FAULTS, Fault, struck
 from fieldspec.cli import main
-from fieldspec.commands import fresh, working
-from fieldspec.commands.placing import Beside
-from fieldspec.commands.storing import BESIDE
+from fieldspec.commands import freshness, workers
+from fieldspec.commands.placement import Staging
+from fieldspec.commands.storage import BESIDE
 from fieldspec.commands.usage import UsageError
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs fork")
@@ -73,7 +73,7 @@ GONE = ["a/two", "gone/four"]
 
 
 def placed(folder: Path) -> None:
-    with Beside(folder) as beside:
+    with Staging(folder) as beside:
         for path, content in NEW.items():
             beside.write(path, content)
         beside.place([*NEW], GONE)
@@ -94,7 +94,7 @@ def test_files_are_placed_all_or_none_whatever_happens(fault: Fault, files: Work
     for number in files.faulty(fault):
         if fault.error is not None and not fault.lasts:
             assert state(files.folder) in (files.old, files.new), f"at operation {number}"
-        with Beside(files.folder):
+        with Staging(files.folder):
             pass
         now = state(files.folder)
         assert now in (files.old, files.new), f"at operation {number}"
@@ -121,7 +121,7 @@ def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:
                 shutil.copytree(broken, files.folder, symlinks=True)
 
                 def repaired() -> None:
-                    with Beside(files.folder):
+                    with Staging(files.folder):
                         pass
 
                 if not struck(repaired, fault, second):
@@ -134,7 +134,7 @@ def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:
 
 
 def built(folder: Path, *more: str) -> int:
-    fresh._at_start.clear()
+    freshness._at_start.clear()
     words = ["build", "--specs", str(folder / "specs"), "--out", str(folder / "out"), "--to", "vectors,c"]
     return main([*words, *more])
 
@@ -142,7 +142,7 @@ def built(folder: Path, *more: str) -> int:
 @pytest.fixture
 def outputs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Work:
     """A build after which a device has changed, one is new, and one has gone."""
-    monkeypatch.setattr(working, "WORTH_IT", 10**9)  # in one process, which is the one with the fault
+    monkeypatch.setattr(workers, "WORTH_IT", 10**9)  # in one process, which is the one with the fault
     monkeypatch.setenv("FIELDSPEC_CACHE", str(tmp_path / "place/cache"))
     old = tmp_path / "old"
     for name in ("gadget", "gizmo"):
@@ -175,7 +175,7 @@ def test_a_build_leaves_the_old_outputs_or_the_new_ones(
         said = capsys.readouterr().out
         assert unfinished == ("unfinished: " in said or "left over: " in said), f"at operation {number}"
         assert code == (1 if unfinished or "not fresh" in said else 0)
-        with Beside(out):
+        with Staging(out):
             pass
         now = of_outputs(state(outputs.folder))
         assert now in (of_outputs(outputs.old), of_outputs(outputs.new)), f"at operation {number}"
@@ -245,11 +245,11 @@ def test_what_lies_in_a_journal_of_somebody_else_leads_nowhere(tmp_path: Path) -
     (out / "c").symlink_to(tmp_path / "home")
     for path in ("c/x", "../home/x", "/etc/passwd"):
         (folder / "journal").write_text(f'{{"place": ["{path}"], "remove": [], "absent": [], "folders": []}}', "utf-8")
-        with pytest.raises(UsageError, match="leads out of"), Beside(out):
+        with pytest.raises(UsageError, match="leads out of"), Staging(out):
             pass
         assert os.listdir(tmp_path / "home") == []
     (folder / "journal").write_text("[]", "utf-8")
-    with pytest.raises(UsageError, match="is no journal of a build"), Beside(out):
+    with pytest.raises(UsageError, match="is no journal of a build"), Staging(out):
         pass
 
 
@@ -257,7 +257,7 @@ def test_nothing_is_placed_through_a_link_that_leads_out(tmp_path: Path) -> None
     (tmp_path / "home").mkdir()
     (tmp_path / "out").mkdir()
     (tmp_path / "out/c").symlink_to(tmp_path / "home")
-    with Beside(tmp_path / "out") as beside:
+    with Staging(tmp_path / "out") as beside:
         beside.write("c/x", b"evil")
         with pytest.raises(UsageError, match="leads out of"):
             beside.place(["c/x"], [])

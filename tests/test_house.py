@@ -32,6 +32,7 @@ BACK_ENDS_IMPORT = {
         "changes",
         "diagnostics",
         "explain",
+        "html_text",
         "layout",
         "model",
         "names",
@@ -60,7 +61,7 @@ HOMES = {
     "platform": (),
     "getpass": (),
     "datetime": ("lists/packing.py",),  # workbooks have one that is the same in all of them
-    "time": ("commands/build.py", "commands/signing.py"),  # a review has the day on which it is recorded
+    "time": ("commands/build.py", "commands/audit_files.py"),  # a review has the day on which it is recorded
     "random": (),
     "uuid": ("backends/twincat/",),  # identifiers made of names: the same in every build
     "pickle": (),

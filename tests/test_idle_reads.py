@@ -6,19 +6,19 @@ from typing import Any
 
 import pytest
 
-from fieldspec.audit.poll_blocks import PollBlock, polling
+from fieldspec.audit.poll_blocks import PollBlock, polling_of
 from fieldspec.checks.numbers import Legal
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.records import decoded_value, value_construct
 from laid_out import SPECS, newest
-from made_python import made
+from python_package import module_of
 
 BLOCKS = [
     pytest.param(newest(SPECS, name), block, id=f"{name}-{block.start:04X}")
     for name in ("ck10", "tc100")
-    for block in polling(newest(SPECS, name)).blocks
+    for block in polling_of(newest(SPECS, name)).blocks
     if any(block.start <= laid.address < block.start + block.words for laid in newest(SPECS, name).registers)
 ]
 
@@ -58,7 +58,7 @@ def within(layout: DeviceLayout, block: PollBlock) -> list[tuple[RegisterLayout,
 
 @pytest.mark.parametrize(("layout", "block"), BLOCKS)
 def test_every_register_of_an_idle_device_is_decoded(layout: DeviceLayout, block: PollBlock) -> None:
-    module = made(layout)
+    module = module_of(layout)
     constants = {register.name.partition("[")[0]: register for register in module.REGISTERS}
     answered = within(layout, block)
     assert answered

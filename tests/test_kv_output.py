@@ -71,7 +71,7 @@ def test_the_bits_of_the_map_hold_the_values_of_every_example(layout: DeviceLayo
     values = vector(layout, example)["values"]
     assert isinstance(values, dict)
     marks = len(link.link.start), len(example.frame) - len(link.link.end)
-    unit = 1 if link.frame(example.direction).check else 2
+    unit = 1 if link.frame(example.direction).checksum else 2
     words = memory(example.frame[slice(*marks)], unit)
     ends = (f"{example.message} {example.direction}", f"{example.message} on {link.name} {example.direction}")
     compared = 0

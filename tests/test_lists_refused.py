@@ -120,7 +120,7 @@ def test_a_bad_file_is_refused_in_one_line(
         (("--address", "Wo"), "has no column Wo; there are 地址, 名称, or give a letter or a number"),
         (("--address", "Z"), "has no column Z"),
         (("--name", "Wo"), "has no column Wo"),
-        (("--sheet", "1"), "is no workbook, so there is no sheet to choose"),
+        (("--sheet", "1"), "is not a workbook, so --sheet has no effect"),
     ],
 )
 def test_an_option_that_does_not_fit_the_file_is_refused(options: tuple[str, ...], text: str, run: CommandLine) -> None:

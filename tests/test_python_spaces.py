@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from laid_out import MADE_UP, newest
-from made_python import codec_error, made
+from python_package import codec_error, module_of
 
-METER, PROBE = made(newest(MADE_UP, "meter")), made(newest(MADE_UP, "probe"))
+METER, PROBE = module_of(newest(MADE_UP, "meter")), module_of(newest(MADE_UP, "probe"))
 CodecError = codec_error()
 
 

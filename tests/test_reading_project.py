@@ -293,9 +293,9 @@ def test_parameters_take_what_they_lack_from_the_defaults_of_their_set() -> None
     ("text", "code"),
     [
         ("limits: [{name: a}, {name: «a»}]\n", "duplicate_name"),
-        ("registers: [{group: a, rows: [{at: 1, name: «b»}]}]\n", "type_given"),
-        ("records: [{name: a, fields: [{name: b, type: «text»}]}]\n", "type_given"),
-        ("records: [{name: a, fields: [{name: b, type: «u8», record: a}]}]\n", "type_given"),
+        ("registers: [{group: a, rows: [{at: 1, name: «b»}]}]\n", "type_present"),
+        ("records: [{name: a, fields: [{name: b, type: «text»}]}]\n", "type_present"),
+        ("records: [{name: a, fields: [{name: b, type: «u8», record: a}]}]\n", "type_present"),
         ("records: [{name: a, fields: [{name: b, type: u8, range: «5..1»}]}]\n", "wrong_form"),
         ("records: [{name: a, fields: [{name: b, type: u8, range: «0..0.5»}]}]\n", "wrong_form"),
         ("records: [{name: a, fields: [{name: b, type: u8, scale: 0.1, unit_range: «0..0.25»}]}]\n", "wrong_form"),
@@ -321,4 +321,4 @@ def test_what_a_schema_cannot_say_is_found_when_the_model_is_built(text: str, co
 def test_findings_of_building_are_bounded() -> None:
     rows = ", ".join(f"{{at: {number}, name: r{number}}}" for number in range(1000))
     found = gadget(f"registers: [{{group: a, rows: [{rows}]}}]\n").at("1")[1]
-    assert codes(found) == ["type_given"] * 200 + ["too_many_findings"]
+    assert codes(found) == ["type_present"] * 200 + ["too_many_findings"]

@@ -9,7 +9,7 @@ from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.reading.project import read
 from laid_out import MADE_UP
-from made_python import made_apart
+from python_package import module_apart
 
 NAME = "glider-x/device.yaml"
 
@@ -24,4 +24,4 @@ def varied(name: str, changes: Sequence[tuple[str, str]]) -> tuple[DeviceLayout,
     device, found = read({NAME: text.encode()}).devices["glider-x"].at("1.1")
     assert not has_errors(found), found[0].message
     layout = device_layout(device)
-    return layout, made_apart(layout, f"glider_{name}")
+    return layout, module_apart(layout, f"glider_{name}")

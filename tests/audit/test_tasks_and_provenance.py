@@ -7,10 +7,10 @@ from typing import Any
 import pytest
 
 from fieldspec.audit.manual_lines import index_of
+from fieldspec.audit.print_gaps import empty_cells, labels_elsewhere, without_unit
 from fieldspec.audit.section import Section, Subject
 from fieldspec.audit.sources import sources
 from fieldspec.audit.tasks import tasks
-from fieldspec.audit.unsaid import empty_cells, labels_elsewhere, without_unit
 from fieldspec.model.operand import Operands
 from fieldspec.reading.project import DeviceSpec
 from laid_out import MADE_UP, SPECS, laid_at, newest
@@ -33,8 +33,8 @@ def subject(spec: DeviceSpec) -> Subject:
 
 
 def column(section: Section, table: str, name: str) -> list[Any]:
-    held = next(one for one in section.tables if one.name == table)
-    return [row[held.columns.index(name)] for row in held.rows]
+    rows_of = next(candidate for candidate in section.tables if candidate.name == table)
+    return [row[rows_of.columns.index(name)] for row in rows_of.rows]
 
 
 def test_a_task_that_nothing_answers_is_missing() -> None:
@@ -44,18 +44,18 @@ def test_a_task_that_nothing_answers_is_missing() -> None:
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_every_device_answers_every_task(device: str) -> None:
-    held = {task.kind for task in newest(SPECS, device).device.tasks}
+    kinds = {task.kind for task in newest(SPECS, device).device.tasks}
     section = tasks(subject(gadget("registers: []\n")))
-    assert held == set(column(section, "tasks", "task"))
+    assert kinds == set(column(section, "tasks", "task"))
 
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_every_target_of_a_step_is_one_operand(device: str) -> None:
     model = newest(SPECS, device).device
-    held = Operands(model)
+    operands = Operands(model)
     steps = [(step, name) for task in model.tasks for step in task.steps for name in task.messages or ("",)]
     assert steps
-    assert {len(held.target(step.target, name)) for step, name in steps} == {1}
+    assert {len(operands.target(step.target, name)) for step, name in steps} == {1}
 
 
 def test_what_is_not_printed_has_tables_of_its_own() -> None:
@@ -71,7 +71,7 @@ def test_what_is_not_printed_has_tables_of_its_own() -> None:
 def test_an_empty_cell_that_somebody_has_filled_is_listed(key: str, expected: list[str]) -> None:
     index = index_of("gadget.txt", b"0 | slow | 5 | stops\n1 | fast | | stops 7\n")
     model = subject(gadget(MODES % key)).device
-    assert [one.fact.name for one in empty_cells(model, index)] == expected
+    assert [empty_cell.fact.name for empty_cell in empty_cells(model, index)] == expected
 
 
 @pytest.mark.parametrize(("label", "expected"), [("Speed limit", []), ("Speedlimit", []), ("Torque", ["speed"])])

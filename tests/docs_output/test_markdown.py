@@ -12,8 +12,8 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from docs_output.documented import documentation, shown, with_ending
-from fieldspec.backends.docs.document import clean
 from fieldspec.backends.docs.markdown import escaped
+from fieldspec.html_text import clean
 from laid_out import MADE_UP, newest
 
 PAGES = with_ending(".md")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 from itertools import pairwise
 
+from fieldspec.backends import PageLink
 from fieldspec.backends.docs.context import cited
 from fieldspec.backends.docs.document import (
     Block,
@@ -17,7 +18,6 @@ from fieldspec.backends.docs.document import (
     TableColumn,
     TableRow,
     cell,
-    clean,
     code,
     innermost,
     styled,
@@ -25,9 +25,10 @@ from fieldspec.backends.docs.document import (
     text_piece,
 )
 from fieldspec.backends.docs.identity import version_title
+from fieldspec.changes.acceptances import ComparedVersions, JudgedChange, judged_changes
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.judging import Compared, Judged, judged
 from fieldspec.classes import dataclass
+from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Version
 
@@ -39,6 +40,7 @@ COLUMNS = (
     TableColumn("Fact", unbroken=True),
     TableColumn("Remarks"),
 )
+
 MEANINGS = {
     Effect.WIRE: (
         "On the wire",
@@ -60,7 +62,7 @@ class Step:
 
     old: DeviceLayout
     new: DeviceLayout
-    changes: tuple[Judged, ...]
+    changes: tuple[JudgedChange, ...]
 
     def counts(self) -> str:
         """`2 on the wire, 1 in behaviour`"""
@@ -83,8 +85,8 @@ def steps(layouts: Sequence[DeviceLayout]) -> list[Step]:
 def _step(old: DeviceLayout, new: DeviceLayout) -> Step:
     from fieldspec.changes import changes  # with all rules, for which a device of one version has no use
 
-    compared = Compared(old.device, new.device, changes(old.device, new.device), step=True)
-    return Step(old, new, tuple(judged(compared)))
+    compared = ComparedVersions(old.device, new.device, changes(old.device, new.device), step=True)
+    return Step(old, new, tuple(judged_changes(compared)))
 
 
 def page_name(version: str) -> str:
@@ -168,13 +170,13 @@ def _effect(step: Step, effect: Effect, pages: _Pages) -> Section | None:
     )
 
 
-def _row(change_row: Judged, pages: _Pages) -> TableRow:
-    change = change_row.change
+def _row(judged_change: JudgedChange, pages: _Pages) -> TableRow:
+    change = judged_change.change
     remarks: list[Line] = []
     if change.outputs:
         remarks.append((text_piece(f"in {', '.join(_TARGETS.get(name, name) for name in change.outputs)}"),))
-    if change_row.accepted is not None:
-        remarks.append((styled("accepted: ", "strong"), text_piece(change_row.accepted.reason)))
+    if judged_change.accepted is not None:
+        remarks.append((styled("accepted: ", "strong"), text_piece(judged_change.accepted.reason)))
     return TableRow((cell(change.message), cell(code(change.path, pages.fact(change))), cell(*remarks)))
 
 
@@ -212,11 +214,11 @@ VERSION_COLUMNS = (
 
 
 def versions(
-    layouts: Sequence[DeviceLayout], device_steps: Sequence[Step], ending: str, beside: Sequence[tuple[str, str]] = ()
+    layouts: Sequence[DeviceLayout], device_steps: Sequence[Step], ending: str, links: Sequence[PageLink] = ()
 ) -> Document:
     """The versions, the newest first, and the steps between them; `ending` is that of the pages to which they lead.
 
-    `beside` are other pages of the device: what each is, and its file.
+    `links` lead to other pages of the device.
     """
     newest = layouts[-1]
     device = newest.device
@@ -230,7 +232,7 @@ def versions(
     section = Section(
         "versions", (text_piece("Versions"),), (*blocks, table("Versions, the newest first", VERSION_COLUMNS, rows))
     )
-    summary = tuple((text_piece(text, file),) for text, file in beside)
+    summary = tuple((text_piece(link.text, link.file),) for link in links)
     return Document(
         clean(device.name), clean(device.title), newest.identity, device.manual.language, summary, (section,)
     )

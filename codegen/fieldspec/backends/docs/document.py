@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
-import unicodedata
 from collections.abc import Container, Iterable, Iterator, Sequence
 from functools import lru_cache
 from typing import ClassVar, NamedTuple, TypeAlias
 
 from fieldspec.classes import dataclass, field, replace
+from fieldspec.html_text import clean
 
 # Both forms are written from this, so that they say the same. Text that comes from a spec enters through `plain`,
 # `code` and their like, which leave no control characters in it; each form then escapes it in its own way.
@@ -32,7 +31,6 @@ class Piece(NamedTuple):
 
 Line: TypeAlias = tuple[Piece, ...]
 
-_BLANKS = re.compile(r"\s+")
 REUSED = 1 << 16
 """How many texts are remembered as they were written."""
 
@@ -198,24 +196,6 @@ class Document:
     language: str
     summary: tuple[Line, ...]
     sections: tuple[Section, ...] = field(repr=False)
-
-
-def clean(text: str) -> str:
-    """Text in one line, with a picture for every other control character."""
-    if text.isprintable() and "  " not in text:
-        return text
-    text = _BLANKS.sub(" ", text)
-    return "".join(_visible(char) if _forbidden(char) else char for char in text)
-
-
-def _forbidden(char: str) -> bool:
-    """Whether HTML forbids a character: a control character, half a character, or a code point that is no character."""
-    code = ord(char)
-    return unicodedata.category(char) in ("Cc", "Cs") or code & 0xFFFE == 0xFFFE or 0xFDD0 <= code <= 0xFDEF
-
-
-def _visible(char: str) -> str:
-    return chr(0x2400 + ord(char)) if ord(char) < 0x20 else "\ufffd"
 
 
 @lru_cache(maxsize=REUSED)

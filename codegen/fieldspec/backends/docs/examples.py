@@ -24,7 +24,8 @@ from fieldspec.backends.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.explain.explanation import Explanation, Meaning, Printed, explained_example, printed
+from fieldspec.explain.examples import Printed, explained_example, printed
+from fieldspec.explain.explanation import Explanation, Meaning
 from fieldspec.explain.row import ExplanationRow as ByteRow
 from fieldspec.layout.values import Raw
 from fieldspec.model.link import Link

@@ -23,6 +23,7 @@ from fieldspec.backends.docs.document import (
     paths_of,
 )
 from fieldspec.backends.templates import fill, text
+from fieldspec.html_text import escaped
 
 _TAGS = {
     "": ("", ""),
@@ -42,19 +43,12 @@ def page(document: Document) -> str:
         "docs/page.html.j2",
         title=document.title,
         identity=document.identity,
-        style=text("backends/docs/page.css"),
+        style=text("backends/page.css"),
         script=text("backends/docs/filter.js"),
         head=subtitle + (f'<ul class="summary">{summary}</ul>\n' if summary else ""),
         contents="".join(map(writer.entry, document.sections)),
         sections="".join([piece for section in document.sections for piece in writer.section(section, 2)]),
     )
-
-
-@lru_cache(maxsize=REUSED)
-def escaped(text: str) -> str:
-    """Text that means itself, in an element or in an attribute."""
-    text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
-    return text.replace("'", "&#39;").replace('"', "&#34;")
 
 
 def _attribute(name: str, value: str) -> str:

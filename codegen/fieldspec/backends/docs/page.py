@@ -14,7 +14,6 @@ from fieldspec.backends.docs.document import (
     TableColumn,
     TableRow,
     cell,
-    clean,
     code,
     table,
     text_piece,
@@ -32,6 +31,7 @@ from fieldspec.backends.docs.registers import registers
 from fieldspec.backends.docs.spaces import spaces
 from fieldspec.backends.docs.tasks import tasks
 from fieldspec.classes import replace
+from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Citation
 from fieldspec.model.value import merged
@@ -41,6 +41,7 @@ COLUMNS = (
     TableColumn("Facts", "number", unbroken=True),
     TableColumn("Lines", "wide", unbroken=True),
 )
+
 _PARTS = re.compile(r"[0-9]+|[^0-9.]+")
 
 

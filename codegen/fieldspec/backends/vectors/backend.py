@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from fieldspec.explain.explanation import explained_example, printed
+from fieldspec.explain.examples import explained_example, printed
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import Raw
 from fieldspec.model.texts import Example
