@@ -200,7 +200,7 @@ def test_a_compiler_that_changes_while_it_runs_notes_nothing(place: Place, monke
 
 def test_the_compiler_is_every_file_of_it_and_its_libraries(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     names = {Path(path).name for path in cache_folder._files(cache_folder._PACKAGE)}
-    assert {"cli.py", "page.html.in", "page.css", "spec.schema.json", "_frames.py"} <= names
+    assert {"cli.py", "page.html.j2", "page.css", "spec.schema.json", "_frames.py"} <= names
     assert not any(name.endswith(".pyc") for name in names)
     assert all("info" in cache_folder._version(*library) for library in cache_folder.LIBRARIES.items())
     first = cache_folder.identity()

@@ -20,20 +20,6 @@ SCHEMA = PACKAGE / "schema" / "spec.schema.json"
 OUTSIDE = {"node_modules", ".venv", "__pycache__"}
 
 STILL_TO_DO: dict[str, int] = {
-    "backends": 1,
-    "backends/docs": 123,
-    "backends/hmi": 11,
-    "backends/kv": 34,
-    "backends/plcopen": 30,
-    "backends/scl": 32,
-    "backends/st": 2,
-    "backends/twincat": 1,
-    "backends/vectors": 5,
-    "plc": 220,
-    "tests": 47,
-    "tests/docs_output": 29,
-    "tests/plc_memory": 48,
-    "tests/plc_output": 275,
 }
 """Folders whose old names have not been replaced yet, with how many of them are left. It is empty in the end."""
 
