@@ -129,8 +129,8 @@ def mended(layout: DeviceLayout, example: Example, frame: bytes) -> bytes:
 
 
 def test_characters_of_a_part_that_is_cut_off_by_others_have_a_row() -> None:
-    laid, example = next(param.values for param in EXAMPLES if param.values[1].id == "words-write")
-    assert_agrees(laid, example, example.frame[:3] + b"*" + example.frame[4:])
+    layout, example = next(param.values for param in EXAMPLES if param.values[1].id == "words-write")
+    assert_agrees(layout, example, example.frame[:3] + b"*" + example.frame[4:])
 
 
 @settings(deadline=None)
