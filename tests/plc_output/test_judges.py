@@ -89,7 +89,7 @@ def test_blark_parses_every_form_of_declaration() -> None:
             if item.kind == "block":
                 continue
             head = item.kind == "function"
-            lines = seen.head(item.declaration) if head else seen.listed(item.declaration)
+            lines = seen.head(item.declaration) if head else seen.new_lines(item.declaration)
             if lines:
                 blark_takes([*lines, "RETURN;", "END_FUNCTION"] if head else lines)
 
