@@ -1,4 +1,4 @@
-"""The walk of docs/architecture.md is true: its functions exist, its quotations are in the outputs, its searches succeed."""
+"""The walk of docs/architecture.md is true: functions exist, quotations are in the outputs, searches succeed."""
 
 from __future__ import annotations
 
