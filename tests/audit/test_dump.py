@@ -21,8 +21,8 @@ registers:
     section: "1"
     defaults: {type: u16, access: rw}
     rows:
-      - {at: 0x10, name: percent, range: 0..100, slot: "%", default: 50, source: L1}
-      - {at: 0x11, name: position, type: i32, slot: mm, scale: 0.01, source: L2}
+      - {at: 0x10, name: percent, range: 0..100, unit: "%", default: 50, source: L1}
+      - {at: 0x11, name: position, type: i32, unit: mm, scale: 0.01, source: L2}
       - {at: 0x13, name: mode, enum: mode, source: L3}
       - {at: 0x14, name: status, flags: status, source: L4}
       - {at: 0x15, name: spare, reserved: true, source: L5}
