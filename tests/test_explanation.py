@@ -118,7 +118,7 @@ def mended(layout: DeviceLayout, example: Example, frame: bytes) -> bytes:
         data = codec(layout).links[example.link].parts(frame)
     except CodecError:
         return frame
-    if (checksum := shape.checksum) is None or len(data) < shape.head_size + shape.tail_size:
+    if (checksum := shape.checksum) is None or len(data) < shape.header_size + shape.trailer_size:
         return frame
     at = checksum.at(len(data))
     order: Literal["big", "little"] = "big" if checksum.order == "big" else "little"

@@ -44,7 +44,7 @@ def body(layout: DeviceLayout, example: Example) -> bytes:
     if link.link.encoding == "hex_ascii":
         data = bytes.fromhex(data.decode("ascii"))
     shape = link.frame(example.direction)
-    return data[shape.head_size : len(data) - shape.tail_size]
+    return data[shape.header_size : len(data) - shape.trailer_size]
 
 
 def at_path(values: Any, path: str, element: int) -> Any:

@@ -72,10 +72,10 @@ def test_every_response_of_an_example_is_parsed_to_its_values(prover: Proof) -> 
                     example.id
                 )
             else:
-                heads = {part.name for part in link.response.head}
-                value = {name: value for name, value in meaning.head.items() if name in heads & set(values)}
+                heads = {part.name for part in link.response.header}
+                parts = {name: part for name, part in meaning.head.items() if name in heads & set(values)}
                 assert status == "ok", (example.id, status)
-                assert values == {**value, **without(message.response, meaning.values)}, example.id
+                assert values == {**parts, **without(message.response, meaning.values)}, example.id
 
 
 def test_every_telegram_of_an_example_is_unpacked_and_packed_again(prover: Proof) -> None:
@@ -160,7 +160,7 @@ def test_messages_agree_with_the_reference_on_random_values(prover: Proof) -> No
 
 def framed_messages(link: LinkLayout, direction: str) -> list[MessageLayout]:
     """The messages whose fields are called other than the parts before them: the reference takes both by name."""
-    heads = {part.name for part in link.frame(direction).head}
+    heads = {part.name for part in link.frame(direction).header}
     messages = link.messages.values() if framed(link) else ()
     return [message for message in messages if not heads & {field.name for field in message.data(direction).fields}]
 
@@ -169,7 +169,7 @@ def head_values(link: LinkLayout, direction: str, dice: random.Random) -> dict[s
     """Random values for the parts before the body that users give."""
     return {
         part.name: dice.choice([0, 1, 2, part.value.type.high, dice.randint(0, part.value.type.high)])
-        for part in link.frame(direction).head
+        for part in link.frame(direction).header
         if part.is_argument and part.value is not None
     }
 

@@ -154,7 +154,7 @@ def _compare_meaning(
     layout: DeviceLayout, example: Example, decoded: Decoded, expected: dict[str, Raw]
 ) -> Iterator[Diagnostic]:
     """The values in the spec against those of the bytes. Values that follow from others may be left out."""
-    head = layout.links[example.link].frame(example.direction).head
+    head = layout.links[example.link].frame(example.direction).header
     implied = {part.name for part in head if part.role == "code" or (part.value and part.value.const is not None)}
     actual = {**decoded.head, **decoded.values}
     for name, value in actual.items():
