@@ -49,8 +49,13 @@ class Name:
 
 def stem(device: str, version: str) -> str:
     """The name of the files of a device's version: `gadget_v2_0`, `gadget_before_1_17`."""
+    return f"{Name.of(device).snake()}_{version_word(version)}"
+
+
+def version_word(version: str) -> str:
+    """A version within a name: `v2_0`, `before_1_17`."""
     words = Name.of(version).snake()
-    return f"{Name.of(device).snake()}_{f'v{words}' if words[:1].isdigit() else words}"
+    return f"v{words}" if words[:1].isdigit() else words
 
 
 def _joined(words: list[str]) -> str:

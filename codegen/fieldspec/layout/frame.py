@@ -6,8 +6,9 @@ from collections.abc import Callable, Mapping
 
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import Orders, RecordLayout
-from fieldspec.model.link import CHECKSUM_SIZES, Link, Part
+from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Message
+from fieldspec.model.sizes import part_size, sent_on
 from fieldspec.model.value import Value
 
 
@@ -134,18 +135,14 @@ class LinkLayout:
 
 def link_layout(link: Link, messages: Mapping[str, MessageLayout]) -> LinkLayout:
     """The layout of a link. `messages` are those of all links of the device."""
-    sent = {
-        name: message
-        for name, message in messages.items()
-        if not message.message.links or link.name in message.message.links
-    }
+    sent = {name: message for name, message in messages.items() if sent_on(link, message.message)}
     return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"), sent)
 
 
 def _frame(link: Link, direction: str) -> FrameLayout:
     parts = link.parts(direction)
     orders = Orders(link.byte_order or "big", link.word_order or link.byte_order or "big")
-    sizes = [_size(part) for part in parts]
+    sizes = [part_size(part) for part in parts]
     body = next((number for number, part in enumerate(parts) if part.role == "body"), len(parts))
     around = sum(sizes)
 
@@ -180,9 +177,3 @@ def _frame(link: Link, direction: str) -> FrameLayout:
         )
     head, tail = tuple(placed[:body]), tuple(placed[body + 1 :])
     return FrameLayout(direction, head, sum(sizes[:body]), tail, sum(sizes[body + 1 :]))
-
-
-def _size(part: Part) -> int:
-    if part.algorithm:
-        return CHECKSUM_SIZES[part.algorithm]
-    return part.value.size if part.value else 0
