@@ -21,7 +21,7 @@ from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Kind
 from fieldspec.names import Name
 from fieldspec.reference import CodecError
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
 NAME = "made_devices"
 _FOLDER = tempfile.TemporaryDirectory(prefix="fieldspec-python-")
@@ -30,7 +30,7 @@ _FOLDER = tempfile.TemporaryDirectory(prefix="fieldspec-python-")
 def texts(name: str = PACKAGE) -> dict[str, str]:
     """The files of the output for all specs, the real and the made-up ones, in a package with a name."""
     outputs = shared()
-    for root in (SPECS, MADE_UP):
+    for root in (SPECS, TEST_SPECS):
         for versions in layouts(root).values():
             outputs |= files(versions)
     return {path.replace(PACKAGE, name, 1): text for path, text in outputs.items()}

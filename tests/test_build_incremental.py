@@ -1,4 +1,4 @@
-"""A build makes only what is not fresh any more, and what it keeps is what it would make."""
+"""A build makes only what is out of date, and what it reuses is equal to what it would make."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ class Place:
         self.spec.write_text(self.spec.read_text("utf-8") + USE, encoding="utf-8")
         self.made: list[str] = []
         self.devices = ["gadget", "gizmo", "glider-x"]
-        made = pipeline.output
+        output_stage = pipeline.output
 
         def noted(
             name: str, versions: list[pipeline.DeviceLayout], links: Sequence[pipeline.PageLink] = ()
         ) -> dict[str, bytes]:
             self.made.append(f"{versions[0].device.id} {name}")
-            return made(name, versions, links)
+            return output_stage(name, versions, links)
 
         monkeypatch.setattr(pipeline, "output", noted)
         monkeypatch.setattr(workers, "WORTH_IT", 10**9)  # within this process, where the notes are
@@ -67,16 +67,16 @@ class Place:
     def forgets(self, path: str) -> None:
         """Takes a file away, and out of the manifest."""
         (self.out / path).unlink()
-        held = json.loads(self.manifest.read_text("utf-8"))
-        del held["files"][path]
-        self.manifest.write_text(json.dumps(held), encoding="utf-8")
+        manifest = json.loads(self.manifest.read_text("utf-8"))
+        del manifest["files"][path]
+        self.manifest.write_text(json.dumps(manifest), encoding="utf-8")
 
     def wrote(self, path: str, content: bytes) -> None:
         """Puts a content into a file, as if it had been made like that."""
         (self.out / path).write_bytes(content)
-        held = json.loads(self.manifest.read_text("utf-8"))
-        held["files"][path] = freshness.digest(content)
-        self.manifest.write_text(json.dumps(held), encoding="utf-8")
+        manifest = json.loads(self.manifest.read_text("utf-8"))
+        manifest["files"][path] = freshness.digest(content)
+        self.manifest.write_text(json.dumps(manifest), encoding="utf-8")
 
     @property
     def spec(self) -> Path:
@@ -98,10 +98,10 @@ class Place:
 @pytest.fixture
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     """Specs that are built already."""
-    made = Place(tmp_path, monkeypatch)
-    assert made.build() == 0
-    assert sorted(made.made) == made.of(*made.devices)
-    return made
+    workplace = Place(tmp_path, monkeypatch)
+    assert workplace.build() == 0
+    assert sorted(workplace.made) == workplace.of(*workplace.devices)
+    return workplace
 
 
 def replaced(path: Path, old: str, new: str) -> None:
@@ -200,9 +200,9 @@ def test_a_compiler_that_changes_while_it_runs_notes_nothing(place: Place, monke
 
 def test_the_compiler_is_every_file_of_it_and_its_libraries(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     names = {Path(path).name for path in cache_folder._files(cache_folder._PACKAGE)}
-    assert {"cli.py", "page.html.in", "page.css", "spec.schema.json", "_frames.py"} <= names
+    assert {"cli.py", "page.html.j2", "page.css", "spec.schema.json", "_frames.py"} <= names
     assert not any(name.endswith(".pyc") for name in names)
-    assert all("info" in cache_folder._version(*one) for one in cache_folder.LIBRARIES.items())
+    assert all("info" in cache_folder._version(*library) for library in cache_folder.LIBRARIES.items())
     first = cache_folder.identity()
     monkeypatch.setattr(cache_folder, "_version", lambda module, distribution: "2.0")
     assert cache_folder.identity() != first

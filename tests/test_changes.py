@@ -26,21 +26,21 @@ PAGE = Path(__file__).parent.parent / "docs" / "changes.md"
 
 @cache
 def devices(folder: Path) -> tuple[Device, Device]:
-    """The two sides of a folder."""
-    sides = []
+    """The old and the new device of a folder."""
+    device_models = []
     for side in ("old", "new"):
         files = {"gadget/device.yaml": CASES / "device.yaml", "gadget/common.yaml": folder / "common.yaml"}
         files |= {f"gadget/{side}_{path.name}": path for path in sorted((folder / side).glob("*.yaml"))}
         project = read({path: file.read_bytes() for path, file in files.items() if file.exists()})
         assert [finding.message for finding in project.findings] == []
         spec = project.devices["gadget"]
-        device, found = spec.at(spec.versions()[-1])
-        assert [finding.message for finding in found] == []
-        sides.append(device)
-    return sides[0], sides[1]
+        device, findings = spec.at(spec.versions()[-1])
+        assert [finding.message for finding in findings] == []
+        device_models.append(device)
+    return device_models[0], device_models[1]
 
 
-def found(folder: Path) -> list[Change]:
+def changes_of(folder: Path) -> list[Change]:
     return changes(*devices(folder))
 
 
@@ -50,16 +50,18 @@ def name(folder: Path) -> str:
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=name)
 def test_the_changes_between_two_specs_are_found(folder: Path, accept: bool) -> None:
-    text = concise(found(folder))
+    text = concise(changes_of(folder))
     expected = folder / "expected.txt"
     if accept:
         expected.write_text(text, "utf-8", newline="\n")
     assert text == expected.read_text("utf-8")
 
 
-@pytest.mark.parametrize(("rule", "effects"), [(code, effects) for code, _, effects in RULES], ids=lambda one: str(one))
+@pytest.mark.parametrize(
+    ("rule", "effects"), [(code, effects) for code, _, effects in RULES], ids=lambda param: str(param)
+)
 def test_every_rule_has_a_folder_that_shows_each_of_its_classes(rule: str, effects: tuple[Effect, ...]) -> None:
-    assert {change.effect for change in found(CASES / rule) if change.rule == rule} == set(effects)
+    assert {change.effect for change in changes_of(CASES / rule) if change.rule == rule} == set(effects)
 
 
 def test_every_folder_belongs_to_a_rule() -> None:
@@ -73,8 +75,8 @@ def test_a_spec_does_not_differ_from_itself(folder: Path) -> None:
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=name)
 def test_every_change_has_values_places_and_a_class_of_its_rule(folder: Path) -> None:
-    effects = {code: held for code, _, held in RULES}
-    for change in found(folder):
+    effects = {code: class_effects for code, _, class_effects in RULES}
+    for change in changes_of(folder):
         assert change.effect in effects[change.rule]
         assert change.old != change.new
         assert change.before or change.after or change.what in ("line of versions", "version")

@@ -37,7 +37,7 @@ registers:
 UNLIMITED = DEVICE.replace(", range: 1..100", "")
 
 
-class Ran(NamedTuple):
+class RunResult(NamedTuple):
     """What a run has left."""
 
     code: int
@@ -57,7 +57,7 @@ class Site:
         file.write_text(text, encoding="utf-8", newline="\n")
         return file
 
-    def run(self, *arguments: str) -> Ran:
+    def run(self, *arguments: str) -> RunResult:
         environment = {
             **os.environ,
             "PYTHONPATH": str(self.packages),
@@ -67,7 +67,7 @@ class Site:
         }
         command = [sys.executable, "-m", "fieldspec", *arguments]
         ran = subprocess.run(command, cwd=self.folder, env=environment, capture_output=True, encoding="utf-8")
-        return Ran(ran.returncode, ran.stdout, ran.stderr)
+        return RunResult(ran.returncode, ran.stdout, ran.stderr)
 
     def manifest(self) -> dict[str, dict[str, str]]:
         data: dict[str, dict[str, str]] = json.loads((self.folder / "generated/manifest.json").read_text("utf-8"))

@@ -10,14 +10,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from drive_variants import drive_variant
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.reference.records import decoded, encoded
-from laid_out import MADE_UP, newest
+from layouts import TEST_SPECS, newest
 from python_package import built, codec_error, module_of, only_stored, outcome, raws, record_class
 from random_values import bytes_of, values_of
-from varied import varied
 
-GLIDER = module_of(newest(MADE_UP, "glider-x"))
+GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
 CodecError = codec_error()
 LITTLE = ("byte_order: big\n    word_order: big", "byte_order: little\n    word_order: little")
 WORDS = ("byte_order: big\n    word_order: big", "byte_order: big\n    word_order: little")
@@ -42,7 +42,7 @@ CHANGES: dict[str, tuple[tuple[str, str], ...]] = {
 @cache
 def built_from(name: str) -> tuple[DeviceLayout, ModuleType]:
     """The made-up drive with a varied channel."""
-    return varied(name, CHANGES[name])
+    return drive_variant(name, CHANGES[name])
 
 
 def messages(layout: DeviceLayout) -> list[Any]:

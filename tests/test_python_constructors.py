@@ -14,12 +14,12 @@ from hypothesis import strategies as st
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
-from laid_out import MADE_UP, SPECS, all_layouts, newest
+from layouts import SPECS, TEST_SPECS, all_layouts, newest
 from python_package import built, codec_error, module_of, outcome, record_class
 from random_values import values_of
 
 CodecError = codec_error()
-WIDGET = module_of(newest(MADE_UP, "widget"))
+WIDGET = module_of(newest(TEST_SPECS, "widget"))
 ESC11 = module_of(newest(SPECS, "esc11"))
 
 

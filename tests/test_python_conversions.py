@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.value import Conversion
-from laid_out import MADE_UP, all_layouts, newest
+from layouts import TEST_SPECS, all_layouts, newest
 from python_package import codec_error, module_of
 
-GLIDER = module_of(newest(MADE_UP, "glider-x"))
+GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
 CodecError = codec_error()
 CONVERSIONS = [
     pytest.param(layout, conversion, id=f"{layout.device.id}-{layout.device.version}-{conversion.name}")

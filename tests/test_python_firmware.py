@@ -16,7 +16,7 @@ import pytest
 from fieldspec import pipeline
 from fieldspec.backends.python.backend import files, shared
 from fieldspec.reading.project import read
-from laid_out import SPECS, laid_at, layouts
+from layouts import SPECS, layout_at, layouts
 from python_package import NAME, package, write
 
 MILL = """
@@ -40,7 +40,7 @@ registers:
 def mill(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """A device with two lines of firmware, in a package of its own."""
     spec = read({"mill/device.yaml": MILL.encode()}).devices["mill"]
-    texts = {**shared(), **files([laid_at(spec, version) for version in spec.versions()])}
+    texts = {**shared(), **files([layout_at(spec, version) for version in spec.versions()])}
     folder = tmp_path_factory.mktemp("mill")
     write(folder, {path.replace("fieldspec_devices", "mill_devices", 1): text for path, text in texts.items()})
     sys.path.insert(0, str(folder))

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from laid_out import MADE_UP, newest
+from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
 
-WIDGET = module_of(newest(MADE_UP, "widget"))
+WIDGET = module_of(newest(TEST_SPECS, "widget"))
 CodecError = codec_error()
 
 

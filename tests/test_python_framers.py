@@ -8,11 +8,11 @@ from typing import Any
 import pytest
 
 from fieldspec.layout.frame import CHECKSUMS
-from laid_out import MADE_UP, SPECS, newest
+from layouts import SPECS, TEST_SPECS, newest
 from python_package import link_of, module_of
 
-TC100, ESC11, WIDGET = newest(SPECS, "tc100"), newest(SPECS, "esc11"), newest(MADE_UP, "widget")
-GIZMO = newest(MADE_UP, "gizmo")
+TC100, ESC11, WIDGET = newest(SPECS, "tc100"), newest(SPECS, "esc11"), newest(TEST_SPECS, "widget")
+GIZMO = newest(TEST_SPECS, "gizmo")
 
 
 def frames_of(layout: Any, link: str, direction: str) -> list[bytes]:

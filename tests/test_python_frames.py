@@ -14,7 +14,7 @@ from fieldspec.layout.frame import CHECKSUMS, PartLayout
 from fieldspec.layout.values import body_of, raw_values
 from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, DeviceCodec, codec
-from laid_out import all_layouts
+from layouts import all_layouts
 from python_package import (
     built,
     class_of,

@@ -10,15 +10,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from drive_variants import drive_variant
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import CHECKSUMS
 from fieldspec.reference import DeviceCodec, codec
-from laid_out import MADE_UP, newest
+from layouts import TEST_SPECS, newest
 from python_package import built, codec_error, module_of, outcome, package
 from random_values import values_of
-from varied import varied
 
-GLIDER = module_of(newest(MADE_UP, "glider-x"))
+GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
 CodecError = codec_error()
 BODY = "      - {name: body, role: body}\n    response: *head"
 WIDE = ("{name: axis, type: u8, const: 0}", "{name: axis, type: u16, const: 0x1234}")
@@ -38,7 +38,7 @@ CHANGES: dict[str, tuple[tuple[str, str], ...]] = {
 @cache
 def built_from(name: str) -> tuple[DeviceLayout, ModuleType, DeviceCodec]:
     """The made-up drive with a varied channel, and its reference codec."""
-    layout, module = varied(f"head_{name}", CHANGES[name])
+    layout, module = drive_variant(f"head_{name}", CHANGES[name])
     return layout, module, codec(layout)
 
 

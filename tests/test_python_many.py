@@ -12,13 +12,13 @@ from hypothesis import strategies as st
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
-from laid_out import MADE_UP, SPECS, all_layouts, newest
+from layouts import SPECS, TEST_SPECS, all_layouts, newest
 from python_package import built, codec_error, module_of, outcome, raws, record_class, runtime
 from random_values import bytes_of, values_of
 
 MANY = runtime("many")
 CodecError = codec_error()
-HIWIN, WIDGET = module_of(newest(SPECS, "hiwin-e")), module_of(newest(MADE_UP, "widget"))
+HIWIN, WIDGET = module_of(newest(SPECS, "hiwin-e")), module_of(newest(TEST_SPECS, "widget"))
 TELEGRAM = HIWIN.Telegram111Response
 FRAME = bytes.fromhex("04 BF 91 00 00 07 00 00 00 00 FF FF CF C7 10 00 00 00 00 00 00 00 00 00")
 

@@ -15,11 +15,11 @@ from hypothesis import strategies as st
 
 from fieldspec.backends.python.quantities import in_unit, quantity, ratio
 from fieldspec.layout.frame import CHECKSUMS
-from laid_out import MADE_UP, SPECS, layouts, newest
+from layouts import SPECS, TEST_SPECS, layouts, newest
 from python_package import codec_error, module_of, package, runtime
 
 WIDGET, ESC11, TC100 = (
-    module_of(newest(MADE_UP, "widget")),
+    module_of(newest(TEST_SPECS, "widget")),
     module_of(newest(SPECS, "esc11")),
     module_of(newest(SPECS, "tc100")),
 )
@@ -56,12 +56,12 @@ def test_a_closed_enum_refuses_a_value_that_it_does_not_list() -> None:
 
 
 def test_a_version_has_the_members_of_its_own() -> None:
-    old = module_of(layouts(MADE_UP)["widget"][0])
+    old = module_of(layouts(TEST_SPECS)["widget"][0])
     assert not hasattr(old.Alarm, "OVER_VOLTAGE")
     assert WIDGET.Alarm.OVER_VOLTAGE == 0x100
 
 
-GLIDER = module_of(newest(MADE_UP, "glider-x"))
+GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
 
 
 def test_a_code_is_found_by_what_is_displayed_and_by_its_other_number() -> None:
@@ -257,7 +257,7 @@ def test_a_scale_is_written_as_whole_numbers(
     assert quantity(value) == text or not value.scaled
 
 
-SCALED = next(iter(newest(MADE_UP, "widget").records["corner"].fields)).value
+SCALED = next(iter(newest(TEST_SPECS, "widget").records["corner"].fields)).value
 
 
 @given(st.integers(-1000, 1000))

@@ -16,11 +16,11 @@ import pytest
 from fieldspec.backends.python.backend import PACKAGE, files
 from fieldspec.backends.python.naming import Scope, module_name, package_name
 from fieldspec.backends.python.text import docstring, literal
-from laid_out import MADE_UP, SPECS, layouts, newest
+from layouts import SPECS, TEST_SPECS, layouts, newest
 from python_package import module_of, texts, write
 
 PYTHONS = ("3.10", "3.11", "3.12", "3.13", "3.14")
-HOSTILE = newest(MADE_UP, "hostile")
+HOSTILE = newest(TEST_SPECS, "hostile")
 SMOKE = """
 
 for name in MODULES:
@@ -190,7 +190,7 @@ def _skipped(version: str) -> str:
 
 
 def test_the_same_specs_give_the_same_bytes() -> None:
-    versions = layouts(MADE_UP)["widget"]
+    versions = layouts(TEST_SPECS)["widget"]
     assert files(versions) == files(versions)
 
 
@@ -316,7 +316,7 @@ def test_a_version_gives_its_module_a_name(version: str, module: str) -> None:
 
 
 def test_a_device_gives_the_names_of_its_newest_version() -> None:
-    widget = module_of(newest(MADE_UP, "widget"))
+    widget = module_of(newest(TEST_SPECS, "widget"))
     package = sys.modules[widget.__name__.rpartition(".")[0]]
     assert package.Point is widget.Point
     assert package.LATEST == "2.0"

@@ -12,12 +12,12 @@ from hypothesis import strategies as st
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.registers import Parameter, ParameterSet
 from fieldspec.model.value import Kind
-from laid_out import MADE_UP, SPECS, all_layouts, layouts, newest
+from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
 from python_package import codec_error, module_of, package
 
-GLIDER = module_of(newest(MADE_UP, "glider-x"))
+GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
 HIWIN = module_of(newest(SPECS, "hiwin-e"))
-WIDGET, ESC11 = module_of(newest(MADE_UP, "widget")), module_of(newest(SPECS, "esc11"))
+WIDGET, ESC11 = module_of(newest(TEST_SPECS, "widget")), module_of(newest(SPECS, "esc11"))
 CodecError = codec_error()
 pnu, servo, profile, monitor = GLIDER.pnu, GLIDER.servo, GLIDER.profile, GLIDER.monitor
 SETS = [
@@ -141,7 +141,7 @@ def test_parameters_are_attributes_of_their_set() -> None:
 
 
 def test_rows_are_made_when_one_is_asked_for() -> None:
-    module = module_of(layouts(MADE_UP)["glider-x"][0])
+    module = module_of(layouts(TEST_SPECS)["glider-x"][0])
     assert object.__getattribute__(module.servo, "_index") == {} or len(module.servo) == 3
     fresh = type(module.servo)("servo", module._servo_rows, base=0x2000)
     assert object.__getattribute__(fresh, "_index") == {}

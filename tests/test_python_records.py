@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.reference.records import decoded, encoded
-from laid_out import all_layouts
+from layouts import all_layouts
 from python_package import built, module_of, only_stored, outcome, raws, record_class
 from random_values import bytes_of, values_of
 

@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.reference import codec
-from laid_out import MADE_UP, SPECS, all_layouts, layouts, newest
+from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
 from python_package import built, class_of, codec_error, link_of, module_of, outcome, package, record_class
 from random_values import bytes_of, values_of
 
-GLIDER = module_of(newest(MADE_UP, "glider-x"))
+GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
 HIWIN = module_of(newest(SPECS, "hiwin-e"))
 CodecError = codec_error()
 CODELESS = [
@@ -91,7 +91,7 @@ def test_a_telegram_knows_its_number_and_beside_which_it_is_sent() -> None:
     assert not hasattr(GLIDER.Telegram3Request, "SUPPLEMENTS")
     assert "Telegram 70. It is sent beside telegram_3 or telegram_11." in GLIDER.Telegram70Request.__doc__
     assert "the request (received)" in GLIDER.Telegram70Request.__doc__
-    assert not hasattr(module_of(layouts(MADE_UP)["glider-x"][0]), "Telegram70Request")
+    assert not hasattr(module_of(layouts(TEST_SPECS)["glider-x"][0]), "Telegram70Request")
 
 
 def test_a_telegram_is_written_as_its_bytes() -> None:
@@ -152,7 +152,7 @@ def test_the_first_state_that_fits_is_that_of_the_spec(layout: DeviceLayout, fla
 
 WORDS = [
     pytest.param(layout, flags, id=f"{layout.device.id}-{flags.name}")
-    for root in (SPECS, MADE_UP)
+    for root in (SPECS, TEST_SPECS)
     for versions in layouts(root).values()
     for layout in versions[-1:]
     for flags in layout.device.flags.values()

@@ -11,9 +11,9 @@ from fieldspec.explain.parameters import nearest
 from fieldspec.layout.values import MeaningError, raw_value
 from fieldspec.model.quantity import count_of, quantity_of
 from fieldspec.model.value import PRIMITIVES, Value
-from laid_out import MADE_UP, newest
+from layouts import TEST_SPECS, newest
 
-DEVICE = newest(MADE_UP, "widget").device
+DEVICE = newest(TEST_SPECS, "widget").device
 DISTANCE = Value(
     type=PRIMITIVES["i32"],
     size=4,

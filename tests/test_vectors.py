@@ -16,10 +16,10 @@ from pymodbus.pdu import DecodePDU
 from fieldspec.backends.vectors.backend import files
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.reference import CodecError, codec
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
 FORMAT = Path(__file__).parent.parent / "docs" / "vectors.md"
-VERSIONS = {name: versions for root in (SPECS, MADE_UP) for name, versions in layouts(root).items()}
+VERSIONS = {name: versions for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()}
 
 
 @cache

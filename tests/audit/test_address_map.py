@@ -7,8 +7,8 @@ import pytest
 from fieldspec.audit.address_map import STATES, Space, spaces_of
 from fieldspec.audit.addresses import poll_rows
 from fieldspec.audit.poll_blocks import ACCESS_UNKNOWN, CLEARED, TOO_LONG, WRITE_ONLY, Polling, polling_of
-from laid_out import SPECS, all_layouts, laid_at, newest
-from reading import gadget
+from layouts import SPECS, all_layouts, layout_at, newest
+from spec_files import gadget
 
 MESSAGES = """
 messages:
@@ -40,13 +40,13 @@ def row(at: int, name: str, more: str = "") -> str:
 
 
 def space(text: str, name: str = "registers") -> Space:
-    spaces = {space.name: space for space in spaces_of(laid_at(gadget(text), "1"))}
+    spaces = {space.name: space for space in spaces_of(layout_at(gadget(text), "1"))}
     return spaces[name]
 
 
 def polled(rows: str, most: int = 10, more: str = "") -> Polling:
     text = registers(rows, more) + LINK + MESSAGES % (most, most)
-    return polling_of(laid_at(gadget(text), "1"))
+    return polling_of(layout_at(gadget(text), "1"))
 
 
 def blocks(polling: Polling) -> list[tuple[int, int]]:
@@ -166,7 +166,7 @@ def test_a_request_does_not_touch_what_must_not_be_read(more: str, reason: str) 
 
 def test_a_register_of_which_nothing_says_that_it_can_be_read_is_left_out() -> None:
     text = "registers: [{group: all, section: '1', rows: [{at: 0, name: a, type: u16, source: L1}]}]\n" + LINK
-    polling = polling_of(laid_at(gadget(text + MESSAGES % (10, 10)), "1"))
+    polling = polling_of(layout_at(gadget(text + MESSAGES % (10, 10)), "1"))
     assert [unit.refused for unit in polling.left_out] == [ACCESS_UNKNOWN]
 
 
@@ -179,7 +179,7 @@ def test_reserved_words_are_read_between_values_and_not_at_the_ends() -> None:
 
 def test_the_least_of_what_bounds_a_request_is_the_limit() -> None:
     text = registers(row(0, "a")) + LINK + MESSAGES % (10, 4)
-    polling = polling_of(laid_at(gadget(text), "1"))
+    polling = polling_of(layout_at(gadget(text), "1"))
     assert [(limit.words, limit.from_manual) for limit in polling.limits] == [(4, True)]
 
 

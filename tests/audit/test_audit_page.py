@@ -18,7 +18,8 @@ from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 
 from audit.audit_pages import files, page, projects
-from command_line import MADE_UP, SPECS, CommandLine
+from command_line import SPECS, TEST_SPECS, CommandLine
+from external_tools import require_tool
 from fieldspec.audit.address_map import STATES, spaces_of
 from fieldspec.audit.section import Figure, Report, Section, SectionTable
 from fieldspec.classes import replace
@@ -27,8 +28,7 @@ from fieldspec.model.fact import Citation
 from fieldspec.render.audit_html import rendered
 from fieldspec.render.audit_map import maps
 from fieldspec.source import SourceFile, Span
-from laid_out import all_layouts, newest
-from tools_available import require_tool
+from layouts import all_layouts, newest
 
 DEVICES = ("esc11", "widget", "glider-x", "gizmo", "hostile")
 STYLE = resources("fieldspec.render").joinpath("audit.css").read_text("utf-8")
@@ -184,7 +184,7 @@ def test_whatever_a_report_says_is_a_text() -> None:
     section = Section(
         "part", HOSTILE, (HOSTILE,), figures, (table, replace(table, detail=True, name="other")), (wrong,)
     )
-    device = replace(newest(MADE_UP, "gizmo").device, name=HOSTILE, title=HOSTILE, vendor=HOSTILE)
+    device = replace(newest(TEST_SPECS, "gizmo").device, name=HOSTILE, title=HOSTILE, vendor=HOSTILE)
     device = replace(device, manual=replace(device.manual, title=HOSTILE, edition=HOSTILE, file=HOSTILE))
     text = rendered(Report("x", HOSTILE, HOSTILE, HOSTILE, (section,)), device, {HOSTILE: f"a.html#{HOSTILE}"})
     page = html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse(text)
@@ -210,7 +210,7 @@ def test_the_same_specs_give_the_same_page() -> None:
 def test_a_page_is_printed_by_the_command(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    run = CommandLine(capsys, monkeypatch, MADE_UP)
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
     ran = run("audit", "gizmo", "--format", "html")
     path = tmp_path / "audit.html"
     assert run("audit", "gizmo", "--format", "html", "--out", str(path)).out == ""

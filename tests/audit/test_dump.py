@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 
-from command_line import CommandLine, Ran
+from command_line import CommandLine, RunResult
 from fieldspec.audit.addressed_values import addressed_values
 from fieldspec.lists.workbook import workbook_sheet
 from fieldspec.reference.records import CodecError, decoded_value, value_construct
-from laid_out import MADE_UP, laid_at, newest
-from reading import DEVICE, gadget
+from layouts import TEST_SPECS, layout_at, newest
+from spec_files import DEVICE, gadget
 
 SPEC = """
 registers:
@@ -68,7 +68,7 @@ def run(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.
     return CommandLine(capsys, monkeypatch, tmp_path)
 
 
-def dump(run: CommandLine, text: str | bytes, *options: str) -> Ran:
+def dump(run: CommandLine, text: str | bytes, *options: str) -> RunResult:
     data = text if isinstance(text, bytes) else text.encode()
     return run("audit", "gadget", "--dump", "-", *options, stdin=data)
 
@@ -265,7 +265,7 @@ def test_the_columns_of_compare_are_as_they_were(run: CommandLine, tmp_path: Pat
 def test_a_value_is_wrong_exactly_where_the_reference_refuses_it(device: str, pattern: bytes) -> None:
     from fieldspec.explain.values import decode_value
 
-    layout = newest(MADE_UP, device)
+    layout = newest(TEST_SPECS, device)
     seen = 0
     for slot in addressed_values(layout):
         value = slot.value
@@ -285,7 +285,7 @@ def test_a_value_is_wrong_exactly_where_the_reference_refuses_it(device: str, pa
 
 
 def test_every_value_of_a_table_has_an_address_of_its_own() -> None:
-    values = [slot for slot in addressed_values(newest(MADE_UP, "widget")) if slot.name.startswith("points[")]
+    values = [slot for slot in addressed_values(newest(TEST_SPECS, "widget")) if slot.name.startswith("points[")]
     assert len({(slot.address, slot.skip) for slot in values}) == len(values) == 5 * 6
 
 
@@ -294,5 +294,7 @@ def test_bytes_in_one_word_are_read_apart() -> None:
 records: [{name: pair, section: "1", source: L1, fields: [{name: high, type: u8}, {name: low, type: u8}]}]
 tables: [{name: pairs, section: "1", source: L2, base: 0, stride: 1, count: 1, record: pair, access: rw}]
 """
-    values = [(slot.name, slot.address, slot.words, slot.skip) for slot in addressed_values(laid_at(gadget(text), "1"))]
+    values = [
+        (slot.name, slot.address, slot.words, slot.skip) for slot in addressed_values(layout_at(gadget(text), "1"))
+    ]
     assert values == [("pairs[0].high", 0, 1, 0), ("pairs[0].low", 0, 1, 1)]

@@ -10,8 +10,8 @@ from command_line import CommandLine
 from fieldspec.audit.review import State, reviewed, reviews_of, since, state_hash, states, uncited
 from fieldspec.facts import rows
 from fieldspec.reading.project import DeviceSpec
-from laid_out import laid_at
-from reading import DEVICE, codes, gadget
+from layouts import layout_at
+from spec_files import DEVICE, codes, gadget
 
 ROWS = """
 registers:
@@ -31,7 +31,7 @@ def run(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.
 
 
 def state(text: str) -> dict[str, State]:
-    return states([rows(laid_at(gadget(text), "1"))])
+    return states([rows(layout_at(gadget(text), "1"))])
 
 
 def change(run: CommandLine, old: str, new: str) -> None:

@@ -13,8 +13,8 @@ from fieldspec.audit.sources import sources
 from fieldspec.audit.tasks import tasks
 from fieldspec.model.operand import Operands
 from fieldspec.reading.project import DeviceSpec
-from laid_out import MADE_UP, SPECS, laid_at, newest
-from reading import gadget
+from layouts import SPECS, TEST_SPECS, layout_at, newest
+from spec_files import gadget
 
 DEVICES = ("ck10", "esc11", "hiwin-e", "tc100")
 MODES = """
@@ -28,7 +28,7 @@ enums:
 
 
 def subject(spec: DeviceSpec) -> Subject:
-    layout = laid_at(spec, spec.versions()[-1])
+    layout = layout_at(spec, spec.versions()[-1])
     return Subject(spec, layout, (layout,), ((),))
 
 
@@ -59,7 +59,7 @@ def test_every_target_of_a_step_is_one_operand(device: str) -> None:
 
 
 def test_what_is_not_printed_has_tables_of_its_own() -> None:
-    model = newest(MADE_UP, "widget").device
+    model = newest(TEST_SPECS, "widget").device
     assert [fact.name for fact in model.limits if fact.reported] == ["reply_time"]
     text = "limits: [{name: a, source: 1 L1, reported: [{by: A user, how: Seen., doc: It is so.}]}]\n"
     section = sources(subject(gadget(text)))

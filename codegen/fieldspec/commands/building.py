@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import partial
 from typing import TYPE_CHECKING
 
 from fieldspec.classes import dataclass, replace
@@ -16,6 +17,10 @@ if TYPE_CHECKING:
     from fieldspec.audit.manual_lines import ManualIndex
     from fieldspec.commands.placement import Staging
     from fieldspec.diagnostics import Diagnostic
+
+
+TEMPLATES = "templates"
+"""The kind of entries of the cache that are compiled templates."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,13 +70,16 @@ def _anew(
 ) -> BuildResult:
     """Reads the specs, of all devices or of `only` some, and carries out the plans."""
     from fieldspec import pipeline
-    from fieldspec.commands import specs
+    from fieldspec.backends import templates
+    from fieldspec.commands import cache_folder, specs
     from fieldspec.commands.plugin_loading import load_checks
     from fieldspec.commands.workers import DOCUMENTATION, Task, Work, stage_changes, task_results
     from fieldspec.diagnostics import has_errors, in_order
     from fieldspec.reading.project import read
 
     load_checks()
+    if earlier.trusted:
+        templates.use_cache(partial(cache_folder.cached, TEMPLATES), partial(cache_folder.store, TEMPLATES))
     project = read(files, only)  # without the folder, which outputs must not depend on
     outputs = not has_errors(project.findings)
     tasks = []

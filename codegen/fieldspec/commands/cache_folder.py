@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 
 # A file in the cache begins with the hash of its content: one that is half written, or changed by hand, is ignored, and
-# so is one that another user owns or could write to. The content is data that is never executed. Where the folder
-# cannot be written to, nothing is cached.
+# so is one that another user owns or could write to. The content is never executed, but for compiled
+# templates. Where the folder cannot be written to, nothing is cached.
 
 try:
     from _blake2 import blake2b  # `hashlib` loads OpenSSL first, which takes as long as to read a compiled device

@@ -104,6 +104,7 @@ class EarlierBuild:
         self._specs: Hashes = {}
         self._note: dict[str, Any] = {}
         self._file_digests: dict[str, str | None] = {}
+        self.trusted = trusted
         self._compiler = _running(packages or {}) if trusted else ""
         note = cache_folder.cached(KIND, self._name) if self._compiler else None
         earlier_data = json.loads(note) if note else {}

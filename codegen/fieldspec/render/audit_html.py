@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.audit.section import Cell, Figure, Report, Section, SectionTable
-from fieldspec.backends.forms import filled, text
+from fieldspec.backends.templates import fill, text
 from fieldspec.diagnostics import Diagnostic, Severity, in_order
 from fieldspec.html_text import clean, escaped
 from fieldspec.model.device import Device
@@ -115,16 +115,16 @@ def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
         _finding(number, section, finding, rows[section.name])
         for number, (section, finding) in enumerate(section_findings, 1)
     ]
-    return filled(
-        "render/audit.html.in",
-        title=_visible(f"Audit of {report.title}"),
-        identity=_visible(report.identity),
+    return fill(
+        "audit.html.j2",
+        title=clean(f"Audit of {report.title}"),
+        identity=clean(report.identity),
         style=text("backends/page.css") + text("render/audit.css"),
-        contents=map(_entry, report.sections),
+        contents="".join(map(_entry, report.sections)),
         head=_head(report, device, [finding for _, finding in section_findings]),
-        glance=map(_glance, report.sections),
-        findings=['<ol class="findings">\n', *findings, "</ol>\n"] if findings else "<p>There is none.</p>\n",
-        parts=[part for section in report.sections for part in _part(section, links)],
+        glance="".join(map(_glance, report.sections)),
+        findings="".join(['<ol class="findings">\n', *findings, "</ol>\n"]) if findings else "<p>There is none.</p>\n",
+        parts="".join([part for section in report.sections for part in _part(section, links)]),
     )
 
 

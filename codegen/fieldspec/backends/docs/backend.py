@@ -23,24 +23,24 @@ def files(layouts: Sequence[DeviceLayout], links: Sequence[PageLink] = ()) -> di
     The indexes also have `links` to other pages of the device. A device of one version has no page of changes.
     """
     folder = layouts[-1].device.id
-    held = steps(layouts)
+    device_steps = steps(layouts)
     holding = Holding(layouts)
     pages = {layout.device.version: page(layout, holding) for layout in layouts}
     texts = {
-        f"{folder}/index.html": html.page(versions(layouts, held, ".html", links)),
-        f"{folder}/README.md": markdown.page(versions(layouts, held, ".md", links)),
+        f"{folder}/index.html": html.page(versions(layouts, device_steps, ".html", links)),
+        f"{folder}/README.md": markdown.page(versions(layouts, device_steps, ".md", links)),
     }
-    if held:
-        rows = {version: frozenset(every(made.sections)) for version, made in pages.items()}
-        sections = {version: frozenset(headings(made.sections)) for version, made in pages.items()}
-        texts[f"{folder}/{NAME}.html"] = html.page(changed(held, ".html", rows))
-        texts[f"{folder}/{NAME}.md"] = markdown.page(changed(held, ".md", sections))
-    came_by = {step.new.device.version for step in held}
-    for version, made in pages.items():
+    if device_steps:
+        rows = {version: frozenset(every(document.sections)) for version, document in pages.items()}
+        sections = {version: frozenset(headings(document.sections)) for version, document in pages.items()}
+        texts[f"{folder}/{NAME}.html"] = html.page(changed(device_steps, ".html", rows))
+        texts[f"{folder}/{NAME}.md"] = markdown.page(changed(device_steps, ".md", sections))
+    came_by = {step.new.device.version for step in device_steps}
+    for version, document in pages.items():
         name = page_name(version)
         fresh = version in came_by
-        texts[f"{folder}/{name}.html"] = html.page(_leading(made, version, ".html") if fresh else made)
-        texts[f"{folder}/{name}.md"] = markdown.page(_leading(made, version, ".md") if fresh else made)
+        texts[f"{folder}/{name}.html"] = html.page(_leading(document, version, ".html") if fresh else document)
+        texts[f"{folder}/{name}.md"] = markdown.page(_leading(document, version, ".md") if fresh else document)
     return texts
 
 
@@ -54,9 +54,9 @@ def fact_links(layout: DeviceLayout, contents: Mapping[str, bytes]) -> dict[str,
     return {path: f"{name}#{path}" for path in _ANCHOR.findall(text) if "/" in path}
 
 
-def _leading(made: Document, version: str, ending: str) -> Document:
+def _leading(document: Document, version: str, ending: str) -> Document:
     """A page that leads to what has changed with its version."""
-    return replace(made, summary=(*made.summary, (text_piece("what has changed", link(version, ending)),)))
+    return replace(document, summary=(*document.summary, (text_piece("what has changed", link(version, ending)),)))
 
 
 def shared() -> dict[str, str]:

@@ -66,18 +66,20 @@ class Step:
 
     def counts(self) -> str:
         """`2 on the wire, 1 in behaviour`"""
-        some = ((sum(one.change.effect is effect for one in self.changes), MEANINGS[effect][0]) for effect in Effect)
+        some = (
+            (sum(change.change.effect is effect for change in self.changes), MEANINGS[effect][0]) for effect in Effect
+        )
         return ", ".join(f"{count} {title[:1].lower()}{title[1:]}" for count, title in some if count) or "nothing"
 
 
 def steps(layouts: Sequence[DeviceLayout]) -> list[Step]:
     """The steps between neighbours on each line that has outputs, the oldest first."""
     by_version = {layout.device.version: layout for layout in layouts}
-    found = []
+    line_steps = []
     for line in layouts[-1].device.lines if layouts else ():
-        held = [by_version[version.id] for version in line.versions if line.builds and version.id in by_version]
-        found += [_step(old, new) for old, new in pairwise(held)]
-    return found
+        line_layouts = [by_version[version.id] for version in line.versions if line.builds and version.id in by_version]
+        line_steps += [_step(old, new) for old, new in pairwise(line_layouts)]
+    return line_steps
 
 
 def _step(old: DeviceLayout, new: DeviceLayout) -> Step:
@@ -92,11 +94,11 @@ def page_name(version: str) -> str:
     return f"{version}_" if version.lower() in (NAME, "index", "readme") else version
 
 
-def changed(held: Sequence[Step], ending: str, anchors: dict[str, frozenset[str]]) -> Document:
+def changed(device_steps: Sequence[Step], ending: str, anchors: dict[str, frozenset[str]]) -> Document:
     """The page, the newest version first. `ending` is that of the versions' pages, `anchors` what is on them."""
-    newest = held[-1].new
+    newest = device_steps[-1].new
     device = newest.device
-    sections = tuple(_section(step, ending, anchors) for step in reversed(held))
+    sections = tuple(_section(step, ending, anchors) for step in reversed(device_steps))
     return Document(
         clean(f"{device.name}: changes from version to version"),
         clean(device.title),
@@ -131,7 +133,13 @@ def link(version: str, ending: str) -> str:
 
 def _head(step: Step, pages: _Pages) -> Iterator[Block]:
     version = next(
-        (one for line in step.new.device.lines for one in line.versions if one.id == step.new.device.version), None
+        (
+            version
+            for line in step.new.device.lines
+            for version in line.versions
+            if version.id == step.new.device.version
+        ),
+        None,
     )
     if version is not None:
         for text in (version.title, version.doc):
@@ -151,7 +159,7 @@ def _head(step: Step, pages: _Pages) -> Iterator[Block]:
 
 
 def _effect(step: Step, effect: Effect, pages: _Pages) -> Section | None:
-    rows = [_row(one, pages) for one in step.changes if one.change.effect is effect]
+    rows = [_row(change, pages) for change in step.changes if change.change.effect is effect]
     if not rows:
         return None
     title, meaning = MEANINGS[effect]
@@ -162,13 +170,13 @@ def _effect(step: Step, effect: Effect, pages: _Pages) -> Section | None:
     )
 
 
-def _row(held: JudgedChange, pages: _Pages) -> TableRow:
-    change = held.change
+def _row(judged_change: JudgedChange, pages: _Pages) -> TableRow:
+    change = judged_change.change
     remarks: list[Line] = []
     if change.outputs:
         remarks.append((text_piece(f"in {', '.join(_TARGETS.get(name, name) for name in change.outputs)}"),))
-    if held.accepted is not None:
-        remarks.append((styled("accepted: ", "strong"), text_piece(held.accepted.reason)))
+    if judged_change.accepted is not None:
+        remarks.append((styled("accepted: ", "strong"), text_piece(judged_change.accepted.reason)))
     return TableRow((cell(change.message), cell(code(change.path, pages.fact(change))), cell(*remarks)))
 
 
@@ -206,7 +214,7 @@ VERSION_COLUMNS = (
 
 
 def versions(
-    layouts: Sequence[DeviceLayout], held: Sequence[Step], ending: str, links: Sequence[PageLink] = ()
+    layouts: Sequence[DeviceLayout], device_steps: Sequence[Step], ending: str, links: Sequence[PageLink] = ()
 ) -> Document:
     """The versions, the newest first, and the steps between them; `ending` is that of the pages to which they lead.
 
@@ -215,7 +223,7 @@ def versions(
     newest = layouts[-1]
     device = newest.device
     known = {version.id: version for line in device.lines for version in line.versions}
-    came_by = {step.new.device.version: step for step in held}
+    came_by = {step.new.device.version: step for step in device_steps}
     rows = []
     for layout in reversed(layouts):
         version = layout.device.version
@@ -245,7 +253,7 @@ def _version_row(layout: DeviceLayout, version: Version | None, step: Step | Non
             cell(*doc),
             _count(sum(register.count for register in device.registers())),
             _count(len(device.messages)),
-            _count(sum(len(held.parameters) for held in device.parameters.values())),
+            _count(sum(len(parameter_set.parameters) for parameter_set in device.parameters.values())),
             _count(len(device.examples)),
             cell(text_piece(step.counts(), link(device.version, ending)) if step is not None else ()),
             cell(code(layout.identity)),

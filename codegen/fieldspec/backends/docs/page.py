@@ -103,8 +103,8 @@ def page(layout: DeviceLayout, holding: Holding) -> Document:
     """The page of a device at one version. Sections in which nothing would stand are left out."""
     context = Context(layout, holding)
     device = layout.device
-    made = [section(context) for section in SECTIONS]
-    sections = tuple(_shared(section, holding) for section in made if section.blocks or section.sections)
+    all_sections = [section(context) for section in SECTIONS]
+    sections = tuple(_shared(section, holding) for section in all_sections if section.blocks or section.sections)
     title = f"{device.name}, {version_title(device)}" if device.lines else device.name
     return Document(
         clean(title),
@@ -126,7 +126,11 @@ def _summary(layout: DeviceLayout) -> Iterator[Line]:
     counts = (
         ("registers", sum(register.count for register in device.registers()), "registers"),
         ("messages", len(device.messages), "messages"),
-        ("parameters", sum(len(held.parameters) for held in device.parameters.values()), "parameters"),
+        (
+            "parameters",
+            sum(len(parameter_set.parameters) for parameter_set in device.parameters.values()),
+            "parameters",
+        ),
         ("example frames", len(device.examples), "examples"),
         ("errata", len(device.errata), "errata"),
     )

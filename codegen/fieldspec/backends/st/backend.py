@@ -23,9 +23,9 @@ _PARTS = {
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """One text with everything of a device's newest version, and a table of where members of structs lie."""
     layout = newest(versions)
-    made = program(layout)
     name = stem(layout.device.id, layout.device.version)
-    return {f"{name}.st": text(made), f"{name}_layout.csv": layout_table(made)}
+    st_program = program(layout)
+    return {f"{name}.st": text(st_program), f"{name}_layout.csv": layout_table(st_program)}
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
@@ -38,11 +38,11 @@ def shared() -> dict[str, str]:
     return {}
 
 
-def text(made: Program) -> str:
+def text(program: Program) -> str:
     """All objects of a program in one text."""
-    lines = [f"// {line}".rstrip() for line in (*made.about(), "", *made.guide())]
+    lines = [f"// {line}".rstrip() for line in (*program.about(), "", *program.guide())]
     part = ""
-    for item in made.items:
+    for item in program.items:
         if item.kind != part:
             part = item.kind
             lines += ["", f"// ==== {_PARTS[part]} ===="]

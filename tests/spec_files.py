@@ -1,4 +1,4 @@
-"""Spec files for the tests of reading. In a text, `«` and `»` stand around what a finding must point to."""
+"""Spec files for the tests of reading. In a text, `«` and `»` enclose what a finding must point to."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _MARKS = re.compile("[«»]")
 
 
 def unmarked(text: str) -> tuple[str, int, int]:
-    """A text without its marks, and where they stood."""
+    """A text without its marks, and the offsets between which they enclosed it."""
     before, _, rest = text.partition("«")
     inside, _, after = rest.partition("»")
     assert not _MARKS.search(before + inside + after), "one pair of marks"
@@ -23,11 +23,11 @@ def unmarked(text: str) -> tuple[str, int, int]:
 
 
 def project(text: str = "", **others: str) -> Project:
-    """The project of a device `gadget` with a text, and of other files: `protocols_wire` is `protocols/wire.yaml`."""
+    """The project of the device `gadget` with a text and other files: `protocols_wire` is `protocols/wire.yaml`."""
     files = {"gadget/device.yaml": DEVICE + text} | {
         f"{name.replace('_', '/', 1)}.yaml": other for name, other in others.items()
     }
-    return read({path: held.encode() for path, held in files.items()})
+    return read({path: content.encode() for path, content in files.items()})
 
 
 def gadget(text: str, **others: str) -> DeviceSpec:
@@ -37,11 +37,11 @@ def gadget(text: str, **others: str) -> DeviceSpec:
     return read_from.devices["gadget"]
 
 
-def codes(found: list[Diagnostic]) -> list[str]:
+def codes(findings: list[Diagnostic]) -> list[str]:
     """The codes of findings."""
-    return [finding.code for finding in found]
+    return [finding.code for finding in findings]
 
 
 def pointed_at(span: Span) -> str:
-    """The text that a span holds."""
+    """The text of a span."""
     return span.file.text[span.start : span.end]

@@ -1,4 +1,4 @@
-"""Kills builds at random moments, and judges what they leave: `python tests/kills.py [BUILDS] [SEED]`."""
+"""Kills builds at random moments and checks what they leave behind: `python tests/interruptions.py [BUILDS] [SEED]`."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from pathlib import Path
 SPECS = Path(__file__).resolve().parent.parent / "specs"
 OUTPUTS = "c,vectors"
 SECONDS = 20
-"""How long a process may live whose parent was killed; far above what it takes."""
+"""How long a process may outlive its killed parent; far above what is needed."""
 
 
 class Place:
-    """Specs in two states, and the outputs of both; builds go from the one to the other."""
+    """Specs in two states and the outputs of both; builds switch from one to the other."""
 
     def __init__(self, folder: Path) -> None:
         self.folder, self.out = folder, folder / "out"
@@ -39,7 +39,7 @@ class Place:
         return self.folder / f"specs{number}"
 
     def build(self, number: int) -> subprocess.Popen[bytes]:
-        """Starts a build in a group of processes of its own."""
+        """Starts a build in its own process group."""
         words = ["build", "--no-cache", "--to", OUTPUTS, "--specs", str(self.specs(number)), "--out", str(self.out)]
         environment = {**os.environ, "FIELDSPEC_CACHE": str(self.folder / "cache")}
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
@@ -47,7 +47,7 @@ class Place:
         return subprocess.Popen(command, env=environment, start_new_session=True, **quiet)  # type: ignore[call-overload,no-any-return]
 
     def files(self) -> dict[str, bytes]:
-        """The outputs as they are."""
+        """The current outputs: contents by path."""
         return {
             path.relative_to(self.out).as_posix(): path.read_bytes()
             for path in self.out.rglob("*")
@@ -59,7 +59,7 @@ class Place:
 
 
 def alive(group: int) -> bool:
-    """Whether a process of a group is running."""
+    """Whether a process of a process group is running."""
     try:
         os.killpg(group, 0)
     except ProcessLookupError:
@@ -68,7 +68,7 @@ def alive(group: int) -> bool:
 
 
 def kill(place: Place, number: int, after: float) -> str:
-    """Kills one build after a time, and says what was found then. Raises AssertionError."""
+    """Kills one build after some seconds and returns the state of its outputs. Raises AssertionError."""
     building = place.build(number)
     try:
         building.wait(after)
@@ -80,28 +80,28 @@ def kill(place: Place, number: int, after: float) -> str:
         time.sleep(0.01)
     assert not alive(building.pid), "a worker outlives its parent"
     before = place.files()
-    found = "whole" if before in place.states else "mixed"
+    state = "whole" if before in place.states else "mixed"
     if place.left_over():
-        found += ", left over"
-    next_one = place.build(number)
-    assert next_one.wait() == 0, "the next build fails"
+        state += ", left over"
+    next_build = place.build(number)
+    assert next_build.wait() == 0, "the next build fails"
     assert place.files() == place.states[number], "the next build does not repair"
     assert place.left_over() == [], "something is left"
-    return found
+    return state
 
 
 def soak(builds: int, seed: int) -> Counter[str]:
-    """Kills so many builds; how often what was found."""
+    """Kills so many builds and counts the states in which they leave the outputs."""
     chance = random.Random(seed)
-    found: Counter[str] = Counter()
+    counts: Counter[str] = Counter()
     with tempfile.TemporaryDirectory() as folder:
         place = Place(Path(folder))
         start = time.monotonic()
         assert place.build(0).wait() == 0
         whole = time.monotonic() - start
         for turn in range(builds):
-            found[kill(place, 1 - turn % 2, chance.uniform(0, whole * 1.05))] += 1
-    return found
+            counts[kill(place, 1 - turn % 2, chance.uniform(0, whole * 1.05))] += 1
+    return counts
 
 
 if __name__ == "__main__":

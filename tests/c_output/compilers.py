@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from tools_available import require_tool
+from external_tools import require_tool
 
 STRICT = [
     *("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion"),
@@ -15,14 +15,14 @@ COMPILERS = {
     "gcc": ["gcc", "-std=c99", "-O1"],
     "clang": ["clang", "-std=c99"],
     "g++": ["g++", "-std=c++11", "-x", "c++"],
-    # It has none of the extensions of gcc.
+    # tcc knows none of the extensions of gcc.
     "tcc": ["tcc", "-std=c99"],
     "sanitized": ["gcc", "-std=c99", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
 }
 
 
 def compiled(compiler: str, source: Path, target: Path, *more: str) -> Path:
-    """The program that a compiler makes of a source; its complaints are the assertion's message."""
+    """Compiles a source into a program and returns its path. Raises AssertionError with the compiler's messages."""
     tool, *flags = COMPILERS[compiler]
     command = [require_tool(tool), *flags, *STRICT, *more, "-o", str(target), str(source)]
     result = subprocess.run(command, capture_output=True, text=True, check=False)

@@ -13,13 +13,13 @@ NODE_TOOLS = Path(__file__).parent / "tools" / "node_modules" / ".bin"
 
 
 def require_tool(name: str) -> str:
-    """The path of a program; without it the test is skipped, or fails in CI, where every judge must speak."""
+    """The path of a program. If it is missing, the test is skipped, or fails in CI, where every tool is needed."""
     path = shutil.which(name) or shutil.which(name, path=str(NODE_TOOLS))
     return path if path is not None else without(name)
 
 
 def without(name: str, missing: str = "") -> NoReturn:
-    """Skips a test that lacks something, or lets it fail in CI. `missing` says more than that it is not installed."""
+    """Skips the test, or fails it in CI. `missing` is the message if "not installed" is not the reason."""
     missing = missing or f"{name} is not installed; .ci/run shows which packages the tests need"
     if os.environ.get("CI"):
         pytest.fail(missing)

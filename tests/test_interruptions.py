@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from kills import Place, soak
+from interruptions import Place, soak
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="builds in processes on Linux alone")
 
 
-def test_builds_that_are_killed_at_random_moments_are_repaired_by_the_next() -> None:
+def test_a_build_that_is_killed_at_a_random_moment_is_repaired_by_the_next() -> None:
     assert sum(soak(4, 1).values()) == 4
 
 

@@ -1,4 +1,4 @@
-"""Random specs that fit the schema: legal in form, senseless in content."""
+"""Random specs that fit the schema: valid in form, without sense in content."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from fieldspec.schema import Schema, resolved, schema
 NAMES = ("a", "b", "c", "status", "point_2")
 NUMBERS = (*range(-2, 9), 15, 16, 63, 64, 255, 256, 4000, 65535, 65536, 2**32, 2**64 - 1, 10**19, -(2**63))
 TEXTS = ("", "x", "伺服", "on", "1", "-1", "0..5", "*/", "{{", "\n", "a=1", "20.00 mm", "010", "9" * 5000, "~", "\0")
-PLAIN = ("0.01", "-0.5", "1", "0", "0.00000000000000000001", "99999999999999999999", "-40")
-"""Numbers as they are written, so that none is rounded before it is read."""
+NUMBER_TEXTS = ("0.01", "-0.5", "1", "0", "0.00000000000000000001", "99999999999999999999", "-40")
+"""Numbers as texts, so that none is rounded before it is read."""
 
 FORMS: dict[str, tuple[str, ...]] = {
     "name": NAMES,
@@ -40,8 +40,8 @@ FORMS: dict[str, tuple[str, ...]] = {
 }
 
 
-class Written(str):
-    """A number as it is written."""
+class NumberText(str):
+    """A number as YAML writes it, without quotes."""
 
     __slots__ = ()
 
@@ -65,7 +65,7 @@ def text_of(data: Any) -> str:
         return "{" + ", ".join(f"{key}: {text_of(value)}" for key, value in data.items()) + "}"
     if isinstance(data, list):
         return "[" + ", ".join(map(text_of, data)) + "]"
-    return str(data) if isinstance(data, Written) else json.dumps(data)
+    return str(data) if isinstance(data, NumberText) else json.dumps(data)
 
 
 def _of(part: Schema, key: str, chance: random.Random, depth: int) -> Any:
@@ -77,7 +77,7 @@ def _of(part: Schema, key: str, chance: random.Random, depth: int) -> Any:
     if form is not None and part.get("type") == ["string", "array"] and chance.random() < 0.5:
         return [chance.choice(form)]
     if form is not None and part.get("type") == ["number", "string"] and chance.random() < 0.5:
-        return Written(chance.choice(PLAIN))
+        return NumberText(chance.choice(NUMBER_TEXTS))
     if form is not None:
         return chance.choice(form)
     if "enum" in part:
@@ -93,7 +93,7 @@ def _of(part: Schema, key: str, chance: random.Random, depth: int) -> Any:
         low, high = part.get("minimum", -(10**20)), part.get("maximum", 10**20)
         return chance.choice([number for number in NUMBERS if low <= number <= high])
     if kind == "number":
-        return Written(chance.choice(PLAIN))
+        return NumberText(chance.choice(NUMBER_TEXTS))
     if kind == "boolean":
         return chance.random() < 0.5
     least = part.get("minLength", 0)

@@ -1,4 +1,4 @@
-"""Layouts of specs, for the tests of what is made from them."""
+"""Layouts of the real and the made-up specs, for the tests of outputs."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.reading.project import DeviceSpec, read
 
 SPECS = Path(__file__).parent.parent / "specs"
-MADE_UP = Path(__file__).parent / "specs"
+TEST_SPECS = Path(__file__).parent / "specs"
 
 
 @cache
@@ -19,19 +19,19 @@ def layouts(root: Path) -> dict[str, list[DeviceLayout]]:
     files = {path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(root.rglob("*.yaml"))}
     project = read(files)
     assert not has_errors(project.findings), project.findings[0].message
-    return {name: [laid_at(spec, version) for version in spec.versions()] for name, spec in project.devices.items()}
+    return {name: [layout_at(spec, version) for version in spec.versions()] for name, spec in project.devices.items()}
 
 
-def laid_at(spec: DeviceSpec, version: str) -> DeviceLayout:
-    """The layout of a device at a version, whose spec must be in order."""
-    device, found = spec.at(version)
-    assert not has_errors(found), found[0].message
+def layout_at(spec: DeviceSpec, version: str) -> DeviceLayout:
+    """The layout of a device at a version. Raises AssertionError if the spec has errors."""
+    device, findings = spec.at(version)
+    assert not has_errors(findings), findings[0].message
     return device_layout(device)
 
 
 def all_layouts() -> list[DeviceLayout]:
     """All versions of all devices, the real and the made-up ones."""
-    return [laid for root in (SPECS, MADE_UP) for versions in layouts(root).values() for laid in versions]
+    return [layout for root in (SPECS, TEST_SPECS) for versions in layouts(root).values() for layout in versions]
 
 
 def newest(root: Path, device: str) -> DeviceLayout:

@@ -1,4 +1,4 @@
-"""The made-up drive with some lines of its spec changed, and the Python module of that."""
+"""Variants of the made-up drive: some lines of its spec are changed, and the Python module is generated from it."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from types import ModuleType
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.reading.project import read
-from laid_out import MADE_UP
+from layouts import TEST_SPECS
 from python_package import module_apart
 
 NAME = "glider-x/device.yaml"
 
 
-def varied(name: str, changes: Sequence[tuple[str, str]]) -> tuple[DeviceLayout, ModuleType]:
-    """The drive without its examples, with what is old in each change replaced by what is new."""
-    text = (MADE_UP / NAME).read_text(encoding="utf-8")
+def drive_variant(name: str, changes: Sequence[tuple[str, str]]) -> tuple[DeviceLayout, ModuleType]:
+    """The layout and the Python module of the drive without its examples; a change is an old text and a new one."""
+    text = (TEST_SPECS / NAME).read_text(encoding="utf-8")
     for old, new in changes:
         assert old in text
         text = text.replace(old, new)
     text = text[: text.index("\nexamples:")] + "\n"
-    device, found = read({NAME: text.encode()}).devices["glider-x"].at("1.1")
-    assert not has_errors(found), found[0].message
+    device, findings = read({NAME: text.encode()}).devices["glider-x"].at("1.1")
+    assert not has_errors(findings), findings[0].message
     layout = device_layout(device)
     return layout, module_apart(layout, f"glider_{name}")
