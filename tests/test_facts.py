@@ -63,12 +63,12 @@ def test_a_path_belongs_to_one_fact(device: str) -> None:
     assert sorted(set(paths)) == sorted(paths)
 
 
-@pytest.mark.parametrize("device", sorted(path.parent.name for path in MADE_UP.glob("*/device.yaml")))
+@pytest.mark.parametrize("device", sorted(path.parent.name for path in TEST_SPECS.glob("*/device.yaml")))
 def test_the_path_of_a_fact_leads_to_it_in_the_spec(device: str) -> None:
-    device_spec = spec(MADE_UP, device)
+    device_spec = spec(TEST_SPECS, device)
     version = device_spec.versions()[-1]
     tree = device_spec.trees.get(version, device_spec.tree)
-    paths = [str(row["path"]) for row in facts(MADE_UP, device)]
+    paths = [str(row["path"]) for row in facts(TEST_SPECS, device)]
     assert [path for path in paths if not leads_to_fact(tree, path)] == []
 
 
