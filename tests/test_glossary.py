@@ -19,8 +19,7 @@ GLOSSARY = (ROOT / "docs" / "glossary.md").read_text("utf-8")
 SCHEMA = PACKAGE / "schema" / "spec.schema.json"
 OUTSIDE = {"node_modules", ".venv", "__pycache__"}
 
-STILL_TO_DO: dict[str, int] = {
-}
+STILL_TO_DO: dict[str, int] = {}
 """Folders whose old names have not been replaced yet, with how many of them are left. It is empty in the end."""
 
 

@@ -1,4 +1,4 @@
-"""A name is a list of words; each output writes them in its own case. Cases live here only."""
+"""Names as lists of words, which each output writes in its own case. No other module changes the case of a name."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def version_word(version: str) -> str:
 
 
 def _joined(words: list[str]) -> str:
-    """Words in one, with an underscore between two digits, which would otherwise be one number."""
+    """The words without separators, but with an underscore between two digits, which would otherwise be one number."""
     text = ""
     for word in words:
         text += "_" + word if text[-1:].isdigit() and word[:1].isdigit() else word

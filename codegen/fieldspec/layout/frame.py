@@ -44,11 +44,11 @@ CHECKSUMS: Mapping[str, Callable[[bytes], int]] = {
 
 @dataclass(frozen=True, slots=True)
 class PartLayout:
-    """A part of a frame. `offset` counts from the first part; behind the body, it counts from the end and is negative.
+    """A part of a frame. `offset` counts from the first part; after the body, it counts from the end and is negative.
 
     A checksum covers the bytes of the parts from `start` to `stop`, which are the bounds of a slice; negative ones
     count from the end, and None is the end. A length of n means that all parts together have `unit_size` * n + `base`
-    bytes. `constant` is what is always sent. In a `reserved` part, anything may be received.
+    bytes. `constant` is the value that is always sent. In a `reserved` part, anything may be received.
     """
 
     part: Part
@@ -134,7 +134,7 @@ class LinkLayout:
 
 
 def link_layout(link: Link, messages: Mapping[str, MessageLayout]) -> LinkLayout:
-    """The layout of a link. `messages` are those of all links of the device."""
+    """The layout of a link. `messages` are the messages of all links of the device."""
     sent = {name: message for name, message in messages.items() if sent_on(link, message.message)}
     return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"), sent)
 
@@ -147,7 +147,7 @@ def _frame(link: Link, direction: str) -> FrameLayout:
     around = sum(sizes)
 
     def place(number: int) -> int:
-        """The offset of a part: from the start, or from the end and negative if the part is behind the body."""
+        """The offset of a part: from the start; from the end and negative if the part comes after the body."""
         return sum(sizes[:number]) if number <= body else sum(sizes[:number]) - around
 
     placed = []
