@@ -128,7 +128,7 @@ class Subindex(Fact):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parameter(Fact):
-    """One numbered parameter, or `count` equal ones that follow each other; a reserved parameter has no meaning for users.
+    """One numbered parameter, or `count` equal ones in a row; a reserved parameter has no meaning for users.
 
     `number` is counted as the manual counts in its set; `wire_number` is the one on the wire as printed. `elements`
     is the length of an array. `applies_to` names kinds of motor or model, `messages` those with which it has an
