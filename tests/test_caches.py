@@ -6,7 +6,7 @@ import gc
 
 import pytest
 
-from fieldspec.caches import ByIdentity
+from fieldspec.caches import ByIdentity, ObjectsKey
 
 
 def test_an_equal_object_is_another_key() -> None:
@@ -43,3 +43,11 @@ def test_the_oldest_entry_goes_where_there_are_too_many() -> None:
     assert [key in cache for key in keys] == [False, True, True]
     cache[keys[1]] = 7
     assert [cache[key] for key in keys[1:]] == [7, 2]
+
+
+def test_a_key_of_several_objects_is_equal_only_for_the_same_objects() -> None:
+    first, second = [1], [1]
+    assert ObjectsKey([first, second]) == ObjectsKey([first, second])
+    assert hash(ObjectsKey([first, second])) == hash(ObjectsKey([first, second]))
+    assert ObjectsKey([first, second]) != ObjectsKey([second, first])
+    assert ObjectsKey([first]) != ObjectsKey([first, second])

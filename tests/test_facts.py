@@ -10,7 +10,8 @@ import pytest
 
 from fieldspec.facts import COLUMNS, FactRow, rows
 from fieldspec.layout.device import device_layout
-from fieldspec.reading.project import read
+from fieldspec.reading.nodes import Mapping, Scalar, Sequence, find
+from fieldspec.reading.project import DeviceSpec, read
 
 ROOT = Path(__file__).resolve().parent.parent
 SPECS = ROOT / "specs"
@@ -20,11 +21,28 @@ DEVICES = sorted(path.parent.name for path in SPECS.glob("*/device.yaml"))
 
 
 @lru_cache(maxsize=8)
+def spec(folder: Path, device: str) -> DeviceSpec:
+    """The spec of a device."""
+    files = {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.glob("*/*.yaml"))}
+    return read(files, frozenset({device})).devices[device]
+
+
+@lru_cache(maxsize=8)
 def facts(folder: Path, device: str) -> tuple[FactRow, ...]:
     """The facts of a device at its newest version."""
-    files = {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.glob("*/*.yaml"))}
-    spec = read(files, frozenset({device})).devices[device]
-    return tuple(rows(device_layout(spec.at(spec.versions()[-1])[0])))
+    device_spec = spec(folder, device)
+    return tuple(rows(device_layout(device_spec.at(device_spec.versions()[-1])[0])))
+
+
+def leads_to_fact(tree: Mapping, path: str) -> bool:
+    """Whether a path leads to a node, to an element of the fact at its node, or to a value in the list there."""
+    if find(tree, path) is not None:
+        return True
+    outer, _, last = path.rpartition("/")
+    node = find(tree, outer)
+    if isinstance(node, Sequence):
+        return any(isinstance(item, Scalar) and item.text == last for item in node.items)
+    return node is not None and last.isdigit()
 
 
 def fact(path: str) -> FactRow:
@@ -43,6 +61,15 @@ def test_documentation_describes_every_column_in_order() -> None:
 def test_a_path_belongs_to_one_fact(device: str) -> None:
     paths = [str(row["path"]) for row in facts(SPECS, device)]
     assert sorted(set(paths)) == sorted(paths)
+
+
+@pytest.mark.parametrize("device", sorted(path.parent.name for path in TEST_SPECS.glob("*/device.yaml")))
+def test_the_path_of_a_fact_leads_to_it_in_the_spec(device: str) -> None:
+    device_spec = spec(TEST_SPECS, device)
+    version = device_spec.versions()[-1]
+    tree = device_spec.trees.get(version, device_spec.tree)
+    paths = [str(row["path"]) for row in facts(TEST_SPECS, device)]
+    assert [path for path in paths if not leads_to_fact(tree, path)] == []
 
 
 @pytest.mark.parametrize("device", DEVICES)

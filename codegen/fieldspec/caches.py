@@ -10,7 +10,7 @@ from __future__ import annotations
 from fieldspec.classes import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
     from typing import Generic, TypeVar
 
     Key = TypeVar("Key")
@@ -59,3 +59,22 @@ class ByIdentity(Generic[Key, Value]):
             self[key] = value = compute(key)
             return value
         return entry[1]
+
+
+class ObjectsKey:
+    """A key of several objects. It equals another one that has the same objects in the same order.
+
+    Like `ByIdentity`, it keeps the objects alive.
+    """
+
+    __slots__ = ("_identities", "_objects")
+
+    def __init__(self, objects: Iterable[object]) -> None:
+        self._objects = tuple(objects)
+        self._identities = tuple(map(id, self._objects))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ObjectsKey) and self._identities == other._identities
+
+    def __hash__(self) -> int:
+        return hash(self._identities)

@@ -1,4 +1,4 @@
-"""A name is a list of words; each output writes them in its own case. Cases live here only."""
+"""Names as lists of words, which each output writes in its own case. No other module changes the case of a name."""
 
 from __future__ import annotations
 
@@ -49,12 +49,17 @@ class Name:
 
 def stem(device: str, version: str) -> str:
     """The name of the files of a device's version: `gadget_v2_0`, `gadget_before_1_17`."""
+    return f"{Name.of(device).snake()}_{version_word(version)}"
+
+
+def version_word(version: str) -> str:
+    """A version within a name: `v2_0`, `before_1_17`."""
     words = Name.of(version).snake()
-    return f"{Name.of(device).snake()}_{f'v{words}' if words[:1].isdigit() else words}"
+    return f"v{words}" if words[:1].isdigit() else words
 
 
 def _joined(words: list[str]) -> str:
-    """Words in one, with an underscore between two digits, which would otherwise be one number."""
+    """The words without separators, but with an underscore between two digits, which would otherwise be one number."""
     text = ""
     for word in words:
         text += "_" + word if text[-1:].isdigit() and word[:1].isdigit() else word

@@ -1,4 +1,4 @@
-"""The whole compiler as a table of contents: files -> project -> findings -> layouts -> files by path."""
+"""The compiler, step by step: files -> project -> findings -> layouts -> files by path."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from fieldspec.reading.project import DeviceSpec, Project, read
 
 
 def load(files: Mapping[str, bytes], only: frozenset[str] = frozenset()) -> Project:
-    """The project of spec files by path, relative to the specs' folder; of all devices, or of `only` some."""
+    """The project of spec files by path, relative to the specs' folder; of all devices, or of those in `only`."""
     return read(files, only)
 
 
@@ -25,9 +25,9 @@ def checked(project: Project) -> list[Diagnostic]:
 
 
 def layouts(spec: DeviceSpec, ran: Outcome | None = None) -> list[DeviceLayout]:
-    """The layouts of all versions of a device that has no findings, the oldest first, with those that share them.
+    """The layouts of all versions of a device that has no findings, the oldest first, and the versions sharing them.
 
-    `ran` is what running everything on the device has given, where that is known.
+    `ran` is the outcome of running the proofs of the device, where it is known.
     """
     if ran is not None:
         by_version, shared = ran.layouts, ran.shared
@@ -49,7 +49,7 @@ def findings(spec: DeviceSpec) -> list[Diagnostic]:
 
 
 def refusals(versions: list[DeviceLayout], names: Iterable[str]) -> list[Diagnostic]:
-    """What forbids some outputs of one device, asked before any of them is made."""
+    """The reasons why some outputs cannot express a device, to be asked before any is built."""
     return [finding for name in names for finding in OUTPUTS[name].refusals(versions)]
 
 
@@ -75,7 +75,7 @@ def shared(name: str) -> dict[str, bytes]:
 
 
 def _contents(name: str, files: Files) -> dict[str, bytes]:
-    """What is written of files; a workbook that is there several times is packed once."""
+    """The bytes of files by path. A workbook that occurs several times is packed once."""
     workbooks = {id(content): content for content in files.values() if not isinstance(content, str)}
     if workbooks:
         from fieldspec.lists.packing import packed

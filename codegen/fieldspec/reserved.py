@@ -1,4 +1,4 @@
-"""The words that targets keep for themselves, and how a name that is one of them is written there."""
+"""The reserved words of targets, and how each target writes a name that is one of them."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ C = _words(
     linux unix i386 errno stdin stdout stderr assert offsetof near far interrupt
     """
 )
-"""Those of C and of C++, and what common headers and compilers define as macros."""
+"""The words of C and of C++, and the macros of common headers and compilers."""
 
 IEC = _words(
     """
@@ -51,7 +51,7 @@ IEC = _words(
     bit pointer reference property union adr sizeof persistent var_stat var_inst bitadr ini indexof ton_ltime
     """
 )
-"""Those of IEC 61131-3, its standard functions and blocks, and of the dialects of CODESYS and TwinCAT."""
+"""The words of IEC 61131-3, its standard functions and blocks, and of the dialects of CODESYS and TwinCAT."""
 
 SIEMENS = IEC | _words(
     """
@@ -60,12 +60,13 @@ SIEMENS = IEC | _words(
     s5time variant void dtl ltime nil ok region end_region pragma_begin pragma_end
     """
 )
-"""Those of SCL, beside the ones of IEC 61131-3."""
+"""The words of SCL, with those of IEC 61131-3."""
 
 
 @dataclass(frozen=True, slots=True)
 class Target:
-    """What one kind of output reserves. `folds` says that case makes no difference; `escape` holds the name."""
+    """The reserved words of one kind of output. `folds`: case makes no difference. `escape` is the format of a reserved
+    name."""
 
     name: str
     words: frozenset[str]
@@ -73,7 +74,7 @@ class Target:
     escape: str
 
     def legal_name(self, text: str) -> str:
-        """The text as the target accepts it."""
+        """The text, or its escaped form where it is a reserved word."""
         word = text.lower() if self.folds else text
         return self.escape.format(text) if word in self.words else text
 

@@ -1,4 +1,4 @@
-"""Files and places in them. Lines and columns are worked out only when something is printed."""
+"""Files and places in them. Lines and columns are computed only when they are printed."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ if TYPE_CHECKING:
     from typing import Protocol
 
     class Spanned(Protocol):
-        """What stands somewhere in a file."""
+        """An object with a place in a file."""
 
         @property
         def span(self) -> Span:
-            """Where it stands."""
+            """The place."""
 
 
 class Refused(bytes):
-    """Stands for the content of a file that was not read; the bytes say why. `code` is the rule, `help` what to do."""
+    """The content of a file that was not read: the reason as text. `code` is the rule, `help` what to do."""
 
     code: str
     help: str
@@ -66,7 +66,7 @@ class Span:
 
     @property
     def span(self) -> Span:
-        """Itself, as it is `Spanned` too."""
+        """The span itself, which makes it `Spanned`."""
         return self
 
     def position(self) -> tuple[int, int]:

@@ -7,6 +7,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from operator import itemgetter
 
+from fieldspec.caches import ByIdentity
 from fieldspec.classes import dataclass, field
 from fieldspec.facts import COLUMNS, FactRow
 from fieldspec.layout.device import DeviceLayout
@@ -75,7 +76,7 @@ def line_citations(
                 for line in lines_of(erratum.sources):
                     by_line[line].errata.append(erratum)
     cited_lines: set[int] = set()
-    seen: dict[int, Node] = {}
+    seen: ByIdentity[Node, None] = ByIdentity()
     for tree in (spec.tree, *spec.trees.values()):
         _collect_lines(tree, cited_lines, seen)
     elided = frozenset(
@@ -100,11 +101,11 @@ def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
             yield from range(first, last + 1)
 
 
-def _collect_lines(node: Node, lines: set[int], seen: dict[int, Node]) -> None:
+def _collect_lines(node: Node, lines: set[int], seen: ByIdentity[Node, None]) -> None:
     """Adds the lines that texts of a node cite. Versions share most nodes: `seen` has those of other versions."""
-    if id(node) in seen:
+    if node in seen:
         return
-    seen[id(node)] = node
+    seen[node] = None
     if isinstance(node, Scalar):
         for match in _IN_TEXT.finditer(node.text) if "L" in node.text else ():
             lines.update(lines_of(citations(match[0], "")))

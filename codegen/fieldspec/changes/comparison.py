@@ -9,13 +9,14 @@ from typing import Any, Generic, TypeVar, cast
 
 from fieldspec.changes.attributes import CONTENTS, OWN_VALUES
 from fieldspec.changes.evidence import EVIDENCE, Surroundings
-from fieldspec.changes.sizes import Sizes
+from fieldspec.changes.sizes import field_offsets
 from fieldspec.classes import dataclass
 from fieldspec.model.attributes import MODEL_CLASSES
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Place
 from fieldspec.model.link import Part
 from fieldspec.model.record import Field
+from fieldspec.model.sizes import RecordSizes
 from fieldspec.model.value import Value
 
 # Every list is paired by name in one pass, so the time grows with the size of the device and not faster.
@@ -209,7 +210,7 @@ class _Side:
     """One of the two devices, its sizes, and where it uses its signals."""
 
     def __init__(self, device: Device) -> None:
-        self.device, self.sizes = device, Sizes(device)
+        self.device, self.sizes = device, RecordSizes(device)
         self._places: dict[str, tuple[str, ...]] | None = None
 
     def places_of_signals(self) -> Mapping[str, tuple[str, ...]]:
@@ -231,12 +232,12 @@ class _Offsets:
     An offset is a run and a number of bytes: a frame has one run before its body, and one from there on.
     """
 
-    def __init__(self, sizes: Sizes, items: Sequence[Any]) -> None:
+    def __init__(self, sizes: RecordSizes, items: Sequence[Any]) -> None:
         body = next((at for at, item in enumerate(items) if isinstance(item, Part) and item.role == "body"), len(items))
         self.by_identity: dict[int, tuple[int, int]] = {}
         size, is_open = 0, False
         for run, run_items in enumerate((items[:body], items[body:])):
-            offsets = sizes.offsets(run_items)
+            offsets = field_offsets(sizes, run_items)
             self.by_identity |= {id(item): (run, at) for item, at in zip(run_items, offsets.offsets, strict=True)}
             size, is_open = size + offsets.size, is_open or offsets.is_open
         self.size = size, is_open

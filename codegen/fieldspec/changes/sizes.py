@@ -1,13 +1,13 @@
-"""The sizes and offsets of fields, also in a device that does not make sense."""
+"""The sizes and offsets of fields that follow each other, also in a device that has findings."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 from fieldspec.classes import dataclass
-from fieldspec.model.device import Device
-from fieldspec.model.link import CHECKSUM_SIZES, Part
+from fieldspec.model.link import Part
 from fieldspec.model.record import Field
+from fieldspec.model.sizes import RecordSizes, part_size
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,40 +19,22 @@ class FieldOffsets:
     is_open: bool
 
 
-class Sizes:
-    """The sizes of the fields of one device."""
+def field_offsets(sizes: RecordSizes, fields: Sequence[Field | Part]) -> FieldOffsets:
+    """The offsets of the fields of a record or of a message, or of the parts of a frame."""
+    offsets = []
+    offset = 0
+    for field in fields:
+        offsets.append(offset)
+        offset += part_size(field) if isinstance(field, Part) else _field_size(sizes, field)
+    return FieldOffsets(tuple(offsets), offset, any(isinstance(f, Field) and f.repeat is not None for f in fields))
 
-    def __init__(self, device: Device) -> None:
-        self._records = device.records
-        self._known: dict[str, int] = {}
 
-    def offsets(self, fields: Sequence[Field | Part]) -> FieldOffsets:
-        """The offsets of fields that follow each other."""
-        offsets = []
-        at = 0
-        is_open = False
-        for field in fields:
-            offsets.append(at)
-            if isinstance(field, Field) and field.repeat is not None:
-                is_open = True
-            else:
-                at += self.of(field)
-        return FieldOffsets(tuple(offsets), at, is_open)
+def _field_size(sizes: RecordSizes, field: Field) -> int:
+    """The bytes of a field, the fewest where they vary; 0 where nothing decides them.
 
-    def of(self, field: Field | Part) -> int:
-        """The size of a field with all its elements, or of a part of a frame; 0 for the body, and for a choice."""
-        if isinstance(field, Part):
-            if field.algorithm:
-                return CHECKSUM_SIZES.get(field.algorithm, 0)
-            return field.value.size if field.value is not None else 0
-        # A choice is the last field, so its size moves no other one.
-        size = field.value.size if field.value is not None else self.record(field.record)
-        return size * (field.count or 1)
-
-    def record(self, name: str) -> int:
-        """The size of a record; 0 for one that does not exist, or as far as it contains itself."""
-        if name not in self._known:
-            self._known[name] = 0
-            record = self._records.get(name)
-            self._known[name] = self.offsets(record.fields).size if record is not None else 0
-        return self._known[name]
+    It is 0 as well for a choice and for a field that repeats to the end: these are last, and move no other field.
+    """
+    if field.choice is not None or field.repeat is not None:
+        return 0
+    bounds = sizes.field(field)
+    return bounds[0] if bounds is not None else 0

@@ -10,6 +10,7 @@ import json
 from enum import Enum
 from importlib import import_module
 
+from fieldspec.caches import ByIdentity
 from fieldspec.classes import TYPE_CHECKING, attributes
 from fieldspec.commands import cache_folder, spec_files
 from fieldspec.source import SourceFile, Span
@@ -110,7 +111,7 @@ class _Freezing:
     def __init__(self) -> None:
         self.classes: dict[type, int] = {}
         self.files: dict[str, int] = {}
-        self.numbers: dict[int, int] = {}
+        self.numbers: ByIdentity[object, int] = ByIdentity()
         self.written: list[str] = []
 
     def lines(self, root: object) -> bytes:
@@ -142,12 +143,12 @@ class _Freezing:
         return self.classes.setdefault(cls, len(self.classes))
 
     def line_number(self, instance: object) -> int:
-        number = self.numbers.get(id(instance))
-        if number is None:
-            line = _json([self.value(getattr(instance, name)) for name in attributes(instance.__class__)])
-            number = self.numbers[id(instance)] = len(self.written)
-            self.written.append(line)
-        return number
+        return self.numbers.get_or_compute(instance, self.write_line)
+
+    def write_line(self, instance: object) -> int:
+        """Writes the line of an object after those of the objects in it, and returns its number."""
+        self.written.append(_json([self.value(getattr(instance, name)) for name in attributes(instance.__class__)]))
+        return len(self.written) - 1
 
 
 _json = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
@@ -170,7 +171,7 @@ class _Thawing:
     ) -> None:
         self.names, self.paths, self.lines, self.source = names, paths, lines, source
         self.objects: dict[int, object] = {}
-        self.numbers: dict[int, int] = {}
+        self.numbers: ByIdentity[object, int] = ByIdentity()
         self.waiting: dict[int, type] = {}
         self.files: dict[str, SourceFile] = {}
 
@@ -179,7 +180,7 @@ class _Thawing:
         if instance is None:
             waiting = self.waiting.get(cls) or self.waits(cls)
             instance = self.objects[number] = object.__new__(waiting)
-            self.numbers[id(instance)] = number
+            self.numbers[instance] = number
         return instance
 
     def cls(self, number: int) -> Any:
@@ -195,7 +196,7 @@ class _Thawing:
         puts = [getattr(final, name).__set__ for name in names]  # the class itself forbids assignment
 
         def fill(instance: Any) -> Any:
-            for put, value in zip(puts, _read(self.lines[self.numbers[id(instance)]]), strict=True):
+            for put, value in zip(puts, _read(self.lines[self.numbers[instance]]), strict=True):
                 put(instance, self.value(value) if value.__class__ is list else value)
             object.__setattr__(instance, "__class__", final)
             return instance

@@ -62,11 +62,11 @@ def _task(task: Task) -> Iterator[FactRow]:
             "position": step.timeout,
         }
         yield row("step", step.place.path, step.sources, **cells)
-        for field, content in (
-            *step.values.items(),
-            *((key, argument_text(name)) for key, name in step.arguments.items()),
-        ):
-            yield row("step_value", f"{step.place.path}/{field}", step.sources, name=field, ranges=value_text(content))
+        arguments = {field: argument_text(name) for field, name in step.arguments.items()}
+        for key, contents in (("values", step.values), ("arguments", arguments)):
+            for field, content in contents.items():
+                path = f"{step.place.path}/{key}/{field}"
+                yield row("step_value", path, step.sources, name=field, ranges=value_text(content))
 
 
 def _examples(layout: DeviceLayout) -> Iterator[FactRow]:

@@ -194,7 +194,7 @@ def _link(link: Link) -> Iterator[FactRow]:
             yield row("mark", f"{path}/{name}", link.sources, **cells)
     if link.exception_response is not None:
         cells = {"name": "error", "code": link.exception_response.flag, "type": link.exception_response.record}
-        yield row("refusal", f"{path}/error", link.exception_response.sources or link.sources, **cells)
+        yield row("refusal", f"{path}/exception_response", link.exception_response.sources or link.sources, **cells)
     for name, silence, unit in (
         ("characters", link.silence_characters, "character"),
         ("milliseconds", link.silence_milliseconds, "ms"),

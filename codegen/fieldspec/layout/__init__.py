@@ -1,1 +1,1 @@
-"""Every number that an output prints: offsets, sizes, masks, addresses. A device without findings has a layout."""
+"""The numbers that outputs print: offsets, sizes, masks, addresses. A device without findings has a layout."""

@@ -47,7 +47,7 @@ class TableLayout:
 class DeviceLayout:
     """All numbers of a device at one version. Two layouts have the same `identity` if they exchange the same bytes.
 
-    `equal_versions` are the versions of other lines that have no outputs of their own and use those of this one.
+    `equal_versions` are the versions of other lines that have no outputs of their own and use the outputs of this one.
     """
 
     device: Device
@@ -61,7 +61,7 @@ class DeviceLayout:
 
 
 def device_layout(device: Device) -> DeviceLayout:
-    """The layout of a device without findings. For any other device, anything may be raised."""
+    """The layout of a device without findings. For any other device, it may raise any exception."""
     orders = Orders(device.byte_order, device.word_order)
     records: dict[str, RecordLayout] = {}
     for record in device.records.values():

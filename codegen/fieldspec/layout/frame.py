@@ -6,8 +6,9 @@ from collections.abc import Callable, Mapping
 
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import Orders, RecordLayout
-from fieldspec.model.link import CHECKSUM_SIZES, Link, Part
+from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Message
+from fieldspec.model.sizes import part_size, sent_on
 from fieldspec.model.value import Value
 
 
@@ -43,11 +44,11 @@ CHECKSUMS: Mapping[str, Callable[[bytes], int]] = {
 
 @dataclass(frozen=True, slots=True)
 class PartLayout:
-    """A part of a frame. `offset` counts from the first part; behind the body, it counts from the end and is negative.
+    """A part of a frame. `offset` counts from the first part; after the body, it counts from the end and is negative.
 
     A checksum covers the bytes of the parts from `start` to `stop`, which are the bounds of a slice; negative ones
     count from the end, and None is the end. A length of n means that all parts together have `unit_size` * n + `base`
-    bytes. `constant` is what is always sent. In a `reserved` part, anything may be received.
+    bytes. `constant` is the value that is always sent. In a `reserved` part, anything may be received.
     """
 
     part: Part
@@ -133,24 +134,20 @@ class LinkLayout:
 
 
 def link_layout(link: Link, messages: Mapping[str, MessageLayout]) -> LinkLayout:
-    """The layout of a link. `messages` are those of all links of the device."""
-    sent = {
-        name: message
-        for name, message in messages.items()
-        if not message.message.links or link.name in message.message.links
-    }
+    """The layout of a link. `messages` are the messages of all links of the device."""
+    sent = {name: message for name, message in messages.items() if sent_on(link, message.message)}
     return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"), sent)
 
 
 def _frame(link: Link, direction: str) -> FrameLayout:
     parts = link.parts(direction)
     orders = Orders(link.byte_order or "big", link.word_order or link.byte_order or "big")
-    sizes = [_size(part) for part in parts]
+    sizes = [part_size(part) for part in parts]
     body = next((number for number, part in enumerate(parts) if part.role == "body"), len(parts))
     around = sum(sizes)
 
     def place(number: int) -> int:
-        """The offset of a part: from the start, or from the end and negative if the part is behind the body."""
+        """The offset of a part: from the start; from the end and negative if the part comes after the body."""
         return sum(sizes[:number]) if number <= body else sum(sizes[:number]) - around
 
     placed = []
@@ -180,9 +177,3 @@ def _frame(link: Link, direction: str) -> FrameLayout:
         )
     header, trailer = tuple(placed[:body]), tuple(placed[body + 1 :])
     return FrameLayout(direction, header, sum(sizes[:body]), trailer, sum(sizes[body + 1 :]))
-
-
-def _size(part: Part) -> int:
-    if part.algorithm:
-        return CHECKSUM_SIZES[part.algorithm]
-    return part.value.size if part.value else 0

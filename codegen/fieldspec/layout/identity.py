@@ -1,4 +1,4 @@
-"""A hash of everything that gives bytes their meaning, and of nothing else."""
+"""The hash of everything that gives bytes their meaning, and of nothing else."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from fieldspec.model.value import Value
 Words = tuple[object, ...]
 
 _HASHED_ROLES = {"checksum": "check", "unit_address": "station"}
-"""Words that the hash has in place of roles: another name for a role is no change on the wire."""
+"""The words for roles in the hash. With them, a rename of a role changes no identity."""
 
 
 def identity(
@@ -26,7 +26,7 @@ def identity(
     messages: Mapping[str, MessageLayout],
     registers: tuple[RegisterLayout, ...],
 ) -> str:
-    """Sixteen hexadecimal digits. Two layouts have the same if and only if they exchange the same bytes."""
+    """Sixteen hexadecimal digits. Two layouts have the same ones if and only if they exchange the same bytes."""
     digest = hashlib.sha256()
     for words in chain(
         _links(links),
@@ -88,7 +88,7 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
 
 
 def _span(part: PartLayout) -> Iterator[Words]:
-    """What a part counts or covers, and whether it is reserved; nothing for what is so in most frames."""
+    """What a part counts or covers, and whether it is reserved; nothing for the values that most frames have."""
     usual = part.role != "checksum" or (part.start, part.stop) == (0, part.offset)
     if not usual or (part.unit_size, part.base, part.reserved) != (1, 0, False):
         yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved

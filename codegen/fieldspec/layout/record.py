@@ -60,7 +60,7 @@ class FieldLayout:
 
     @property
     def end(self) -> int | None:
-        """The offset behind the field, None if it goes on to the end of the data."""
+        """The offset after the field, None if it goes on to the end of the data."""
         return None if self.count is None else self.offset + self.size * self.count
 
 
@@ -69,7 +69,7 @@ class RecordLayout:
     """Fields that follow each other. `size` is in bytes, None if it varies, between `least` and `most`.
 
     `most` is None if nothing bounds the size. If the last field has cases, another field, the `selector`, decides its
-    type, and `chosen` has the same record by the values of the selector, with the type that each decides.
+    type, and `chosen` has the same record by the values of the selector, with the type that this value decides.
     """
 
     record: Record
@@ -192,7 +192,7 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders) 
 
 @dataclass(frozen=True, slots=True)
 class RegisterLayout:
-    """A register with its addresses. `order` and `swapped` are those of `FieldLayout`."""
+    """A register with its addresses. `order` and `swapped` are as in `FieldLayout`."""
 
     register: Register
     name: str

@@ -39,7 +39,7 @@ def body_of(layout: DeviceLayout, link: str, direction: str, message: str, error
 
 
 def raw_values(layout: DeviceLayout, example: Example) -> dict[str, Raw]:
-    """The raw values of an example by name: those of its header, and of the fields in its body.
+    """The raw values of an example by name: the parts of its header, and the fields of its body.
 
     Raises MeaningError for a value that has no raw value.
     """

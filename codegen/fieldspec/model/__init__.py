@@ -1,1 +1,1 @@
-"""What a device is, in frozen and complete dataclasses. One kind of object a file."""
+"""The model of a device: frozen, complete dataclasses, one kind of object per file."""

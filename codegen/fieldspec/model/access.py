@@ -1,4 +1,4 @@
-"""Access to a value: `ro`, `rw`, `wo`, or empty where the manual does not say it."""
+"""Access to a value: `ro`, `rw`, `wo`, or empty where the manual does not state it."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ _READS, _WRITES = ("ro", "rw"), ("wo", "rw")
 
 
 def readable(access: str) -> bool:
-    """Whether the manual says that it can be read."""
+    """Whether the manual says that a value with this access can be read."""
     return access in _READS
 
 
 def writable(access: str) -> bool:
-    """Whether the manual says that it can be written."""
+    """Whether the manual says that a value with this access can be written."""
     return access in _WRITES
 
 

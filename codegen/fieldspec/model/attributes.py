@@ -26,9 +26,9 @@ from fieldspec.model.value import Conversion, Signal
 class Content:
     """The objects of class `type` that an attribute contains, as a list or as a mapping by name.
 
-    `attribute` is a path of attributes (`request.fields`); its first one is `container`. `direction` is that of the
-    parts of a frame and of the fields of a message, else empty. `has_more` says that the container states more than
-    these objects.
+    `attribute` is a path of attributes (`request.fields`); the first one is `container`. `direction` is the direction
+    of the parts of a frame or of the fields of a message, else empty. `has_more` says that the container states more
+    than these objects.
     """
 
     type: type
@@ -54,10 +54,10 @@ class Content:
 
 @dataclass(frozen=True, slots=True)
 class ModelClass:
-    """What users call a class (`title`), what it contains, and what it says without a meaning for any byte.
+    """What users call a class (`title`), what it contains, and which attributes give no byte a meaning.
 
-    `key` identifies an object among those in one attribute. `documentation` are attributes that are texts, sources and
-    printed numbers: an output with other ones exchanges the same bytes.
+    `key` identifies an object among those in one attribute. `documentation` names texts, sources and printed
+    numbers: two devices that differ only in them exchange the same bytes.
     """
 
     title: str
@@ -86,7 +86,7 @@ _FACT = (
     "reported",
     "restated",
 )
-"""What documents each fact."""
+"""The attributes of every fact that only document it."""
 
 _PRINTED_ADDRESS = ("decimal", "words")
 

@@ -41,9 +41,9 @@ class Version:
 
 @dataclass(frozen=True, slots=True)
 class VersionLine:
-    """Versions that follow one another, the oldest first. Outputs are written for those of the built line.
+    """Versions that follow one another, the oldest first. Outputs are written for the versions of the built line.
 
-    `like` is the line whose bounds hold for this one too, or empty; `inferred` is why.
+    `like` is the line whose bounds apply to this one too, or empty; `inferred` is the reason.
     """
 
     name: str
@@ -92,7 +92,7 @@ class Device:
             yield from group.registers
 
     def register(self, name: str) -> Register | None:
-        """The register with a name."""
+        """The register with a name, None if there is none."""
         return next((register for register in self.registers() if register.name == name), None)
 
     def space(self, name: str) -> AddressSpace:
@@ -100,7 +100,7 @@ class Device:
         return self.spaces.get(name) or next(iter(self.spaces.values()), WORDS)
 
     def space_name(self, name: str) -> str:
-        """The name of that space: empty where the device declares none."""
+        """The name of the space that `space` returns for a name; empty where the device declares none."""
         return name or next(iter(self.spaces), "")
 
     def register_access(self, message: Message) -> RegisterAccess | None:
@@ -110,11 +110,11 @@ class Device:
 
     @property
     def several_spaces(self) -> bool:
-        """Whether an address alone does not say where it lies."""
+        """Whether an address is ambiguous without the name of its space."""
         return len(self.spaces) > 1
 
     def sets(self, name: str) -> list[ParameterSet]:
-        """The set of parameters with a name, or all sets of the space with that name."""
+        """The parameter set with a name, or all sets of the address space with that name."""
         named = self.parameters.get(name)
         return (
             [named]
@@ -123,7 +123,7 @@ class Device:
         )
 
     def parameter_at(self, name: str, wire_number: int) -> tuple[ParameterSet, int] | None:
-        """The set, of those with a name or a space, that has a number on the wire, and the number in the set."""
+        """The set, named or in a space, that has a number on the wire, and the number in it; None if none does."""
         for parameter_set in self.sets(name):
             if parameter_set.holds(wire_number - parameter_set.base):
                 return parameter_set, wire_number - parameter_set.base

@@ -18,7 +18,7 @@ class Cause:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Member(Fact):
-    """One value, or one code. `number` is another one under which the manual knows it."""
+    """One value, or one code. `number` is a second number that the manual gives it."""
 
     value: int
     number: int | None
@@ -45,11 +45,11 @@ class Enum(Fact):
     members: tuple[Member, ...]
 
     def member(self, value: int) -> Member | None:
-        """The member with a value."""
+        """The member with a value, None if there is none."""
         return next((member for member in self.members if member.value == value), None)
 
     def named(self, name: str) -> Member | None:
-        """The member with a name."""
+        """The member with a name, None if there is none."""
         return next((member for member in self.members if member.name == name), None)
 
 
@@ -70,7 +70,7 @@ class Bit(Fact):
 
     @property
     def width(self) -> int:
-        """How many bits it has."""
+        """The number of bits."""
         return self.last - self.first + 1
 
     @property
@@ -97,7 +97,7 @@ class Flags(Fact):
     states: tuple[State, ...]
 
     def named(self, name: str) -> Bit | None:
-        """The bit, or field of bits, with a name."""
+        """The bit, or field of bits, with a name, None if there is none."""
         return next((bit for bit in self.bits if bit.name == name), None)
 
     def masked(self, state: State) -> tuple[int, int]:

@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Place:
-    """The place of a fact: its path, what stands there, and the values of its keys.
+    """The place of a fact: its path, its node, and the nodes of the values of its keys.
 
-    These are whatever has a span: the nodes that were read, which are worked into spans when somebody asks, or spans.
+    A node is anything with a span. Spans are computed only when they are asked for.
     """
 
     path: str
@@ -26,16 +26,16 @@ class Place:
 
     @property
     def whole(self) -> Span:
-        """Where the fact stands."""
+        """The span of the fact."""
         return self.stated.span
 
     @property
     def spans(self) -> dict[str, Span]:
-        """Where the values of its keys stand."""
+        """The spans of the values of its keys."""
         return {key: value.span for key, value in self.values.items()}
 
     def __getitem__(self, key: str) -> Span:
-        """The span of a key's value; where the key is not given, that of the fact's name."""
+        """The span of a key's value; where the key is missing, the span of the fact's name."""
         values = self.values
         value = values.get(key) or values.get("name") or values.get("id") or self.stated
         return value.span
@@ -49,7 +49,7 @@ ScalarValue: TypeAlias = bool | int | Decimal | str | None
 
 @dataclass(frozen=True, slots=True)
 class Citation:
-    """A place in the manual: a section, empty where none is given, and line intervals, both ends included."""
+    """A place in the manual: a section, empty where none is stated, and intervals of lines, both ends included."""
 
     section: str
     lines: tuple[tuple[int, int], ...]
@@ -66,7 +66,7 @@ class Citation:
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """What another place of the manual says of a fact, key by key, and that place."""
+    """What another place of the manual states of a fact, by key, and where that is."""
 
     place: Place
     sources: tuple[Citation, ...]
@@ -81,12 +81,12 @@ PROVENANCES: Mapping[str, str] = {
     COMPUTED: "we have computed it from other facts",
     REPORTED: "somebody reports it, and the manual does not print it",
 }
-"""Every provenance of a fact, with what it means."""
+"""The provenances of a fact and their meanings."""
 
 
 @dataclass(frozen=True, slots=True)
 class Standard:
-    """A standard, by title and edition, and the clause that gives a fact."""
+    """A standard, by title and edition, and the clause that states a fact."""
 
     name: str
     clause: str
@@ -98,7 +98,7 @@ class Standard:
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """What somebody reports of a fact, key by key, who that is and how they know it. No codec uses it."""
+    """What somebody reports of a fact, by key, who reports it and how they know. No codec uses it."""
 
     place: Place
     by: str

@@ -12,7 +12,7 @@ CHECKSUM_SIZES = {"crc16_modbus": 2, "lrc": 1, "sum8": 1}
 """The bytes of each algorithm's checksum."""
 
 CHECKSUM_STARTS = {"crc16_modbus": 0xFFFF, "lrc": 0, "sum8": 0}
-"""The value from which each algorithm begins."""
+"""The initial value of each algorithm."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +27,7 @@ class PartSpan:
 class Part(Fact):
     """One part of a frame. Its role is unit_address, code, length, body, checksum or plain.
 
-    `byte_order` is that of a checksum; it is empty where the spec leaves it to the algorithm. `span` is what a length
+    `byte_order` is the byte order of a checksum, empty where the algorithm decides it. `span` is what a length
     counts, in units of `unit_size` bytes and `plus` more, or what a checksum covers. A `reserved` part has no meaning:
     its constant or 0 is sent, and anything is received.
     """
@@ -65,7 +65,7 @@ class UnitAddresses:
 
 @dataclass(frozen=True, slots=True)
 class Serial:
-    """The settings of a serial line; empty where the manual gives none."""
+    """The settings of a serial line; empty where the manual states none."""
 
     baud: tuple[int, ...]
     default_baud: int | None

@@ -12,16 +12,16 @@ from fieldspec.model.record import Field, Message
 from fieldspec.model.value import Value
 
 REGISTERS, PARAMETERS, COMMANDS, FRAMES = "registers", "parameters", "commands", "frames"
-"""The scopes of roles beside records and messages, whose scopes are their paths."""
+"""The scopes of roles outside of records and messages, whose scopes are their paths."""
 
 
 @dataclass(frozen=True, slots=True)
 class Operand:
     """A fact in the one place where a step can reach it.
 
-    `path` is that of the fact; of a bit it is the path of the value that holds it, a slash, and the bit's name.
-    `scope` is where a role stands once: registers, parameters, commands, frames, the path of a record or of a message.
-    `value` is None for a bit and for a message. `fact` is the bit, `holder` what has the word in which it lies, else
+    `path` is the path of the fact; for a bit, the path of the value with this bit, a slash, and the bit's name.
+    `scope` is where a role occurs once: registers, parameters, commands, frames, the path of a record or of a message.
+    `value` is None for a bit and for a message. `fact` is the bit, `holder` the fact with the word of the bit, else
     the fact itself.
     """
 

@@ -9,7 +9,7 @@ from fieldspec.model.value import Handling, Ranges, Value
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """That a field holds the size of another one: its `bytes`, or its number of `items`."""
+    """A field contains the size of another one: its `bytes`, or its number of `items`."""
 
     of: str
     field: str
@@ -17,7 +17,7 @@ class Measure:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Case(Fact):
-    """What lies in a field for some members of the enum of another one."""
+    """The content of a field for some members of the enum of another field."""
 
     when: tuple[str, ...]
     value: Value
@@ -25,7 +25,7 @@ class Case(Fact):
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """That the type of a field depends on the value of an earlier field of its record, which has an enum."""
+    """The type of a field depends on the value of an earlier field of its record, which has an enum."""
 
     by: str
     cases: tuple[Case, ...]
@@ -62,7 +62,7 @@ class Field(Fact):
 class Record(Fact):
     """Fields in the order of the wire. `size` in bytes and `words` are what the manual prints.
 
-    `same_as` names the record that this one is laid out like, else it is empty.
+    `same_as` names the record with the same layout, else it is empty.
     """
 
     size: int | None
@@ -71,13 +71,13 @@ class Record(Fact):
     same_as: str = ""
 
     def named(self, name: str) -> Field | None:
-        """The field with a name."""
+        """The field with a name, None if there is none."""
         return next((field for field in self.fields if field.name == name), None)
 
 
 @dataclass(frozen=True, slots=True)
 class RegisterAccess:
-    """That a message reads or writes registers, and which fields hold the address, the number and the words.
+    """A message reads or writes registers. The fields with the address, the number and the words.
 
     `count` is empty where it is always one word. `space` is empty where the spec names none, which means the first
     one of the device.

@@ -11,11 +11,10 @@ from fieldspec.model.value import Handling, Ranges, Value
 class Register(Fact):
     """One register, or `count` equal ones that are `stride` words apart, numbered from `index_from`.
 
-    `space` is empty where the spec names none, which means the first one of the device.
-    `words`, `decimal` and `number` are what the manual prints; `copy_of` names the register of which this one is a
-    copy, else empty; `access` is empty, and `restart` None, where it does not
-    say. A reserved one has no meaning to the user. `element_lines` has the place of each element, where they have rows
-    of their own.
+    `space` is empty where the spec names none, which means the first one of the device. `words`, `decimal` and `number`
+    are what the manual prints; `copy_of` names the register of which this one is a copy, else empty; `access` is empty,
+    and `restart` None, where it does not say. A reserved register has no meaning for users. `element_lines` has the
+    place of each element, where they have rows of their own.
     """
 
     space: str
@@ -40,7 +39,7 @@ class Register(Fact):
 
     @property
     def answer(self) -> Value:
-        """The value as the device answers it when it is read."""
+        """The value in the response when the register is read."""
         return self.value.as_answer(self.trigger)
 
     @property
@@ -50,13 +49,13 @@ class Register(Fact):
 
     @property
     def end(self) -> int:
-        """The address behind the last word."""
+        """The address after the last word."""
         return self.address + (self.count - 1) * self.stride + self.width
 
 
 @dataclass(frozen=True, slots=True)
 class Gap:
-    """Addresses that the manual leaves out, why, and between which lines."""
+    """Addresses that the manual leaves out, the reason, and the lines around them."""
 
     place: Place
     addresses: Ranges
@@ -129,7 +128,7 @@ class Subindex(Fact):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parameter(Fact):
-    """One numbered parameter, or `count` equal ones that follow each other; a reserved one has no meaning to the user.
+    """One numbered parameter, or `count` equal ones in a row; a reserved parameter has no meaning for users.
 
     `number` is counted as the manual counts in its set; `wire_number` is the one on the wire as printed. `elements`
     is the length of an array. `applies_to` names kinds of motor or model, `messages` those with which it has an

@@ -12,7 +12,7 @@ MOST_LEVELS = 64
 
 
 class RecordSizes:
-    """The sizes of a device's records, whether the device makes sense or not; nothing recurses."""
+    """The sizes of a device's records, also where the device has findings; no method recurses."""
 
     def __init__(self, device: Device) -> None:
         self._bounds: dict[str, tuple[int, int] | None] = {}
@@ -28,7 +28,7 @@ class RecordSizes:
             if not ready:
                 break
         self.endless = frozenset(waiting)
-        """Records that lie in themselves, or are nested more than `MOST_LEVELS` deep, or hold such a one."""
+        """Records that contain themselves, are nested more than `MOST_LEVELS` deep, or contain such a record."""
 
     def element(self, field: Field) -> int | None:
         """The bytes of one element of a field, None where they are not fixed."""
@@ -65,12 +65,12 @@ class RecordSizes:
         return least, most
 
     def fixed(self, record: Record) -> int | None:
-        """The bytes of a record that always has the same size."""
+        """The bytes of a record that always has the same size, else None."""
         both = self.bounds(record)
         return both[0] if both is not None and both[0] == both[1] else None
 
     def named(self, name: str) -> int | None:
-        """The bytes of the record with a name, if it always has the same size."""
+        """The bytes of the record with a name, None unless it always has the same size."""
         both = self._bounds.get(name)
         return both[0] if both is not None and both[0] == both[1] else None
 
@@ -89,7 +89,7 @@ class RecordSizes:
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """The bytes around the data, before they are written as characters and marked."""
+    """The bytes around the data, before they are encoded as characters and put between delimiters."""
 
     link: Link
     direction: str
@@ -97,13 +97,13 @@ class Shape:
     has_length: bool
 
     def length(self, data: int) -> int:
-        """The bytes of a whole frame with so much data, as they are on the line."""
+        """The bytes of a whole frame with `data` bytes of data, on the wire."""
         parts = self.around + data
         coded = 2 * parts if self.link.encoding == "hex_ascii" else parts
         return len(self.link.start) + coded + len(self.link.end)
 
     def span_size(self, part: Part, data: int) -> int:
-        """The bytes that a length part counts where there is so much data."""
+        """The bytes that a length part counts in a frame with `data` bytes of data."""
         parts = self.link.parts(self.direction)
         first, last = self.link.span(self.direction, part) or (0, len(parts) - 1)
         inside = any(part.role == "body" for part in parts[first : last + 1])

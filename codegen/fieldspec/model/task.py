@@ -16,7 +16,7 @@ class Step:
     """One step. `action` is one of ACTIONS, `target` a role or the path of an operand.
 
     `value` is what is written or waited for, None where there is none or an `argument` is. `values` and `arguments` are
-    those of the fields of a message's request. `timeout` is the path of a limit, or empty.
+    by field of a message's request. `timeout` is the path of a limit, or empty.
     """
 
     place: Place
@@ -44,7 +44,7 @@ def step_text(step: Step) -> str:
 
 
 def argument_text(name: str) -> str:
-    """An argument, marked as what is to be chosen."""
+    """The name of an argument in angle brackets."""
     return f"<{name}>"
 
 
@@ -67,7 +67,7 @@ class Task(Fact):
     open: str
 
     def arguments(self) -> Iterator[str]:
-        """What whoever does the task chooses, each once, in the order of the steps."""
+        """The arguments that the user of the task chooses, each once, in the order of the steps."""
         seen: set[str] = set()
         for step in self.steps:
             for name in (step.argument, *step.arguments.values()):

@@ -1,4 +1,4 @@
-"""What a device has beside its bytes: lookup tables, limits, notes, examples, errata, accepted changes."""
+"""Facts that are not about bytes: lookup tables, limits, notes, examples, errata, accepted changes."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from fieldspec.model.fact import Citation, Fact, Place, ScalarValue
 
 @dataclass(frozen=True, slots=True)
 class Acceptance:
-    """That the rule `rule` may find a change at the fact with a path, why, and since when. `date` is as in 2026-01-31.
+    """The rule `rule` may find a change at the fact with a path: why, and since when. `date` is as in 2026-01-31.
 
-    `since` has the versions that bring the change, one for each line; it is empty where the change is one of the spec.
+    `since` has the versions that bring the change, one for each line; it is empty where only the spec changed.
     """
 
     place: Place
@@ -25,12 +25,12 @@ class Acceptance:
 
 
 JUDGEMENT = "judgement"
-"""What `proof` says where no check can decide."""
+"""The `proof` of an erratum that no check can decide."""
 
 
 @dataclass(frozen=True, slots=True)
 class Erratum:
-    """What is printed at a fact, and what is made of it. `proof` names a check, or is `judgement`.
+    """What is printed at a fact, and how the spec departs from it. `proof` names a check, or is `judgement`.
 
     `illegible` is `empty` or `garbled` where nothing can be read there, else it is empty.
     """
@@ -85,8 +85,8 @@ class Example:
 class Limit(Fact):
     """A timing, a maximum, a supply: a value, bounds, or a text.
 
-    `sum_of` are the paths of the limits that add up to this one, `within` is that of one that it may not exceed.
-    `transmits` is the direction of the longest frame that goes over the line after it, or empty.
+    `sum_of` are the paths of the limits that add up to this one, `within` is the path of a limit that it may not
+    exceed. `transmits` is the direction of the longest frame that goes over the line after it, or empty.
     """
 
     kind: str
@@ -101,7 +101,7 @@ class Limit(Fact):
 
     @property
     def most(self) -> Decimal | None:
-        """The greatest value, None where none is given."""
+        """The greatest value, None where none is stated."""
         return self.high if self.high is not None else self.value
 
 
@@ -138,7 +138,7 @@ class Lookup(Fact):
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """What one place of the manual states of a subject: that it is so `always`, `sometimes` or `never`."""
+    """What one place of the manual states of a subject: it applies `always`, `sometimes` or `never`."""
 
     place: Place
     subject: str

@@ -152,9 +152,9 @@ def _number(text: str) -> Decimal:
 class Handling:
     """The memory of a value, what reading does to it, and the fact with the opposite sense.
 
-    `memory` is `volatile`, `nonvolatile`, or empty where the manual does not say it. `saved_by` is the path of the fact
-    that saves a value which would be lost without power. `endurance` is the number of writes that the memory endures: a
-    number, `limited`, `unlimited`, or empty. `opposite_of` is a path, or empty.
+    `memory` is `volatile`, `nonvolatile`, or empty where the manual does not state it. `saved_by` is the path of the
+    fact that saves a value which would be lost without power. `endurance` is the number of writes that the memory
+    endures: a number, `limited`, `unlimited`, or empty. `opposite_of` is a path, or empty.
     """
 
     memory: str = ""
@@ -165,10 +165,10 @@ class Handling:
 
 
 UNSPECIFIED = Handling()
-"""The handling of a value of which the manual says nothing."""
+"""The handling of a value where the manual states none."""
 
 HANDLING_KEYS = attributes(Handling)
-"""The keys of the language that state it: they have the names of its attributes."""
+"""The keys of specs that state the handling; the attributes have the same names."""
 
 
 # Wide enough for the product of a 64-bit count and any scale that the language takes.
@@ -177,7 +177,7 @@ _EXACT = Context(prec=120)
 
 @dataclass(frozen=True, slots=True)
 class Sentinel:
-    """A value that stands for a state and not for a quantity: a count, or a number for a float.
+    """A value that means a state and not a quantity: a count, or for a float a number.
 
     For a NaN, `value` has its bits and `is_nan` is true; every NaN that is read means this state.
     """
@@ -230,7 +230,7 @@ class Value:
 
     @property
     def writable_ranges(self) -> Ranges | None:
-        """The counts that may be written, beside sentinels; None where only the type bounds them."""
+        """The counts that may be written in addition to sentinels; None where only the type bounds them."""
         return self.ranges if self.write_ranges is None else self.write_ranges
 
     @property
@@ -246,7 +246,7 @@ class Value:
 
     @property
     def absent_nan(self) -> bool:
-        """Whether a NaN stands for an absent value."""
+        """Whether a NaN is a sentinel."""
         return any(sentinel.is_nan for sentinel in self.sentinels)
 
     def as_answer(self, trigger: bool) -> Value:
@@ -258,7 +258,7 @@ class Value:
         return self if self.const is None and enum == self.enum else replace(self, const=None, enum=enum)
 
     def for_writing(self) -> Value:
-        """The value with the range of writing as its range."""
+        """The value with the range of writing as its only range."""
         return self if self.write_ranges is None else replace(self, ranges=self.write_ranges, write_ranges=None)
 
     def in_unit(self, raw: int) -> Decimal:
@@ -301,8 +301,8 @@ class Signal(Fact):
 class Conversion(Fact):
     """quantity = reference * raw / full_scale; with `complement`, reference * (1 - raw / full_scale).
 
-    `signals` are those for which it holds, `type` is that of the raw value, and `references` are the paths of the
-    facts that hold the reference. `printed` is the formula as printed.
+    `signals` are the signals that it applies to, `type` is the type of the raw value, and `references` are the paths
+    of the facts with the reference value. `printed` is the formula as printed.
     """
 
     title: str
@@ -314,6 +314,6 @@ class Conversion(Fact):
     printed: str
 
     def quantity(self, raw: int, reference: Fraction) -> Fraction:
-        """The quantity that a count stands for."""
+        """The quantity of a raw count."""
         share = reference * raw / self.full_scale
         return reference - share if self.complement else share

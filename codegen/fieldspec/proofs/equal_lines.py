@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from fieldspec.caches import ObjectsKey
 from fieldspec.checks.layout_conditions import has_layout
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.layout.device import device_layout
@@ -33,8 +34,8 @@ def equal_versions(spec: DeviceSpec, identities: Mapping[str, str]) -> dict[str,
     return equal
 
 
-def _wire(device: Device) -> tuple[int, ...]:
-    """The identities of all objects that can decide what is on the wire: versions share those that do not differ."""
+def _wire(device: Device) -> ObjectsKey:
+    """All objects that can decide what is on the wire. Versions share those that do not differ."""
     named = (
         device.links,
         device.messages,
@@ -46,7 +47,7 @@ def _wire(device: Device) -> tuple[int, ...]:
         device.signals,
         device.conversions,
     )
-    return (*(id(content) for contents in named for content in contents.values()), *map(id, device.groups))
+    return ObjectsKey((*(content for contents in named for content in contents.values()), *device.groups))
 
 
 def _members(spec: DeviceSpec, line: str) -> list[str]:

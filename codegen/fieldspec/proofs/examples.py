@@ -7,6 +7,7 @@ import struct
 from collections.abc import Iterator
 from typing import Any
 
+from fieldspec.caches import ByIdentity, ObjectsKey
 from fieldspec.checks.layout_conditions import has_layout
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.layout.device import DeviceLayout, device_layout
@@ -16,20 +17,17 @@ from fieldspec.model.texts import Example
 from fieldspec.reference.frames import Decoded, DeviceCodec, FrameCodec
 from fieldspec.reference.records import CodecError
 
-Meaning = tuple[int, ...]
-
 
 class FindingsCache:
     """Caches the findings of a device's examples, over its versions and with prints put back.
 
-    Reading shares the objects of rows that do not differ, so that the identities of these objects tell whether two
-    devices give an example the same meaning.
+    Versions share the objects that do not differ. So two devices with the same objects give an example the same
+    meaning.
     """
 
     def __init__(self) -> None:
-        self._codecs: dict[Meaning, tuple[DeviceLayout, DeviceCodec] | None] = {}
-        self._known: dict[tuple[Meaning, int], list[Diagnostic]] = {}
-        self._devices: list[Device] = []  # as long as they are there, no other objects have their identities
+        self._codecs: dict[ObjectsKey, tuple[DeviceLayout, DeviceCodec] | None] = {}
+        self._findings: dict[ObjectsKey, ByIdentity[Example, list[Diagnostic]]] = {}
 
     def findings(self, device: Device, sound: bool = False) -> list[Diagnostic]:
         """The findings of a device's examples; none where it has no layout. A `sound` device is known to have one."""
@@ -37,23 +35,18 @@ class FindingsCache:
             return []  # nobody waits for the reference and its library
         meaning = _meaning(device)
         if meaning not in self._codecs:
-            self._devices.append(device)
+            self._findings[meaning] = ByIdentity()
             self._codecs[meaning] = _layout_and_codec(device) if sound or has_layout(device) else None
         codec = self._codecs[meaning]
         if codec is None:
             return []
+        layout, reference = codec
+        findings = self._findings[meaning]
         return [
-            finding for example in device.examples.values() for finding in self._of(meaning, codec, device, example)
+            finding
+            for example in device.examples.values()
+            for finding in findings.get_or_compute(example, lambda same: [*example_proven(layout, reference, same)])
         ]
-
-    def _of(
-        self, meaning: Meaning, codec: tuple[DeviceLayout, DeviceCodec], device: Device, example: Example
-    ) -> list[Diagnostic]:
-        key = meaning, id(example)
-        if key not in self._known:
-            self._devices.append(device)
-            self._known[key] = [*example_proven(*codec, example)]
-        return self._known[key]
 
 
 def _layout_and_codec(device: Device) -> tuple[DeviceLayout, DeviceCodec]:
@@ -63,10 +56,10 @@ def _layout_and_codec(device: Device) -> tuple[DeviceLayout, DeviceCodec]:
     return layout, codec(layout)
 
 
-def _meaning(device: Device) -> Meaning:
-    """The identities of all objects that decide what the values in a frame are; what they are for does not count."""
+def _meaning(device: Device) -> ObjectsKey:
+    """All objects that decide what the values in a frame are; what the values are for does not count."""
     sections = (device.links, device.messages, device.records, device.enums, device.flags)
-    return tuple(id(content) for section in sections for content in section.values())
+    return ObjectsKey(content for section in sections for content in section.values())
 
 
 CHECKS = {"wrong_check": "check_code_correct", "wrong_length": "length_byte_correct"}

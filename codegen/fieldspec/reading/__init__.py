@@ -1,1 +1,1 @@
-"""YAML -> node tree -> one version of it -> the model. A user's slip is a finding, never an exception."""
+"""YAML -> node tree -> tree of one version -> model. A user's mistake is a finding, never an exception."""

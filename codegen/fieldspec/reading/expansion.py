@@ -14,7 +14,7 @@ from fieldspec.schema import schema
 
 _FACT = frozenset(schema()["$defs"]["fact"]["properties"])
 _VALUE = frozenset(schema()["$defs"]["value"]["properties"])
-# What a field takes from its signal, and a register from the one of which it is a copy.
+# The keys that a field takes from its signal, and a register from its original.
 _OF_SIGNAL = _VALUE | {"name", "printed_name", "label", "doc"}
 _NOT_COPIED = (_FACT - {"since", "until", "only", "inferred", "unverified", "doc"}) | {
     *HANDLING_KEYS,  # a copy is in a memory of its own
@@ -31,7 +31,7 @@ _OF_COPY = frozenset({"prefix", "base", "rows", "access", "trigger", "memory", "
 
 
 def expanded(tree: Mapping) -> tuple[Mapping, list[Diagnostic]]:
-    """The tree with everything written out."""
+    """The tree with copies, signals and derived enums expanded."""
     work = _Expansion(tree)
     for section, change in (
         ("enums", work.enum),
@@ -49,7 +49,7 @@ def expanded(tree: Mapping) -> tuple[Mapping, list[Diagnostic]]:
 
 
 class _Expansion:
-    """What is written out of one tree, and what cannot be."""
+    """Expands one tree. References to nothing become findings."""
 
     def __init__(self, tree: Mapping) -> None:
         self.findings: list[Diagnostic] = []
@@ -58,13 +58,13 @@ class _Expansion:
         self.enums = _named(tree.values.get("enums"))
 
     def message(self, message: Mapping) -> Mapping:
-        """A message whose fields have what their signals give them."""
+        """The message, with the keys of signals in the fields that place them."""
         for direction in ("request", "response"):
             message = self._placed(message, direction)
         return message
 
     def record(self, record: Mapping) -> Mapping:
-        """A record whose fields have what their signals give them."""
+        """The record, with the keys of signals in the fields that place them."""
         return self._placed(record, "fields")
 
     def _placed(self, holder: Mapping, key: str) -> Mapping:
@@ -82,7 +82,7 @@ class _Expansion:
         return field
 
     def enum(self, enum: Mapping) -> Mapping:
-        """An enum with the members that follow from a word of flags or from another enum."""
+        """The enum, with the members that follow from a word of flags or from another enum."""
         derived = enum.values.get("derived")
         if not isinstance(derived, Mapping):
             return enum
@@ -95,7 +95,7 @@ class _Expansion:
         return enum.with_value("members", Sequence(derived.file, derived.start, derived.end, tuple(members)))
 
     def copies(self, group: Node) -> Iterator[Mapping]:
-        """The groups in which the registers of a group stand again."""
+        """The groups that copy the registers of a group."""
         copies = group.values.get("copies") if isinstance(group, Mapping) else None
         for copy in copies.items if isinstance(copies, Sequence) else ():
             if isinstance(group, Mapping) and isinstance(copy, Mapping):

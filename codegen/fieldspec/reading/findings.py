@@ -19,14 +19,14 @@ MOST_FILES = 1000
 
 
 MOST_FINDINGS = 200
-"""How many findings of one kind of trouble are listed; more of them help nobody."""
+"""How many findings of one kind are reported; more of them help nobody."""
 
 _LONGEST = 60
 _SEARCHED = 2000
 
 
 def bounded(findings: list[Diagnostic]) -> list[Diagnostic]:
-    """The first findings, and one that says that there are more."""
+    """The first findings, and one that states how many more there are."""
     if len(findings) <= MOST_FINDINGS:
         return findings
     text = f"more than {MOST_FINDINGS} findings; the rest is not listed"
@@ -40,7 +40,7 @@ def quoted(text: str) -> str:
 
 
 def near(word: str, known: Collection[str]) -> str:
-    """What to say of a word that is none of the known ones: which one is meant, or which there are."""
+    """The help for an unknown word: the known word that is probably meant, or all known words."""
     from difflib import get_close_matches
 
     close = get_close_matches(word, known, 1) if len(known) <= _SEARCHED else []

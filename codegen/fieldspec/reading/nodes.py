@@ -27,7 +27,7 @@ class Scalar:
 
     @property
     def span(self) -> Span:
-        """Where it stands."""
+        """The place of the node."""
         return Span(self.file, self.start, self.end)
 
 
@@ -42,15 +42,15 @@ class Sequence:
 
     @property
     def span(self) -> Span:
-        """Where it stands."""
+        """The place of the node."""
         return Span(self.file, self.start, self.end)
 
 
 @dataclass(slots=True)
 class Mapping:
-    """Nodes by key, in the order of the file. The keys stand in the text of the mapping, but for those of `keys`.
+    """Nodes by key, in the order of the file. Its text has all keys but those in `keys`.
 
-    `keys` has, by key, the mapping in whose text it stands, or the place that stands for it.
+    `keys` maps a key to the mapping whose text has it, or to a place to report in its stead.
     """
 
     file: SourceFile
@@ -61,11 +61,11 @@ class Mapping:
 
     @property
     def span(self) -> Span:
-        """Where it stands."""
+        """The place of the node."""
         return Span(self.file, self.start, self.end)
 
     def holder(self, key: str) -> Scalar | Mapping:
-        """The mapping in whose text a key stands, or the place that stands for it."""
+        """The mapping whose text has a key, or the place to report in its stead."""
         return self.keys.get(key, self)
 
     def with_value(self, key: str, value: Node) -> Mapping:
@@ -76,7 +76,7 @@ class Mapping:
         return Mapping(self.file, self.start, self.end, {**self.values, key: value}, keys)
 
     def with_entry(self, key: str, value: Node, holder: Mapping) -> Mapping:
-        """The same mapping with the key and the value of another one."""
+        """The same mapping with the key and the value of the mapping `holder`."""
         keys = {**self.keys, key: holder.holder(key)}
         return Mapping(self.file, self.start, self.end, {**self.values, key: value}, keys)
 
@@ -87,7 +87,7 @@ class Mapping:
 
 
 ALL_THERE: dict[str, Scalar | Mapping] = {}
-"""The `keys` of a mapping whose keys all stand in its text, which is nearly every one."""
+"""The `keys` of a mapping whose text has all of its keys, as nearly every mapping."""
 
 Node: TypeAlias = Scalar | Sequence | Mapping
 
@@ -145,13 +145,13 @@ def exact(node: Node) -> object:
     return {key: exact(value) for key, value in node.values.items()}
 
 
-# In `registers` the groups are skipped: `registers/servo` is the row `servo` of whichever group holds it.
+# In `registers` the groups are skipped: `registers/servo` is the row `servo` of whichever group contains it.
 
 Change = Callable[[Node], Node | None]
 
 
 def find(node: Node, path: str) -> Node | None:
-    """The node at a path, or None."""
+    """The node at a path, None if there is none."""
     at: Node | None = node
     for step in path.split("/"):
         if at is None:
@@ -161,7 +161,7 @@ def find(node: Node, path: str) -> Node | None:
 
 
 def keys(node: Node, path: str) -> list[str | int] | None:
-    """The keys and numbers that lead to the node at a path, or None where it leads nowhere."""
+    """The keys and numbers that lead to the node at a path, or None if there is no node."""
     at: Node = node
     path_keys: list[str | int] = []
     for step in path.split("/"):
@@ -202,7 +202,7 @@ def node_at(node: Node, at: list[str | int]) -> Node:
 
 
 def schema_path(at: list[str | int]) -> tuple[str, ...]:
-    """The keys of the schema that say what stands at some keys of a tree."""
+    """The keys of the part of the schema that describes the node at some keys of a tree."""
     path: list[str] = []
     for key in at:
         path += ["items"] if isinstance(key, int) else ["properties", key]
@@ -229,7 +229,7 @@ def put(node: Node, at: list[str | int], new: Node | None) -> Node:
 
 
 def changed(node: Node, path: str, change: Change) -> Node | None:
-    """The tree with the node at a path changed, or None where the path leads nowhere."""
+    """The tree with the node at a path changed, or None if there is no node."""
     return _changed(node, path.split("/"), change)
 
 

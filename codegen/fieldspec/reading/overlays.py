@@ -40,7 +40,7 @@ _REFERRING = frozenset((*_PATHS, *(key for keys in _REFERENCES.values() for key 
 
 
 class Silent:
-    """Knows the parts of trees that refer to nothing, so that they are not searched again for every new name."""
+    """Remembers the parts of trees without references, so that they are not searched again for every new name."""
 
     def __init__(self) -> None:
         self._known: ByIdentity[Node, bool] = ByIdentity()
@@ -61,9 +61,9 @@ class Silent:
 
 
 def applied(tree: Mapping, overlay: Mapping, silent: Silent) -> tuple[Mapping, list[Diagnostic]]:
-    """The tree of the version that an overlay makes of another one's, and what does not fit.
+    """The tree of a version, from the tree of its base and its overlay, and the findings where these do not fit.
 
-    All paths are those of the other version: names change last.
+    All paths are of the base: names change last.
     """
     work = _Application(tree, silent)
     for part, apply in (
@@ -101,7 +101,7 @@ class _Application:
         self.findings.append(Diagnostic(code, text, node.span, labels, help))
 
     def _at(self, entry: Mapping, key: str = "fact") -> tuple[list[str | int], Node] | None:
-        """The keys of the fact that an entry is about, and the fact; what is not there is a finding."""
+        """The keys of the fact that an entry is about, and the fact. A missing fact is a finding."""
         path = entry.values[key]
         assert isinstance(path, Scalar)
         at = keys(self.tree, path.text)
@@ -121,7 +121,7 @@ class _Application:
         self.tree = tree
 
     def change(self, entry: Mapping) -> None:
-        """Sets keys of a fact that have the values that they should have had."""
+        """Sets keys of a fact, if they have the values that the entry expects."""
         place = self._at(entry)
         if place is None:
             return
@@ -150,7 +150,7 @@ class _Application:
             self._typed(at, new)
 
     def _was(self, key: str, was: Node, old: Node | None, fact: Node, at: list[str | int]) -> bool:
-        """Whether a key had the value that an entry says; if not, both places are shown."""
+        """Whether a key had the value that an entry expects; if not, a finding shows both places."""
         if _absent(was) and old is None:
             return True
         part = schema_path(at)
@@ -168,7 +168,7 @@ class _Application:
         return False
 
     def _typed(self, at: list[str | int], new: Mapping) -> None:
-        """Puts a mapping in its place, typed as the schema wants it there."""
+        """Puts a mapping at some keys, typed by the schema."""
         node, findings = typed_at(new, schema_path(at))
         self.findings += findings
         if not findings:
@@ -246,7 +246,7 @@ class _Application:
             self._put(at, Sequence(node.file, node.start, node.end, (*node.items[:place], new, *node.items[place:])))
 
     def _behind(self, entry: Mapping, siblings: Sequence, new: Node) -> int | None:
-        """The number that a new item gets in its list."""
+        """The index of a new item in its list."""
         after = entry.values.get("after")
         if isinstance(after, Scalar):
             names = [identity(item) for item in siblings.items]
@@ -269,7 +269,7 @@ _LISTS = frozenset(key for key, part in schema()["properties"].items() if part["
 
 @dataclass(frozen=True, slots=True)
 class _Renaming:
-    """That the fact at a path, which stands in a section, has another name; `whole` if it is an item of the section."""
+    """The new name of the fact at a path in a section; `whole` if the fact is an item of the section."""
 
     path: str
     section: str

@@ -23,7 +23,7 @@ _DEVICE_SECTIONS = ("device", "protocol", "uses", "versions")
 
 
 def joined(files: list[Mapping]) -> tuple[Mapping, list[Diagnostic]]:
-    """One tree of all files: the items of lists follow each other, every other section stands once."""
+    """One tree of all files: the items of lists follow each other, every other section occurs once."""
     whole = files[0]
     findings: list[Diagnostic] = []
     for tree in files[1:]:
@@ -45,7 +45,7 @@ def _concatenated(first: Sequence, second: Sequence) -> Sequence:
 
 
 def merged_over(device: Mapping, protocol: Mapping, use: Mapping) -> tuple[Mapping, list[Diagnostic]]:
-    """The device's tree with what it takes from a protocol; where both have an item, the device's keys win."""
+    """The device's tree with the items that it uses of a protocol; where both have an item, the device's keys win."""
     findings: list[Diagnostic] = []
     for section, base in protocol.values.items():
         if section in _DEVICE_SECTIONS or not isinstance(base, Sequence):
@@ -79,7 +79,7 @@ def _chosen(base: Sequence, names: Node | None, section: str) -> tuple[Sequence,
 
 
 def _merged(base: Node, over: Node) -> Node:
-    """`over` laid over `base`: mappings key by key, lists of named items name by name, all else whole."""
+    """`base` overridden by `over`: mappings by key, lists of named items by name, everything else as a whole."""
     if isinstance(base, Mapping) and isinstance(over, Mapping):
         values, keys = dict(base.values), {key: base.holder(key) for key in base.values}
         for key, value in over.values.items():
@@ -113,7 +113,7 @@ LARGEST_VERSIONS = 32 * 1024 * 1024
 """Bytes of the files of a device, once for each of its versions: what reading all versions takes grows with it."""
 
 JOINT = "+"
-"""What stands between versions of different lines that are picked together."""
+"""The separator of versions of different lines that are picked together."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -309,7 +309,7 @@ class _Reader:
                 self.findings.append(Diagnostic("unknown_key", text, key_span(tree, key), help=help))
 
     def _with_protocols(self, tree: Mapping, within: tuple[str, ...]) -> Mapping:
-        """The tree laid over every protocol that it uses."""
+        """The tree, merged over every protocol that it uses."""
         uses = tree.values.get("uses")
         if isinstance(uses, Sequence) and len(uses.items) > MOST_USES:
             text = f"{len(uses.items)} protocols are used here; there may be {MOST_USES}"

@@ -44,18 +44,18 @@ def part_at(path: Iterable[str]) -> Schema:
 
 
 def typed_at(node: Node, path: tuple[str, ...]) -> tuple[Node, list[Diagnostic]]:
-    """A copy of a node, typed by the part of the schema at some keys, and what that part has against it."""
+    """A copy of a node, typed by the part of the schema at some keys, and the violations of that part."""
     result = copied(node)
     return result, _objections(result, _typed(result, _form(part_at(path))), path)
 
 
 def typed(node: Node) -> tuple[Node, list[Diagnostic]]:
-    """The tree of one file, which nobody else has yet, with its scalars typed, and what the schema has against it."""
+    """The tree of one file, with its scalars typed in place, and its violations of the schema."""
     return node, _objections(node, _typed(node, _form(schema())), ())
 
 
 def violations_at(tree: Node, at: list[str | int]) -> list[Diagnostic]:
-    """What the schema has against the node at some keys of a tree, whatever else is there."""
+    """The violations of the schema by the node at some keys of a tree."""
     node = node_at(tree, at)
     for key in reversed(at):  # alone in a tree: the whole schema is at hand, its parts would have to be compiled
         alone = (node.file, node.start, node.end)
@@ -76,9 +76,9 @@ def _objections(node: Node, data: object, path: tuple[str, ...], depth: int = 0)
 
 @dataclass(slots=True, eq=False)
 class _Form:
-    """What a part of the schema wants of the texts, the items and the values that stand there.
+    """The types that a part of the schema requires of texts, items and values.
 
-    `words` says that every text is taken as it is. Forms of items and keys are made when they are first met.
+    `words`: every text remains text. Forms of items and keys are built when they are first needed.
     """
 
     part: Schema
@@ -224,7 +224,7 @@ _FORMS = {
 
 
 def _have(node: Node) -> str:
-    """What stands where something else should stand."""
+    """The kind of a node, for a finding that another kind is expected."""
     if isinstance(node, Scalar):
         return f'"{quoted(node.text)[1:-1]}"' if node.quoted else quoted(node.text) if node.text else "empty"
     return "a list" if isinstance(node, Sequence) else "a mapping"
@@ -236,7 +236,7 @@ def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
 
 
 def _schema_part(path: list[str | int], root: tuple[str, ...]) -> Schema:
-    """The part of the schema that holds the last keyword of a schema path, which starts at a root."""
+    """The part of the schema with the last keyword of a schema path, which starts at a root."""
     part: Any = schema() if "$defs" in path[:1] else part_at(root)
     for key in path[:-1]:
         part = resolved(part) if isinstance(part, dict) and key != "$ref" else part

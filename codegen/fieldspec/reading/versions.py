@@ -21,7 +21,7 @@ _VERSION_KEYS = ("line", "based_on", "after")
 
 @dataclass(slots=True)
 class Overlays:
-    """The overlays of a device by version, in an order in which each stands behind the one that it is based on.
+    """The overlays of a device by version, each after the one that it is based on.
 
     `heads` are their sections `overlay`, `bases` the versions that they are based on. `findings` is what is wrong with
     how they refer to each other.
@@ -114,7 +114,7 @@ def _follows(head: Mapping) -> str:
 
 
 def _with_version(base: Mapping, head: Mapping, others: Table[str, Mapping]) -> tuple[Mapping, list[Diagnostic]]:
-    """The base with a version on its line, behind the one that it follows."""
+    """The base with a version on its line, after the one that it follows."""
     line = head.values["line"]
     assert isinstance(line, Scalar)
     at = keys(base, f"versions/{line.text}/members")
@@ -157,7 +157,7 @@ _FREE = frozenset(("inferred", "printed", "allow", "values"))
 
 
 class Lines:
-    """The version lines of a device: which line a version is on, and where in its order."""
+    """The version lines of a device: the line of a version, and its position there."""
 
     def __init__(self, tree: Mapping) -> None:
         self.place: dict[str, tuple[int, int]] = {}
@@ -201,7 +201,7 @@ class Lines:
         return self.built or [LONE_VERSION]
 
     def holds(self, node: Mapping, versions: tuple[str, ...]) -> bool:
-        """Whether a fact holds for a version, or for several of different lines. Other lines decide nothing here."""
+        """Whether a fact applies to a version, or to several of different lines. Bounds on other lines do not count."""
         return all(self._holds(node, version) for version in versions)
 
     def _holds(self, node: Mapping, version: str) -> bool:
@@ -218,18 +218,18 @@ class Lines:
         return not same or version in same
 
     def selected(self, node: Node, versions: tuple[str, ...]) -> Node:
-        """The tree without the facts that do not hold for a version, or for several of different lines."""
+        """The tree with only the facts that apply to a version, or to several of different lines."""
         return self._picked(node, lambda fact: self.holds(fact, versions))
 
     def reached(self, tree: Node, base: str, version: str) -> Node:
-        """The tree of a version that another one on its line is made of: without what holds for neither of them."""
+        """The tree of a version as the base of another one on its line: without the facts that apply to neither."""
         lines = {self.place.get(identifier, (None,))[0] for identifier in (base, version)}
         if len(lines) > 1:
             return tree
         return self._picked(tree, lambda fact: self._holds(fact, base) or self._holds(fact, version))
 
     def _picked(self, node: Node, holds: Callable[[Mapping], bool]) -> Node:
-        """The tree without some facts. A part without bounds is the same for all versions; it is seen through once."""
+        """The tree without some facts. A part without bounds is the same for all versions, and searched once."""
         if isinstance(node, Scalar) or node in self._unbounded:
             return node
         below = tuple(node.values.values()) if isinstance(node, Mapping) else node.items
@@ -267,7 +267,7 @@ class Lines:
                 free = False
                 findings += self._misnamed(node)
             if not _FREE.isdisjoint(node.values):
-                free = False  # what stands there is not looked at here
+                free = False  # bounds in there are not searched here
                 values = [value for key, value in node.values.items() if key not in _FREE]
         else:
             values = node.items
@@ -299,5 +299,5 @@ def named(bound: Node | None) -> list[Scalar]:
 
 
 def selected(node: Node, versions: tuple[str, ...], lines: Lines) -> Node:
-    """The tree without the facts that do not hold for a version, or for several of different lines."""
+    """The tree with only the facts that apply to a version, or to several of different lines."""
     return lines.selected(node, versions)

@@ -1,4 +1,4 @@
-"""YAML text -> nodes with places. A slip is a finding, never an exception.
+"""YAML text -> nodes with places. A mistake is a finding, never an exception.
 
 Built on PyYAML's parser events, of which only plain data is taken: no tags, no merge keys. An alias is
 the node it names; how many values and levels a file may have, with its aliases written out, is bounded.
@@ -82,7 +82,7 @@ def decoded(path: str, data: bytes) -> tuple[SourceFile, list[Diagnostic]]:
 
 
 def _kind(sign: str) -> str:
-    """What a code point is that no text has."""
+    """The kind of a code point that texts must not contain."""
     return "control character" if ord(sign) < 0xA0 else "code point that is no character,"
 
 
@@ -160,7 +160,7 @@ class _Builder:
         return Span(self.file, *_bounds(event))
 
     def _tag(self, event: Event) -> Span:
-        """Where the tag of a node stands: before it, perhaps behind an anchor."""
+        """The place of a node's tag: before it, perhaps after an anchor."""
         match = _TAG.search(self.file.text, _bounds(event)[0])
         return Span(self.file, *match.span()) if match else self._span(event)
 
@@ -193,7 +193,7 @@ class _Builder:
         return node
 
     def _escapes(self, event: ScalarEvent) -> None:
-        """Refuses escapes for what no text has, which some outputs could not show."""
+        """Refuses escapes for characters that some outputs cannot show."""
         if _HALF.search(event.value):
             self._refuse("yaml_syntax", "an escape names half a character", event, "write the character itself")
         bad = _NO_CHARACTER.search(event.value)
@@ -202,7 +202,7 @@ class _Builder:
             self._refuse("yaml_syntax", text, event, "say in words what it is")
 
     def _grow(self, event: Event, values: int, depth: int) -> None:
-        """Counts the values of a node, whose deepest one stands at a depth."""
+        """Counts the values of a node, the deepest of which is at a depth."""
         self.total += values
         if depth > DEEPEST_TREE:
             self._refuse("too_deep", f"nested more than {DEEPEST_TREE} levels deep", event, "use fewer levels")
@@ -285,7 +285,7 @@ class _Builder:
         return Mapping(file, event.start_mark.index, key.end_mark.index, values, ALL_THERE)
 
     def _misplaced(self, name: str | None, key: Event | Node, first: dict[str, Any]) -> None:
-        """Finds a key that is no word, or that stands in its mapping already."""
+        """Adds a finding for a key that is no word, or that occurs twice in its mapping."""
         span = self._place(key)
         if name is None:
             self.findings.append(Diagnostic("key_not_text", "a key must be a word", span, help="write a plain word"))
@@ -299,7 +299,7 @@ class _Builder:
 
 
 def key_span(mapping: Mapping, key: str) -> Span:
-    """Where a key of a mapping stands. Its text is read again for that, as hardly any key is ever asked for."""
+    """The span of a key of a mapping. It parses the text again, as hardly any key is ever asked for."""
     holder = mapping.holder(key)
     while isinstance(holder, Mapping) and holder is not (inner := holder.holder(key)):
         holder = inner
@@ -340,7 +340,7 @@ def _size(node: Node) -> Size:
 
 
 def _bounds(event: Event) -> tuple[int, int]:
-    """The offsets of an event's first character and of the one behind its last."""
+    """The offsets of an event's first character and of the one after its last."""
     assert event.start_mark is not None
     assert event.end_mark is not None
     return event.start_mark.index, event.end_mark.index

@@ -27,7 +27,7 @@ _KINDS = {
 
 
 def manual() -> str:
-    """The manual as Markdown. The template says where the keys of which part of the schema stand."""
+    """The manual as Markdown. The template names the part of the schema for each table of keys."""
     text = _INCLUDED.sub(lambda mark: _text(mark[1]).rstrip("\n"), _text("language.md"))
     return _MARK.sub(lambda mark: "\n\n".join("\n".join(_section(name)) for name in mark[1].split()), text)
 
@@ -105,7 +105,7 @@ def _also(part: Schema, needed: list[str]) -> Iterator[str]:
 
 
 def _words(part: Schema) -> Iterator[str]:
-    """The words that a scalar must be one of, where there are such."""
+    """The words that a scalar may be; nothing where any text may be."""
     if "enum" in part:
         yield ""
         if "enumDescriptions" in part:
@@ -120,7 +120,7 @@ def _words(part: Schema) -> Iterator[str]:
 
 
 def _form(path: str, part: Schema) -> str:
-    """How the value of a key is written, in a few words, with a link to where more is said."""
+    """The form of a key's value in a few words, with a link to its section."""
     if "$ref" in part:
         name = part["$ref"].removeprefix("#/$defs/")
         return _link(name) if "/" not in name else _form(name.replace("/properties/", "."), resolved(part))

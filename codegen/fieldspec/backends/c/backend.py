@@ -11,7 +11,7 @@ from fieldspec.backends.c.expressions import string, unsigned
 from fieldspec.backends.c.frames import declare_link
 from fieldspec.backends.c.fuzzing import write_fuzz_target
 from fieldspec.backends.c.messages import declare_messages
-from fieldspec.backends.c.naming import Naming, stem, version_word
+from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.printer import Printer
 from fieldspec.backends.c.records import declare_record
 from fieldspec.backends.c.registers import declare_parameters, declare_register, declare_signal, declare_table
@@ -19,7 +19,7 @@ from fieldspec.backends.c.runtime_files import copy_checksums, copy_numbers, cop
 from fieldspec.backends.c.selftest import write_selftest
 from fieldspec.backends.forms import filled
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.names import Name
+from fieldspec.names import Name, stem, version_word
 
 _OWN_TYPES = ("codec_status", "code_text", "selftest")
 _OWN_MACROS = ("included", "version", "identity", "with_texts", "without_double", "wide_crc_table")

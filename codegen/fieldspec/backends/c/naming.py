@@ -124,14 +124,3 @@ def argument(name: str) -> str:
 def frame_member(name: str) -> str:
     """A member of an opened frame that a part of the frame gives."""
     return f"{name}_" if name in _MEMBERS else name
-
-
-def stem(device: str, version: str) -> str:
-    """The name of a version's files: `gadget_v2_0`, `gadget_before_1_17`."""
-    return f"{Name.of(device).snake()}_{version_word(version)}"
-
-
-def version_word(version: str) -> str:
-    """A version within a name: `v2_0`, `before_1_17`"""
-    words = Name.of(version).snake()
-    return f"v{words}" if words[:1].isdigit() else words

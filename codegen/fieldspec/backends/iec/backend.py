@@ -8,6 +8,7 @@ from fieldspec.backends.iec.types import struct_lines, type_lines
 from fieldspec.classes import dataclass, replace
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.names import stem
 from fieldspec.plc.cache import cached
 from fieldspec.plc.constants import ConstantList
 from fieldspec.plc.declarations import Declarations, declarations
@@ -18,7 +19,7 @@ from fieldspec.plc.routines.printer import comment, comment_text, routine_text
 from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.structured.examples import examples
 from fieldspec.plc.structured.objects import number
-from fieldspec.plc.structured.program import about, newest, stem
+from fieldspec.plc.structured.program import about, newest
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,8 +34,9 @@ class Source:
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """Of a device's newest version the types and functions as one source, and the constants for a configuration."""
     layout = newest(versions)
+    name = stem(layout.device.id, layout.device.version)
     iec_source = source(layout)
-    return {f"{stem(layout)}.st": text(iec_source), f"{stem(layout)}_constants.st": constants(iec_source)}
+    return {f"{name}.st": text(iec_source), f"{name}_constants.st": constants(iec_source)}
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:

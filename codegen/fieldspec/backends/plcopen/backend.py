@@ -19,9 +19,10 @@ from fieldspec.backends.plcopen.elements import (
 )
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.names import stem
 from fieldspec.plc.dialects import DIALECTS
 from fieldspec.plc.structured.layout_table import layout_table
-from fieldspec.plc.structured.program import Program, newest, program, stem
+from fieldspec.plc.structured.program import Program, newest, program
 from fieldspec.plc.structured.program import refusals as program_refusals
 
 # What CODESYS writes and TwinCAT reads; 2.01 differs in nothing that stands here.
@@ -34,10 +35,11 @@ CREATED = "2000-01-01T00:00:00"
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """A project with everything of a device's newest version, and a table of where members of structs lie."""
     layout = newest(versions)
+    name = stem(layout.device.id, layout.device.version)
     st_program = program(layout)
     return {
-        f"{stem(layout)}.xml": document_text(project(st_program)),
-        f"{stem(layout)}_layout.csv": layout_table(st_program),
+        f"{name}.xml": document_text(project(st_program)),
+        f"{name}_layout.csv": layout_table(st_program),
     }
 
 
@@ -74,7 +76,7 @@ def project(program_of_device: Program) -> Element:
             "contentHeader",
             element("Comment", text="\n".join([*program_of_device.about(), "", *program_of_device.guide()])),
             element("coordinateInfo", element("fbd", scaling), element("ld", scaling), element("sfc", scaling)),
-            name=stem(layout),
+            name=stem(layout.device.id, layout.device.version),
         ),
         element("types", element("dataTypes", *types), element("pous", *functions)),
         element("instances", element("configurations")),

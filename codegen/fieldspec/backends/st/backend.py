@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.names import stem
 from fieldspec.plc.dialects import DIALECTS
 from fieldspec.plc.structured.layout_table import layout_table
-from fieldspec.plc.structured.program import Program, newest, program, stem
+from fieldspec.plc.structured.program import Program, newest, program
 from fieldspec.plc.structured.program import refusals as program_refusals
 
 _PARTS = {
@@ -22,8 +23,9 @@ _PARTS = {
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """One text with everything of a device's newest version, and a table of where members of structs lie."""
     layout = newest(versions)
+    name = stem(layout.device.id, layout.device.version)
     st_program = program(layout)
-    return {f"{stem(layout)}.st": text(st_program), f"{stem(layout)}_layout.csv": layout_table(st_program)}
+    return {f"{name}.st": text(st_program), f"{name}_layout.csv": layout_table(st_program)}
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:

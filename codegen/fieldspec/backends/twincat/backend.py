@@ -8,10 +8,11 @@ from collections.abc import Sequence
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.names import stem
 from fieldspec.plc.dialects import DIALECTS
 from fieldspec.plc.structured.layout_table import layout_table
 from fieldspec.plc.structured.objects import Item
-from fieldspec.plc.structured.program import newest, program, stem
+from fieldspec.plc.structured.program import newest, program
 from fieldspec.plc.structured.program import refusals as program_refusals
 from fieldspec.spreadsheet import BYTE_ORDER_MARK
 
@@ -41,7 +42,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """The objects of a device's newest version, what includes them in a project, and where members of structs lie."""
     layout = newest(versions)
     st_program = program(layout)
-    folder = stem(layout)
+    folder = stem(layout.device.id, layout.device.version)
     about = st_program.about()
     texts = {f"{folder}/{path(item)}": source(item, about) for item in st_program.items}
     texts[f"{folder}/project_items.xml"] = inclusion(st_program.items)

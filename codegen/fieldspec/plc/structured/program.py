@@ -131,12 +131,5 @@ def newest(versions: Sequence[DeviceLayout]) -> DeviceLayout:
     return versions[-1]
 
 
-def stem(layout: DeviceLayout) -> str:
-    """The name of a version's files: `gadget_v2_0`"""
-    words = Name.of(layout.device.version).snake()
-    version = f"v{words}" if words[:1].isdigit() else words
-    return f"{Name.of(layout.device.id).snake()}_{version}"
-
-
 def _device(layout: DeviceLayout) -> str:
     return Name.of(layout.device.id).pascal()

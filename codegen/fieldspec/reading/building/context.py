@@ -1,4 +1,4 @@
-"""What every builder needs: keys as values, citations, findings, and reuse of what versions share."""
+"""Shared by all builders: values of keys, citations, findings, and the reuse of objects between versions."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _REPORT_META = ("by", "how")
 class Entry:
     """A mapping of the tree with its path and what it inherits: the section and the sources around it.
 
-    `defaults` are keys of an enclosing group that stand in for missing ones.
+    `defaults` are keys of an enclosing group, for keys that are missing here.
     """
 
     __slots__ = ("defaults", "findings", "node", "own", "path", "section", "sources")
@@ -82,11 +82,11 @@ class Entry:
         return Decimal(value) if isinstance(value, int) else value if isinstance(value, Decimal) else None
 
     def flag(self, key: str) -> bool:
-        """A truth value; false where it is not given."""
+        """A truth value; false where the key is missing."""
         return self.value(key) is True
 
     def maybe(self, key: str) -> bool | None:
-        """A truth value, or None where it is not given."""
+        """A truth value, or None where the key is missing."""
         value = self.value(key)
         return value if isinstance(value, bool) else None
 
@@ -104,7 +104,7 @@ class Entry:
         return tuple(item.value for item in items if isinstance(item, Scalar) and isinstance(item.value, int))
 
     def reasons(self, key: str) -> dict[str, str]:
-        """A mapping of texts; that of the defaults comes first, the own keys win."""
+        """A mapping of texts: the defaults, overridden by the entry's own keys."""
         reasons: dict[str, str] = {}
         for holder in (self.defaults, self.node):
             node = holder.values.get(key) if holder is not None else None
@@ -186,7 +186,7 @@ class Entry:
         return arguments
 
     def handling(self) -> Handling:
-        """What whoever reads or writes the value must know."""
+        """The handling of the value."""
         if self.defaults is None and self.own.keys().isdisjoint(HANDLING_KEYS):
             return UNSPECIFIED
         endurance = self.value("endurance")
@@ -199,7 +199,7 @@ class Entry:
         )
 
     def claims(self, key: str) -> tuple[Claim, ...]:
-        """What other places of the manual say of a fact."""
+        """The statements of other places of the manual about a fact."""
         return tuple(
             Claim(
                 entry.place(),
@@ -210,7 +210,7 @@ class Entry:
         )
 
     def standards(self, key: str) -> dict[str, Standard]:
-        """The standards that give keys of a fact; those of the defaults come first, the own keys win."""
+        """The standards that give keys of a fact; first those of the defaults, overridden by the entry's own keys."""
         standards: dict[str, Standard] = {}
         for holder in (self.defaults, self.node):
             node = holder.values.get(key) if holder is not None else None
@@ -221,7 +221,7 @@ class Entry:
         return standards
 
     def reports(self, key: str) -> tuple[Report, ...]:
-        """What others report of a fact."""
+        """The reports of others about a fact."""
         return tuple(
             Report(
                 entry.place(),
@@ -288,7 +288,7 @@ def citations(text: str, section: str) -> tuple[Citation, ...]:
 Item = TypeVar("Item")
 
 Reused: TypeAlias = dict[object, ByIdentity[object, object]]
-"""What is built, by everything that it depends on beside its own node, and by that node."""
+"""Built objects by everything that they depend on except their own node, and then by this node."""
 
 
 def rows(
@@ -300,7 +300,7 @@ def rows(
     *more: object,
     key: str = "rows",
 ) -> tuple[Item, ...]:
-    """What is built of the rows of an entry, each under a path with its name; `more` is what else it depends on."""
+    """The objects of the rows of an entry, each under a path with its name; `more` is what else they depend on."""
     by_defaults = reused.setdefault((path, entry.section, entry.sources, *more), ByIdentity())
     same = cast("ByIdentity[object, object]", by_defaults.get_or_compute(defaults, lambda _: ByIdentity()))
     return reused_items(entry, key, path, "name", defaults, same, build)
@@ -315,7 +315,7 @@ def reused_items(
     same: ByIdentity[object, object],
     build: Callable[[Entry], Item],
 ) -> tuple[Item, ...]:
-    """What is built of the list under a key of an entry; `same` has what is built of its items already."""
+    """The objects of the list under a key of an entry; `same` has those that other versions have built."""
     sequence = entry.node.values.get(key)
     items: list[Item] = []
     for number, item in enumerate(sequence.items if isinstance(sequence, Sequence) else ()):

@@ -20,7 +20,7 @@ Item = TypeVar("Item")
 def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[Device, list[Diagnostic]]:
     """The model of a device's tree at one version, and the findings that keep it from being complete.
 
-    `reused` holds what was built for other versions of the device; what is built here is added to it. Raises
+    `reused` has the objects of other versions of the device, and gets those of this one. Raises
     ValueError for a tree without the section `device`.
     """
     reused = {} if reused is None else reused

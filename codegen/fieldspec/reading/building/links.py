@@ -16,7 +16,7 @@ _KEYS = {
     "checksum": frozenset({"algorithm", "byte_order", "covers"}),
     "plain": VALUE_KEYS - {"length", "characters", "sentinels", "parameter", "default", "unit_default"} | {"reserved"},
 }
-"""What can be said of a part beside what can be said of any fact, by its role."""
+"""The keys of a part by its role, except those of every fact."""
 _SPECIFIC = VALUE_KEYS | {"algorithm", "covers", "counts", "reserved"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
 _HELP = {

@@ -58,7 +58,7 @@ def _field(entry: Entry) -> Field:
 
 
 def _choice(entry: Entry, field: Entry) -> Choice:
-    """The cases of a field, whose values have what the field says of all of them."""
+    """The cases of a field; keys of the field apply to the values of all cases."""
     shared = field.node
     for key in field.node.values.keys() - VALUE_KEYS:
         shared = shared.without(key)

@@ -53,7 +53,7 @@ def _gap(entry: Entry) -> Gap:
 
 def _register(entry: Entry, space: str) -> Register:
     if not entry.node.values.get("source"):
-        entry.sources = ()  # a group's source is where its table stands
+        entry.sources = ()  # a group's source is the place of its table
     words = entry.integer("words")
     content = value(entry, words=words)
     width = (content.size + 1) // 2
@@ -179,6 +179,6 @@ def _parameter(entry: Entry, type_name: str) -> Parameter:
 
 
 def _defaults(entry: Entry) -> Mapping | None:
-    """The keys that stand in for those that rows do not give."""
+    """The defaults for keys that rows do not have."""
     node = entry.node.values.get("defaults")
     return node if isinstance(node, Mapping) else None

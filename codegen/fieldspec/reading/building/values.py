@@ -25,11 +25,11 @@ UNTYPED = PRIMITIVES["u16"]
 _ZERO, _UNITY = Decimal(0), Decimal(1)
 
 VALUE_KEYS = frozenset(schema()["$defs"]["value"]["properties"])
-"""The keys that say how a value lies on the wire and what it means."""
+"""The keys for the encoding of a value and its meaning."""
 
 
 def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
-    """The value that an entry describes. A missing type is a finding; `u16` then stands in for it."""
+    """The value that an entry describes. A missing type is a finding; the value is then a `u16`."""
     primitive = PRIMITIVES.get(entry.text("type") or type_name)
     if primitive is None:
         entry.refuse("type_present", "type", "nothing says how this value lies on the wire", "give it a `type`")
@@ -83,7 +83,7 @@ def _scale(entry: Entry) -> Decimal | None:
 
 
 def scale_text(scale: ScalarValue) -> str:
-    """A scale as the spec writes it; empty where it gives none."""
+    """A scale as the spec writes it; empty where it has none."""
     if isinstance(scale, Decimal):
         return f"{scale:f}"
     return "" if scale is None else str(scale)
