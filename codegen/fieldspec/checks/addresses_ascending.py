@@ -1,12 +1,12 @@
-"""Within a group, every register lies behind the one before it.
+"""Within a group, the address of every register is higher than that of the register before it.
 
-Why: manuals list registers by address. A row that breaks the order is nearly always misprinted, or
-mistyped.
+Why: manuals list registers by address. A row that breaks the order is nearly always a misprint or a typing
+error.
 
 Example: rows at 0x0709, 0x080A and 0x070B: the middle one is out of order.
 
-Cure: Put the address right, and write an erratum if it is printed so. If the manual lists the group in
-another order, say `order: as_listed` on the group.
+Cure: Correct the address, and write an erratum if the manual prints it that way. If the manual lists the
+group in another order, set `order: as_listed` on the group.
 """
 
 from __future__ import annotations

@@ -1,12 +1,11 @@
-"""No two registers, arrays of registers or tables claim the same address of one space.
+"""No two registers, arrays of registers or tables occupy the same address of a space.
 
-Why: two names for one word are nearly always a slip of the pen, and whoever writes one changes the
-other.
+Why: two names for one word are nearly always a mistake, and writing one changes the other.
 
 Example: a register of two words at 0x2000 and another register at 0x2001.
 
-Cure: Put the address or the number of words right, and write an erratum if it is printed so. If the
-overlap is meant, say `allow: {addresses_disjoint: <reason>}` on one of the two.
+Cure: Correct the address or the number of words, and write an erratum if the manual prints it that way. If
+the overlap is intended, set `allow: {addresses_disjoint: <reason>}` on one of the two.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
-"""Every `allow` names a check, and that check would fail here.
+"""Every `allow` names a rule that the fact would break without it.
 
-Why: an allowance that is not needed any more hides the next slip at the same place.
+Why: an allowance that is no longer needed hides the next mistake at the same place.
 
 Example: `allow: {addresses_disjoint: an alias}` on a register that overlaps nothing.
 
-Cure: Remove the allowance, or put the name of the check right.
+Cure: Remove the allowance, or correct the name of the rule.
 """
 
 from __future__ import annotations

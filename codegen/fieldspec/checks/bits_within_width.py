@@ -1,10 +1,11 @@
-"""Every bit lies within its word, and the word fits each value that uses it.
+"""Every bit is within its word, and the word fits every value that uses it.
 
-Why: a bit that the word does not have cannot be read. The word is too narrow, or the number is wrong.
+Why: a bit that the word does not have cannot be read. Either the word is too narrow or the bit number is
+wrong.
 
-Example: bit 16 in a word of type `u16`, or a word with bit 9 used for a `u8`.
+Example: bit 16 in a word of type `u16`, or a bit field with bit 9 that a `u8` uses.
 
-Cure: Put the type or the bit's number right, and write an erratum if it is printed so.
+Cure: Correct the type or the bit number, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""The address to which all listen is not the address of a station, and fits the part that carries
+"""The broadcast address is not the unit address of a station, and it fits the part that carries unit
 addresses.
 
-Why: a request to that address is answered by none. A station that had it could not be asked anything.
+Why: no station answers a broadcast request. A station with that address could never be read.
 
 Example: stations 0..15 with `broadcast: 0`.
 
-Cure: Put the range or the address right, and write an erratum if it is printed so.
+Cure: Correct the range or the address, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

@@ -1,14 +1,15 @@
-"""A field whose type another one decides comes last in its record, and that one decides it: it lies before,
-holds one unsigned number with an enum, and each of its members stands in one case at most.
+"""A choice is the last field of its record. The field that decides it comes before it and is a single
+unsigned number with an enum; each member of that enum is in at most one case.
 
-Why: a decoder reads the deciding field first, and then knows how the rest lies. Members without a case are
-refused, as nothing says what follows them.
+Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members
+without a case, because nothing says what follows them.
 
 Example: `choice: {by: format, cases: [...]}` where two cases have `when: [unsigned16]`, or where the field
-`format` stands behind the values.
+`format` comes after the values.
 
-Cure: Put the fields in the order of the wire, name a deciding field with an enum, or take the member out of
-one of the cases. A record with a choice is the data of a message or of a refusal, and lies in no other one.
+Cure: List the fields in the order of the wire, name a deciding field with an enum, or remove the member from
+one of the cases. A record with a choice is the data of a message or of an exception response, and is not part
+of another record.
 """
 
 from __future__ import annotations

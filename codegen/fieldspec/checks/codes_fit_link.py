@@ -1,10 +1,13 @@
-"""Every message's code fits the part that carries it, and is clear of the bit that marks a refusal.
+"""The code of every message fits the part that carries it, and does not contain the bit that marks an
+exception response.
 
-Why: a code that does not fit cannot be sent; one that has the bit of a refusal would be taken for one.
+Why: a code that does not fit cannot be sent. A code that contains this bit would be decoded as an exception
+response.
 
-Example: a function code 0x86 on a link whose refusals have the bit 0x80.
+Example: function code 0x86 on a link whose exception responses have the bit 0x80.
 
-Cure: Put the code, the part's type or the bit right, and write an erratum if it is printed so.
+Cure: Correct the code, the type of the part or the bit, and write an erratum if the manual prints it that
+way.
 """
 
 from __future__ import annotations

@@ -1,12 +1,13 @@
-"""A conversion holds for signals of its own type, and its full scale is what their scale makes 100 %.
+"""A conversion is used for signals of its own type, and its full scale is the raw value that the scale of the
+signal makes 100 %.
 
-Why: the normalisation of a signal is printed in the list of signals and again in the formula. Where the two
-differ, one of them makes the motor twice as fast.
+Why: the manual prints the normalization of a signal in the list of signals and again in the formula. If the
+two differ, one of them can make a motor run at twice the speed.
 
 Example: `full_scale: 0x4000` for a signal with `scale: 100/2^30` and the unit %.
 
-Cure: Put the scale or the full scale right, and write an erratum. Signals of another type get a conversion
-of their own.
+Cure: Correct the scale or the full scale, and write an erratum. Add a separate conversion for signals of
+another type.
 """
 
 from __future__ import annotations

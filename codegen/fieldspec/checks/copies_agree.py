@@ -1,14 +1,13 @@
-"""What a block prints of its registers is what the block of which it is a copy makes of them: the distance
-of the addresses, in decimal too, the words, and the label.
+"""The registers of a copied block match the original block: the distance between the addresses, in decimal
+too, the number of words, and the label.
 
-Why: a block that stands twice is printed twice, row by row. Where one row differs, one of the two is
-misprinted, and the other one shows what is right.
+Why: the manual prints both blocks row by row. If a row differs, one of the two is misprinted, and the other
+shows the correct value.
 
-Example: parameters in memory from 0x1388 and in flash from 0x1450, of which one lies at 0x13BE and at
-0x1488.
+Example: parameters in memory from 0x1388 and in flash from 0x1450; one of them is at 0x13BE and at 0x1488.
 
-Cure: Put the row of one of the blocks right, and write an erratum if it is printed so. Labels that differ
-in blanks only are the same. If a label really differs, say `allow: {copies_agree: <reason>}` on the
+Cure: Correct the row in one of the blocks, and write an erratum if the manual prints it that way. Labels that
+differ only in spaces are equal. If a label really differs, set `allow: {copies_agree: <reason>}` on the
 register or on its group.
 """
 

@@ -1,12 +1,12 @@
-"""A default is a value that the fact may take: within its range, its type and its closed enum.
+"""A default is a value that the fact can have: within its range, its type and its closed enum.
 
-Why: a device does not come with a setting that it refuses. Where the two disagree, one of them is
+Why: a device is not delivered with a setting that it does not accept. If the two disagree, one of them is
 misprinted.
 
 Example: a range of 1..127 with a default of -1.
 
-Cure: Put the range or the default right, and write an erratum. A special value outside of the range is a
-sentinel.
+Cure: Correct the range or the default, and write an erratum. If the default is a special value outside the
+range, list it under `sentinels`.
 """
 
 from __future__ import annotations

@@ -1,12 +1,11 @@
-"""Elements of a table that the manual prints have the addresses and words that base, stride and record
-make.
+"""The printed elements of a table have the addresses and words that its base, stride and record give.
 
-Why: a manual often prints the first and the last element in full. They prove base, stride and count, or
+Why: a manual often prints the first and the last element in full. They confirm base, stride and count, or
 show that one of them is wrong.
 
-Example: the second element printed at 0x9020..0x902D with 12 words.
+Example: the second element is printed at 0x9020..0x902D with 12 words.
 
-Cure: Put the table or the element right, and write an erratum if it is printed so.
+Cure: Correct the table or the element, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
-"""The values between the lowest and the highest member of an enum are all listed, or declared as `gaps`.
+"""All values between the lowest and the highest member of an enum are members or are declared as `gaps`.
 
-Why: a hole in a list is where a line got lost, in print or in transcription. Codes that are sorted into
-blocks, as alarms often are, are looked at if they span at most 64 values; masks of single bits, and lists
-that follow from another one, are not.
+Why: a hole in a list often shows that a row was lost, in print or in transcription. Codes in blocks, such as
+many alarm codes, are checked if they span at most 64 values. Masks of single bits and lists derived from
+another list are not checked.
 
 Example: alarms 0 to 15 and 17.
 
-Cure: Transcribe the missing line, or declare the hole: `gaps: "16: the list goes from 15 to 17"`. An
-erratum says so if the manual should have it.
+Cure: Transcribe the missing row, or declare the hole: `gaps: "16: the list goes from 15 to 17"`. Write an
+erratum if the manual should have the row.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
-"""Within a group, an address that no register holds lies in a declared gap, and a gap holds no register.
+"""Within a group, every address without a register is in a declared gap, and no gap contains a register.
 
-Why: address plus words is the next address, unless the manual leaves addresses out. A hole that nobody
-declared hides a wrong number of words, a wrong address or a row that was not transcribed.
+Why: address plus words is the next address, unless the manual skips addresses. An undeclared hole hides a
+wrong number of words, a wrong address or a row that was not transcribed.
 
-Example: a register of one word at 0x010B and the next one at 0x010D: 0x010C is in no gap.
+Example: a register of one word at 0x010B, the next register at 0x010D, and no gap that contains 0x010C.
 
-Cure: Put the words or the address right, transcribe the missing row, or declare the addresses under the
-group's `gaps` with a reason.
+Cure: Correct the words or the address, transcribe the missing row, or declare the addresses with a reason
+under `gaps` of the group.
 """
 
 from __future__ import annotations

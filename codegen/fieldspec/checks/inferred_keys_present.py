@@ -1,11 +1,11 @@
-"""Every key under `inferred` is a key that the fact has.
+"""Every key under `inferred` is a key of the fact.
 
-Why: `inferred` says that the manual implies a value and does not print it. A reason for a value that is
-not there is a slip: a key with a typing error, or a value that was taken out again.
+Why: `inferred` states that the manual implies a value but does not print it. A reason for a missing value is
+a mistake: the key is misspelt, or the value was removed.
 
 Example: `inferred: {acces: ...}` on a register with `access: rw`.
 
-Cure: Put the key right, give the value, or take the reason out.
+Cure: Correct the key, add the value, or remove the reason.
 """
 
 from __future__ import annotations

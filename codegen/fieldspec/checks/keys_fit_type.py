@@ -1,11 +1,12 @@
-"""A value has no key that means nothing for its type: members of enums, bits and constants are whole numbers; a
-floating-point number is counted in its unit; texts and bytes have no order of bytes, no range and no scale.
+"""A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers. A
+floating-point number has no scale. Texts and bytes have no byte order, range or scale.
 
-Why: what no output can obey must not look as if it held. A reader would trust a limit or a name that no codec knows.
+Why: a key that no output can apply must not look as if it had an effect. A reader would rely on a limit or a
+name that no codec knows.
 
 Example: `enum: mode` on an `f32`, or `byte_order: little` on a `text`.
 
-Cure: Take the key away, or put the type right.
+Cure: Remove the key, or correct the type.
 """
 
 from __future__ import annotations

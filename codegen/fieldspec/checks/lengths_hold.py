@@ -1,11 +1,11 @@
-"""A part or field that holds a length can hold it for the longest frame.
+"""A part or field that carries a length is wide enough for the longest frame.
 
-Why: a count of elements that is printed too high, or a length of one byte for more than 255, gives frames that cannot
-exist.
+Why: a frame that is longer than its length field can express cannot exist. The printed number of elements is
+too high, or the type is too narrow.
 
 Example: up to 16 points of 16 bytes in a packet whose length is one byte.
 
-Cure: Put the number of elements or the type right, and write an erratum if it is printed so.
+Cure: Correct the number of elements or the type, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
-"""A limit that is made of others is their sum, and a limit that another one bounds does not exceed it.
+"""A limit with parts is their sum, and a limit with a bound does not exceed it.
 
-Why: a device that takes up to 400 ms to answer, and 280 ms to send, cannot be judged by a timeout of 600 ms. The
-manual prints the numbers on different pages, and nobody adds them up.
+Why: a timeout of 600 ms is too short for a device that takes up to 400 ms to answer and 280 ms to send. The
+manual prints these numbers on different pages, and nobody adds them up.
 
-Example: `{name: delay, max: 400, unit: ms, transmits: response, within: limits/timeout}` where the longest response has
-244 bytes, which take 280 ms at 9600 bit/s, and the timeout is 600 ms.
+Example: `{name: delay, max: 400, unit: ms, transmits: response, within: limits/timeout}` where the longest
+response has 244 bytes, which take 280 ms at 9600 bit/s, and the timeout is 600 ms.
 
-Cure: Put the number or the reference right; where the manual prints it so, write an erratum.
+Cure: Correct the number or the reference, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

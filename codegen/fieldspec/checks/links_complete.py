@@ -1,16 +1,16 @@
-"""A link says how its frames look: the byte order, one body, the code of a request, what a length counts and a
-check covers.
+"""A link describes its frames completely: the byte order, one body, the code of a request, and which parts
+the length counts and the checksum covers.
 
-Why: byte order is stated for each link and never assumed; and a frame whose message cannot be told, or
-whose data have no place, cannot be decoded.
+Why: the byte order is stated for each link and never assumed. A frame cannot be decoded if its message is not
+identified or its data has no place.
 
 Example: a link with two messages whose requests have no part with the role `code`.
 
-Cure: Give the `byte_order`, or the missing part, or put the parts in the order of the wire. Station, code, length
-and fields that users give stand before the body; constants and reserved parts stand anywhere. A length counts
-neighbouring parts, the body among them; a check covers neighbouring parts, itself not among them. Where frames
-really carry no code, name the link under the `links` of each of its messages, which then have none either:
-whoever decodes says which message it is.
+Cure: Add the `byte_order` or the missing part, or list the parts in the order of the wire. Unit address,
+code, length and user fields come before the body; constants and reserved parts may be anywhere. A length
+counts adjacent parts that include the body. A checksum covers adjacent parts that do not include itself. If
+frames really carry no code, name the link under `links` of each of its messages and omit their codes; the
+caller of the decoder then states the message.
 """
 
 from __future__ import annotations

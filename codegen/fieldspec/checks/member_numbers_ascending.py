@@ -1,11 +1,11 @@
-"""Where the members of an enum have a second number and nearly all of them are listed by it, all are, and no
-number comes twice.
+"""If members of an enum have a second number and nearly all are sorted by it, all are, and no number is
+repeated.
 
-Why: a table that is sorted by one of its columns shows a misprint in it.
+Why: a misprint shows in a table that is sorted by one of its columns.
 
 Example: internal codes 42, 34, 44: the middle one is out of order.
 
-Cure: Put the number right, and write an erratum if it is printed so.
+Cure: Correct the number, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

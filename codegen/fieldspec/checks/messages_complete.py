@@ -1,12 +1,12 @@
-"""Where frames carry a code, every message has one of its own; where they carry none, it has a number of its
-own, or none.
+"""On links with codes, every message has its own code. On links without codes, a message has its own number
+or none.
 
-Why: the code is how a decoder knows which message it has, and the number is how people know it.
+Why: a decoder identifies a message by its code, and people identify it by its number.
 
-Example: two commands with the code 0x44 on one link, or a telegram 111 that is listed twice.
+Example: two commands with the code 0x44 on one link, or two telegrams with the number 111.
 
-Cure: Give the code, or put one of them right and write an erratum if it is printed so. A message that is
-only sent on links without codes names these under `links`.
+Cure: Add the code, or correct one of them and write an erratum if the manual prints it that way. A message
+that is sent only on links without codes names them under `links`.
 """
 
 from __future__ import annotations

@@ -1,12 +1,13 @@
-"""Names stay apart in every target's case and behind its reserved words, within each space of names.
+"""Names in one name space remain distinct in the spelling of every target, including the escaped names of
+reserved words.
 
-Why: outputs write the words of a name in their own case, and some of them do not tell upper from lower
-case. Two names that become one there would make one of two things vanish, or the output not compile.
+Why: each output spells a name in its own case, and some targets do not distinguish upper and lower case. If
+two names become equal, one of the declarations is lost or the output does not compile.
 
-Example: `line_1_2` and `line1_2` are both `Line1_2`; a record and an enum that are both called zone
-become one type.
+Example: `line_1_2` and `line1_2` both become `Line1_2`; a record and an enum with the name zone become one
+type.
 
-Cure: Give one of them another name.
+Cure: Rename one of them.
 """
 
 from __future__ import annotations

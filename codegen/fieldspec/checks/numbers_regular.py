@@ -1,13 +1,12 @@
-"""Where the rows of a group carry the numbers of another table, their addresses rise with the numbers at one
-distance.
+"""If the rows of a group have the numbers of another table, equal steps in number are equal steps in address.
 
-Why: parameter 0 at the first address and two words for each make a rule for all of them. A row that breaks
-it has a misprinted address or number, or a row of one of the tables was left out.
+Why: if parameter 0 is at the first address and each parameter has two words, all addresses follow. A row that
+does not follow has a misprinted address or number, or a row is missing from one of the tables.
 
 Example: parameters 11, 12 and 14 at 0x139E, 0x13A0 and 0x13A2.
 
-Cure: Put the address or the number right, and write an erratum if it is printed so, or transcribe what is
-missing.
+Cure: Correct the address or the number, and write an erratum if the manual prints it that way, or transcribe
+the missing row.
 """
 
 from __future__ import annotations

@@ -1,12 +1,14 @@
-"""All links of a device have the same byte order and the same word order. Where the device has words, such as registers
-or data that are counted in words, a link states the word order, and so does each link whose data are counted in words.
+"""All links of a device have the same byte order and the same word order. If the device has values of several
+words, such as registers or data counted in words, at least one link states the word order, and so does every
+link whose data is counted in words.
 
-Why: a value of several words means nothing without the order of its words. It is stated and never
-assumed; and the same register cannot have two orders. Where a protocol has bytes only, there are no words to order.
+Why: a value of several words needs a word order, which is stated and never assumed. One register cannot have
+two orders. A protocol that has only bytes needs no word order.
 
 Example: a register of type `u32` on a device whose link has no `word_order`.
 
-Cure: Give `word_order: big` or `little`, as inferred with a reason if the manual does not print it.
+Cure: Add `word_order: big` or `word_order: little`, as inferred with a reason if the manual does not print
+it.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
-"""The range of a field that holds the number of a parameter is that of the numbers that its set has, and every
-row of a set has one of these.
+"""The range of a field that carries a parameter number contains exactly the numbers of its set, and every row
+of the set has one of these numbers.
 
-Why: a number in the list that the field refuses cannot be read; a number that it takes and the list
-lacks is a parameter that nobody described.
+Why: a listed number that the field does not accept cannot be read. A number that the field accepts and the
+list does not contain is a parameter that nobody described.
 
-Example: a range of 1..63 for the number of one of the parameters 0 to 31.
+Example: a range of 1..63 for the number of a parameter, where the set has the parameters 0 to 31.
 
-Cure: Put the range right and write an erratum, or transcribe the missing parameters. A set of which the
-manual describes some parameters only says under `numbers` which there are.
+Cure: Correct the range and write an erratum, or transcribe the missing parameters. If the manual describes
+only some parameters of a set, state all numbers under `numbers`.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
-"""Where an enum or a set of parameters says how the manual prints its values, every printed name is so printed.
+"""If an enum or a parameter set states how the manual prints its values, every printed name has that form.
 
-Why: a display code beside its number says the same thing twice. Where the two differ, whoever looks up the
-code finds another alarm.
+Why: a display code and the number next to it give the same information. If they differ, the code leads the
+user to the wrong alarm.
 
-Example: `printed_as: "AL.{value:03X}"` and a member 0xEE0 that is printed as AL.EEO.
+Example: `printed_as: "AL.{value:03X}"` and a member 0xEE0 with the printed name AL.EEO.
 
-Cure: Put the name or the value right, and write an erratum if it is printed so. Large and small letters are
-the same.
+Cure: Correct the name or the value, and write an erratum if the manual prints it that way. Upper and lower
+case are not distinguished.
 """
 
 from __future__ import annotations

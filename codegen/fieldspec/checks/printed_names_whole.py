@@ -1,11 +1,10 @@
-"""A printed identifier whose words are joined by underscores has no blank in it.
+"""A printed identifier with underscores contains no space.
 
-Why: in a narrow column, identifiers are broken, and a blank stays where they were. Whoever looks for the name
-does not find it.
+Why: narrow columns break identifiers and leave a space at the break. A search for the name then fails.
 
 Example: `printed_name: TARGET_SPEE D`
 
-Cure: Write the name in one piece, and an erratum with the printed one.
+Cure: Write the name without the space, and an erratum with the printed name.
 """
 
 from __future__ import annotations

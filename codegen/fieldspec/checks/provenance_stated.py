@@ -1,13 +1,13 @@
-"""Every fact says where it comes from, and in one way: a computed example cites no line of the manual, a standard has
-its name and its clause, what is inferred has a reason, and a report says something that the fact itself does not.
+"""Every fact states exactly one origin: a computed example cites no line of the manual, a standard has a name
+and a clause, an inferred value has a reason, and a report states only what the fact does not state.
 
-Why: a line of the manual is evidence. Where a frame that we have computed cites one, or what a standard gives looks
-printed, nobody can tell evidence from our own work; and what is reported must never pass for what is printed.
+Why: a line of the manual is evidence. If a computed frame cites one, or a value from a standard looks
+printed, nobody can tell evidence from our own work. A reported value must never look printed.
 
 Example: `origin: computed` beside `source: 8.4 L1790`, or `reported: [{by: a program, how: in its code, unit: mm}]`
 on a register with `unit: mm`.
 
-Cure: Take the source, the reason or the report away, or give what is missing.
+Cure: Remove the source, the reason or the report, or add what is missing.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""A range, a sentinel and a printed range of stations fit the type that holds them.
+"""Ranges, special values and the printed range of unit addresses fit their types.
 
-Why: a bound that the type cannot hold cannot be sent. Either the type is too narrow, or its sign is
-wrong, or a digit of the bound is.
+Why: a bound that does not fit its type cannot be sent. Either the type is too narrow, its sign is wrong, or a
+digit of the bound is wrong.
 
 Example: a range of -1..127 on a `u16`.
 
-Cure: Put the type or the bound right; give a signed type where the manual prints negative values.
+Cure: Correct the type or the bound. Use a signed type if the manual prints negative values.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""The printed size of a record is the sum of its fields, and a table leaves each element enough room.
+"""The printed size of a record is the sum of its fields, and a table leaves enough room for each element.
 
-Why: a size that does not add up means that a field has the wrong width, is missing, or is listed twice;
-and every address behind it is wrong too.
+Why: if the size differs from the sum, a field has the wrong width, is missing or is listed twice, and all
+following addresses are wrong too.
 
-Example: a record of 16 bytes whose fields have 14, or elements of 14 words that are 12 words apart.
+Example: a record of 16 bytes with fields of 14 bytes, or elements of 14 words with a stride of 12 words.
 
-Cure: Put the width of a field, the printed size or the stride right, and write an erratum.
+Cure: Correct the width of a field, the printed size or the stride, and write an erratum.
 """
 
 from __future__ import annotations

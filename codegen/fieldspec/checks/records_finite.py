@@ -1,10 +1,10 @@
-"""No record lies in itself, and records are nested at most 64 deep.
+"""No record contains itself, and records are nested at most 64 deep.
 
-Why: a record that holds itself has no end, and no layout.
+Why: a record that contains itself has no end and no layout.
 
 Example: a record point with a field `record: zone`, and a record zone with a field `record: point`.
 
-Cure: Take the field out of one of them, or name the record that was meant.
+Cure: Remove the field from one of them, or name the intended record.
 """
 
 from __future__ import annotations

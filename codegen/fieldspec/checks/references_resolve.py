@@ -1,11 +1,11 @@
-"""Every name that a fact refers to exists: enums, flags, bits, records, fields, signals, parameters, links,
-messages, examples, and the facts at the end of paths.
+"""Every name that a fact refers to exists: enums, bit fields, bits, records, fields, signals, parameters,
+links, messages, examples, and facts named by a path.
 
-Why: a reference that leads nowhere leaves a value without a meaning, and nothing can be laid out.
+Why: without the referenced fact, a value has no meaning and no layout.
 
-Example: `enum: homing_mod` where the enum is called homing_mode.
+Example: `enum: homing_mod` where the enum has the name homing_mode.
 
-Cure: Put the name right, or define what it names.
+Cure: Correct the name, or define the missing fact.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""What is repeated to the end of the data comes last, and its elements have a fixed size.
+"""A field that repeats to the end of the data comes last, and its elements have a fixed size.
 
-Why: only the end of the data says how many elements there are, so nothing can stand behind them, and
-they cannot be told apart if their size varies.
+Why: only the end of the data gives the number of elements. Nothing can follow them, and elements of varying
+size cannot be separated.
 
-Example: a list of points with `repeat: 1..15`, and a field behind it.
+Example: a list of points with `repeat: 1..15` and a field after it.
 
-Cure: Give the number of elements as `count`, or put the fields in the order of the wire.
+Cure: State the number of elements as `count`, or list the fields in the order of the wire.
 """
 
 from __future__ import annotations

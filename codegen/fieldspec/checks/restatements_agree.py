@@ -1,11 +1,11 @@
-"""What the manual says of a fact in a second place is what it says in the first.
+"""A fact that the manual states in two places is the same in both.
 
-Why: two tables of one manual that differ are a contradiction, and a reader of either one believes it.
-`restated` holds what the second place should say, so every difference in print needs an erratum.
+Why: two tables of one manual that differ are a contradiction, and a reader of either table believes it.
+`restated` contains what the second place should say, so every difference in print needs an erratum.
 
 Example: a speed of 0..100 in the register table, restated as 1..100 in the chapter on points.
 
-Cure: Give both places the right value, and write an erratum for the one that is misprinted. Leave out of
+Cure: State the right value in both places, and write an erratum for the one that is misprinted. Omit from
 `restated` what that place does not print.
 """
 

@@ -1,12 +1,11 @@
-"""A signal lies only in the data of its direction, under its own printed name, and somewhere at all.
+"""Every signal is part of some message, only in its own direction, and under its own printed name.
 
-Why: a list of signals says which way each of them goes, and the tables of messages say it again. Where they
-differ, or where a signal is in the list and in no table, one of the two is misprinted or not up to date.
+Why: the list of signals and the tables of messages both state the direction. If they differ, or if a listed
+signal is in no table, one of the two is misprinted or out of date.
 
-Example: a signal with `direction: request` that lies in a response; OVERRIDE in the list and VERRIDE in a
-table.
+Example: a signal with `direction: request` in a response; OVERRIDE in the list and VERRIDE in a table.
 
-Cure: Put the list or the table right, and write an erratum. If no message carries the signal, say so under
+Cure: Correct the list or the table, and write an erratum. If no message carries the signal, state this under
 its `notes`.
 """
 

@@ -1,12 +1,12 @@
-"""The rows of a list cite lines of the manual that rise from row to row.
+"""The rows of a list cite lines of the manual in ascending order.
 
-Why: registers, fields, bits, signals and parameters are transcribed in the order of the print. A line that
-falls back is mistyped, or the row stands in the wrong place. Where a table prints several columns side by
-side, each of them begins at the same line again. The members of enums may be in another order.
+Why: registers, fields, bits, signals and parameters are transcribed in the order of the manual. If a line
+number falls, it is mistyped, or the row is at the wrong place. If a table prints several columns side by
+side, each column starts again at the same line. Members of enums may be in another order.
 
 Example: rows that cite L1160, L1611 and L1162.
 
-Cure: Put the line, or the order of the rows, right.
+Cure: Correct the line or the order of the rows.
 """
 
 from __future__ import annotations

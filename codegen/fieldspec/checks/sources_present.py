@@ -1,13 +1,13 @@
-"""Every fact says where the manual prints it: a section, and lines that the manual has.
+"""Every fact states where the manual prints it: a section, and lines that exist in the manual.
 
-Why: the manual is the authority. A fact without a place in it cannot be looked up by whoever doubts it,
-and a line behind the end of the text is a slip.
+Why: the manual is the authority. Without a source, nobody can verify the fact, and a line after the end of
+the text is a mistake.
 
 Example: a register without `source`, or `source: 8.2 L16222` where the text has 3100 lines.
 
-Cure: Give the section and the line. What a protocol defines is cited in the device's own entry of that
-name. A row may leave the section out where its group has one. Of a block that stands twice, the manual
-prints the rows of the copy too: each of them has its own line, unless no row of the copy is printed.
+Cure: Add the section and the line. Facts of a protocol are cited in the entry of the same name in the device.
+A row may omit the section if its group has one. If the manual prints the rows of a copied block, each row
+cites its own line.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
-"""No two states of a word hold at the same time, and no state asks a bit to be 1 and 0.
+"""No two states of a word are possible at the same time, and no state requires a bit to be both 1 and 0.
 
-Why: the bits of a word show one state. Where two of them fit the same bits, a bit of one of them is
-misprinted or was left out.
+Why: the bits of a word show one state. If two states match the same bits, a bit of one of them is misprinted
+or missing.
 
-Example: a state with `set: [ready]` beside one with `set: [ready, operating]`: the first one needs
-`clear: [operating]`.
+Example: a state with `set: [ready]` and one with `set: [ready, operating]`: the first needs `clear:
+[operating]`.
 
-Cure: Give the bits that tell the states apart, and write an erratum if they are misprinted.
+Cure: Add the bits that distinguish the states, and write an erratum if they are misprinted.
 """
 
 from __future__ import annotations

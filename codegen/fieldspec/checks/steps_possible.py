@@ -1,13 +1,13 @@
-"""Every step of a task can be done: its target is there once, it can be written or read, and the value is one that it
-may have.
+"""Every step of a task can be carried out: its target exists exactly once, has the necessary access, and can
+have the value.
 
-Why: function blocks and clients are made of these steps. A step that writes what can only be read, or a value out of
-its range, would be refused by the device, or do something else.
+Why: function blocks and clients consist of these steps. If a step writes a read-only value, or a value
+outside its range, the device rejects it or does something else.
 
 Example: `{write: actual_position, argument: position}`, or `{wait: in_position, value: 2}`.
 
-Cure: Name the fact that is meant, by its role or its path, and a value that it has. A bit whose edge has the effect
-needs `pulse`, any other bit `set` or `clear`.
+Cure: Name the intended fact by its role or its path, and a value that it can have. Use `pulse` for a bit
+whose edge has the effect, and `set` or `clear` for any other bit.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
-"""The elements of an array that are described one by one are those that it has, each once.
+"""If the elements of an array are described individually, every element is described exactly once.
 
-Why: the number of elements is printed beside the type, and the elements in a table of their own. Where they
-differ, a row got lost, or the number is misprinted.
+Why: the manual prints the number of elements next to the type, and the elements in a separate table. If they
+differ, a row is missing or the number is misprinted.
 
-Example: `elements: 7` for a parameter whose sub-indices go from 0 to 5.
+Example: `elements: 7` for a parameter with the subindices 0 to 5.
 
-Cure: Transcribe what is missing, or put the number right, and write an erratum. If the manual describes some
-elements only, say `allow: {subindices_match_elements: <reason>}`.
+Cure: Transcribe the missing elements or correct the number, and write an erratum. If the manual describes
+only some elements, set `allow: {subindices_match_elements: <reason>}`.
 """
 
 from __future__ import annotations

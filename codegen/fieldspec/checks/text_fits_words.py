@@ -1,11 +1,11 @@
-"""The characters that a text may have fit its bytes, and so does its default.
+"""The permitted characters of a text fit its bytes, and so does its default.
 
-Why: a text that is longer than its registers runs into the next ones, or is cut off. Whether a text
-needs room for an end mark the manual rarely says, so none is asked for.
+Why: a text that is longer than its registers overwrites the next ones or is cut off. No room for a terminator
+is required, because manuals rarely state whether there is one.
 
 Example: 31 characters in a text of one word.
 
-Cure: Put the number of characters, the words or the length right, and write an erratum.
+Cure: Correct the number of characters, the words or the length, and write an erratum.
 """
 
 from __future__ import annotations

@@ -1,10 +1,11 @@
 """A register or parameter that starts an action can be written.
 
-Why: only writing starts it. A trigger that is read only is a misprinted access, or no trigger.
+Why: only writing starts the action. If a trigger is read-only, its access is misprinted, or it is not a
+trigger.
 
 Example: `trigger: true` with `access: ro`.
 
-Cure: Put the access right and write an erratum, or take `trigger` out.
+Cure: Correct the access and write an erratum, or remove `trigger`.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
-"""A constant, and every number in an example, is a value that its field may take.
+"""Constants and all numbers in examples are values that their fields can have.
 
-Why: the manual shows the value on the wire. Where the printed range excludes it, the range or the value
-is misprinted.
+Why: the manual shows the value on the wire. If the printed range excludes it, the range or the value is
+misprinted.
 
-Example: a field with a range of 1..100 that is 0 in a sample frame.
+Example: a field with a range of 1..100 and the value 0 in a sample frame.
 
-Cure: Put the range or the value right, and write an erratum. A special value outside of the range is a
-sentinel.
+Cure: Correct the range or the value, and write an erratum. If it is a special value outside the range, list
+it under `sentinels`.
 """
 
 from __future__ import annotations

@@ -1,12 +1,13 @@
 """The printed number of a parameter on the wire is the base of its set plus its number, and no number belongs
 to two sets of one space.
 
-Why: a manual that prints `Pt25B` and `0x225B` says the same thing twice. Where the two differ, one of them
-sends the user to another parameter.
+Why: a manual that prints `Pt25B` and `0x225B` states the same number twice. If the two differ, one of them
+leads the user to another parameter.
 
-Example: number 0x317 of a set with the base 0x2000, beside 0x2371.
+Example: parameter 0x317 of a set with the base 0x2000 that is printed as 0x2371 on the wire.
 
-Cure: Put the number, the printed one or the base right, and write an erratum if it is printed so.
+Cure: Correct the number, the printed number or the base, and write an erratum if the manual prints it that
+way.
 """
 
 from __future__ import annotations

@@ -1,11 +1,14 @@
-"""A range of writing stands at a whole number that a device holds, and that can be written.
+"""Only a whole number in a register, a register table or a parameter has a `write_range`, and only if it can
+be written.
 
-Why: a request is always written and a response always read, so that the fields of messages have one range, and what can
-only be read has none of writing. A record with a range of writing may lie in tables of registers, not in messages.
+Why: a request is always written and a response is always read, so a field of a message has only one range,
+and a read-only value has no `write_range`. A record with a `write_range` is used in register tables, not in
+messages.
 
 Example: a register with `access: ro` and `write_range: 0..1`.
 
-Cure: Give the field of a message its `range`, or take `write_range` out. Give a message a record of its own.
+Cure: Use `range` for the field of a message, or remove `write_range`. Define a separate record for the
+message.
 """
 
 from __future__ import annotations

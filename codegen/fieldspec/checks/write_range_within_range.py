@@ -1,11 +1,12 @@
-"""What may be written is a part of what may be read, and sentinels are a part of what may be written.
+"""The `write_range` of a value is part of its `range` and contains its special values.
 
-Why: a device reads back what was written to it. A value that may be written and never read is a misprint. A sentinel
-that cannot be written contradicts the range of writing: a value that is only ever read is a member of an enum.
+Why: a device returns what was written to it. A value that can be written and never read is a misprint. A
+special value that cannot be written contradicts the `write_range`: a value that is only read is a member of
+an enum.
 
 Example: a parameter with `range: 0..2, 4` and `write_range: 0..3`.
 
-Cure: Put one of the ranges right, or list the value as a member of an enum.
+Cure: Correct one of the ranges, or make the value a member of an enum.
 """
 
 from __future__ import annotations
