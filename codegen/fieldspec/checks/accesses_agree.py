@@ -23,7 +23,7 @@ from fieldspec.model.record import Field, Record
 from fieldspec.model.registers import Table
 
 _CODE = "accesses_agree"
-_HELP = "put one of them right: the narrower one holds"
+_HELP = "correct one of them: outputs use the narrower access"
 _VERBS = (("read", readable), ("written", writable))
 
 

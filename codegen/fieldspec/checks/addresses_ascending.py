@@ -33,7 +33,7 @@ def addresses_ascending(device: Device) -> Iterator[Diagnostic]:
                     row.place,
                     "at",
                     f"{row.name} at {hexadecimal(row.address)} breaks the order of {group.name}",
-                    "put the address right, or say `order: as_listed` on the group",
+                    "correct the address, or set `order: as_listed` on the group",
                     label(
                         other.place,
                         "at",

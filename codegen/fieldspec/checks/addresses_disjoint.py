@@ -35,11 +35,11 @@ def addresses_disjoint(device: Device) -> Iterator[Diagnostic]:
                     block.fact.place,
                     block.key,
                     f"{block.name} at {addresses(block.first, block.last)} overlaps {furthest.name}",
-                    "put one of the addresses or sizes right, or allow the overlap with a reason",
+                    "correct one of the addresses or sizes, or allow the overlap with a reason",
                     label(
                         furthest.fact.place,
                         furthest.key,
-                        f"{furthest.name} holds {addresses(furthest.first, furthest.last)}",
+                        f"{furthest.name} occupies {addresses(furthest.first, furthest.last)}",
                     ),
                 )
         if furthest is None or block.last > furthest.last:
@@ -53,6 +53,6 @@ def _elements_overlap(device: Device) -> Iterator[Diagnostic]:
                 "addresses_disjoint",
                 register.place,
                 "stride",
-                f"elements of {register.name} have {plural(register.width, 'word')} and are {register.stride} apart",
-                "put the stride or the type right",
+                f"elements of {register.name} have {plural(register.width, 'word')}, but the stride is {register.stride}",
+                "correct the stride or the type",
             )

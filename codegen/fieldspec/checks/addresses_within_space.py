@@ -19,7 +19,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.sizes import RecordSizes
 
-_HELP = "put the address, the stride or the number of elements right"
+_HELP = "correct the address, the stride or the number of elements"
 
 
 def addresses_within_space(device: Device) -> Iterator[Diagnostic]:

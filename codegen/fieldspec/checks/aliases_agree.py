@@ -31,7 +31,7 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
         alike = device.records.get(record.same_as)
         for field in record.fields:
             same = alike.named(field.name) if alike is not None else None
-            yield from _echo(field, same, f"{field.name} is that of {record.same_as}")
+            yield from _echo(field, same, f"{field.name} is the same as in {record.same_as}")
     for message in device.messages.values():
         asked = {field.name: field for field in message.request.fields}
         for field in message.response.fields:
@@ -58,7 +58,7 @@ def _compared(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> 
                 "aliases_agree",
                 fact.place,
                 key,
-                f"{text}, but has another {key.removeprefix('unit_')}",
-                "put one of them right, or take `same_as` out",
+                f"{text}, but has a different {key.removeprefix('unit_')}",
+                "correct one of them, or remove `same_as`",
                 label(other.place, range_key(other.place) if "range" in key else key, f"that of {other.name}"),
             )

@@ -25,10 +25,10 @@ def allowances_used(
     needed = {_position(allowance) for allowance in used}
     for allowance in allowances:
         if allowance.check not in names:
-            text = f"there is no check `{allowance.check}` that could be allowed to fail"
-            yield _finding(allowance, text, "`fieldspec rule` lists the checks")
+            text = f"there is no rule `{allowance.check}` to allow"
+            yield _finding(allowance, text, "`fieldspec rule` lists the rules")
         elif _position(allowance) not in needed:
-            text = f"`{allowance.check}` passes here, so nothing needs to be allowed"
+            text = f"the fact does not break `{allowance.check}`, so the allowance is not needed"
             yield _finding(allowance, text, "remove the allowance")
 
 

@@ -45,8 +45,8 @@ def _compared(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) ->
             "bits_match_range",
             fact.place,
             range_key(fact.place),
-            f"the range of {fact.name} is {ranges.text()}; its bits make 0..{useful}",
-            "put the range or the list of bits right",
+            f"the range of {fact.name} is {ranges.text()}; its bits give 0..{useful}",
+            "correct the range or the list of bits",
             label(word.place, "bits", "the bits"),
         )
 

@@ -28,8 +28,8 @@ def bits_unique(device: Device) -> Iterator[Diagnostic]:
                     "bits_unique",
                     bit.place,
                     _key(bit),
-                    f"{bit.name} claims {_claim(bit)} of {word.name}, which {clash.name} claims too",
-                    "put one of the numbers right, or say `when` each of them holds",
+                    f"{bit.name} uses {_claim(bit)} of {word.name}, which {clash.name} also uses",
+                    "correct one of the numbers, or add `when` to both entries",
                     label(clash.place, _key(clash), f"{clash.name} has {_claim(clash)}"),
                 )
             for number in _numbers(bit):

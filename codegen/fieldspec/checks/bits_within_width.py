@@ -29,7 +29,7 @@ def bits_within_width(device: Device) -> Iterator[Diagnostic]:
                     bit.place,
                     "bits" if "bits" in bit.place else "bit",
                     f"{bit.name} has bit {bit.last}, but {word.name} has the bits 0 to {width - 1}",
-                    "put the number or the type right",
+                    "correct the number or the type",
                     label(word.place, "type", word.type.name),
                 )
     for fact, value in values(device):
@@ -43,6 +43,6 @@ def bits_within_width(device: Device) -> Iterator[Diagnostic]:
                 fact.place,
                 "flags",
                 f"{fact.name} is {value.type.name} and cannot hold bit {highest.last} of {used.name}",
-                "put the type right, or name the right word of flags",
+                "correct the type, or name the right bit field",
                 label(highest.place, "bit", f"{highest.name}"),
             )

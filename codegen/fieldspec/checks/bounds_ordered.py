@@ -53,6 +53,6 @@ def _comparable(value: Value, other: Value) -> bool:
 def _compared(fact: Fact, value: Value, other: Fact, above: Value) -> Iterator[Diagnostic]:
     low, high = value.default, above.default
     if isinstance(low, int) and isinstance(high, int) and low >= high and (low, high) != (0, 0):
-        text = f"the default of {fact.name} is {low}, that of {other.name} is {high}"
+        text = f"the default of {fact.name} is {low}, but the default of {other.name} is {high}"
         there = label(other.place, default_key(other.place), "the upper bound")
-        yield finding("bounds_ordered", fact.place, default_key(fact.place), text, "put one of them right", there)
+        yield finding("bounds_ordered", fact.place, default_key(fact.place), text, "correct one of them", there)

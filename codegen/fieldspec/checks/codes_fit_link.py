@@ -36,14 +36,14 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
         high = part.value.type.high
         if link.exception_response is not None and not 0 < link.exception_response.flag <= high:
             text = f"{part.name} is {part.value.type.name} and cannot hold the bit {link.exception_response.flag:#x}"
-            help = "put the bit or the part's type right"
+            help = "correct the bit or the part's type"
             yield finding(
                 _CODE, link.place, "exception_response", text, help, label(part.place, "type", part.value.type.name)
             )
         for message in messages_on(device, link):
             if message.code is not None and message.code > high:
                 text = f"the code {message.code:#x} does not fit {part.name}, which is {part.value.type.name}"
-                help = "put the code or the part's type right"
+                help = "correct the code or the part's type"
                 yield finding(_CODE, message.place, "code", text, help, label(part.place, "type", part.name))
             else:
                 yield from _marked(link, message)
@@ -51,6 +51,7 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
 
 def _marked(link: Link, message: Message) -> Iterator[Diagnostic]:
     if link.exception_response is not None and message.code is not None and message.code & link.exception_response.flag:
-        text = f"the code {message.code:#x} has the bit {link.exception_response.flag:#x}, which marks a refusal"
-        there = label(link.place, "exception_response", f"refusals on {link.name}")
-        yield finding(_CODE, message.place, "code", text, "put the code or the bit right", there)
+        text = f"the code {message.code:#x} has the bit {link.exception_response.flag:#x}"
+        text += ", which marks an exception response"
+        there = label(link.place, "exception_response", f"exception responses on {link.name}")
+        yield finding(_CODE, message.place, "code", text, "correct the code or the bit", there)

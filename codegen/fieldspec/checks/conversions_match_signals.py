@@ -26,9 +26,9 @@ _SHARE = "%"
 def conversions_match_signals(device: Device) -> Iterator[Diagnostic]:
     for conversion in device.conversions.values():
         if not conversion.type.low <= conversion.full_scale <= conversion.type.high:
-            text = f"the full scale of {conversion.name} is {conversion.full_scale:#x}, which {conversion.type.name}"
-            text += " does not hold"
-            yield finding(_CODE, conversion.place, "full_scale", text, "put the full scale or the type right")
+            text = f"the full scale of {conversion.name} is {conversion.full_scale:#x}, which does not fit"
+            text += f" {conversion.type.name}"
+            yield finding(_CODE, conversion.place, "full_scale", text, "correct the full scale or the type")
         for name in conversion.signals:
             signal = device.signals.get(name)
             if signal is not None:
@@ -37,11 +37,11 @@ def conversions_match_signals(device: Device) -> Iterator[Diagnostic]:
 
 def _compared(conversion: Conversion, signal: Signal) -> Iterator[Diagnostic]:
     if signal.value.type is not conversion.type:
-        text = f"{signal.name} is {signal.value.type.name}, {conversion.name} is for {conversion.type.name}"
+        text = f"{signal.name} is {signal.value.type.name}, but {conversion.name} is for {conversion.type.name}"
         there = label(signal.place, "type", signal.name)
-        yield finding(_CODE, conversion.place, "signals", text, "give the signal a conversion of its own", there)
+        yield finding(_CODE, conversion.place, "signals", text, "add a separate conversion for the signal", there)
     whole = signal.value.in_unit(conversion.full_scale)
     if signal.value.unit == _SHARE and whole != 100:
         text = f"{conversion.full_scale:#x} is {whole.normalize():f} % of {signal.name}, not 100 %"
         there = label(signal.place, "scale", "the scale of the signal")
-        yield finding(_CODE, conversion.place, "full_scale", text, "put the full scale or the scale right", there)
+        yield finding(_CODE, conversion.place, "full_scale", text, "correct the full scale or the scale", there)

@@ -38,25 +38,25 @@ def _of_group(group: RegisterGroup, registers: Mapping[str, Register], first_num
     for row, original in pairs:
         if row.address - original.address != distance:
             right = hexadecimal(original.address + distance)
-            text = f"{row.name} is at {hexadecimal(row.address)}; as {original.name} it belongs to {right}"
-            yield _finding(row, original, "at", text, "put one of the addresses right")
+            text = f"{row.name} is at {hexadecimal(row.address)}; as a copy of {original.name} it should be at {right}"
+            yield _finding(row, original, "at", text, "correct one of the addresses")
         if row.decimal is not None and row.decimal != first_number + original.address + distance:
             right = str(first_number + original.address + distance)
-            text = f"{row.name} is at {row.decimal} in decimal; as {original.name} it belongs to {right}"
-            yield _finding(row, original, "decimal", text, "put one of the addresses right")
+            text = f"{row.name} is at {row.decimal} in decimal; as a copy of {original.name} it should be at {right}"
+            yield _finding(row, original, "decimal", text, "correct one of the addresses")
         yield from _printed(row, original)
 
 
 def _printed(row: Register, original: Register) -> Iterator[Diagnostic]:
     words = original.words or original.width
     if row.words is not None and row.words != words:
-        text = f"{row.name} is printed with {plural(row.words, 'word')}, {original.name} has {words}"
-        yield _finding(row, original, "words", text, "put one of them right")
+        text = f"{row.name} is printed with {plural(row.words, 'word')}, but {original.name} has {words}"
+        yield _finding(row, original, "words", text, "correct one of them")
     for key in ("label", "printed_name"):
         mine, theirs = getattr(row, key), getattr(original, key)
         if mine and theirs and "".join(mine.split()) != "".join(theirs.split()):
-            text = f"{row.name} is called `{mine}`, and {original.name} `{theirs}`"
-            yield _finding(row, original, key, text, "put one of them right, or allow it with a reason")
+            text = f"{row.name} has the label `{mine}`, but {original.name} has `{theirs}`"
+            yield _finding(row, original, key, text, "correct one of them, or allow it with a reason")
 
 
 def _finding(row: Register, original: Register, key: str, text: str, help: str) -> Diagnostic:

@@ -29,12 +29,12 @@ def data_words_match(device: Device) -> Iterator[Diagnostic]:
             if printed is None or both is None or both == (2 * printed, 2 * printed):
                 continue
             actual = plural(both[0], "byte") if both[0] == both[1] else f"{both[0]} to {both[1]} bytes"
-            text = f"the {direction} of {message.name} is printed with {plural(printed, 'word')}; it has {actual}"
+            text = f"the {direction} of {message.name} is printed with {plural(printed, 'word')}, but it has {actual}"
             yield finding(
                 "data_words_match",
                 message.place,
                 "data_words",
                 text,
-                "put a field or the number right",
+                "correct a field or the number",
                 label(message.place, direction, "the fields"),
             )

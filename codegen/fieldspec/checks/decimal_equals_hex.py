@@ -46,6 +46,6 @@ def _compared(
             place,
             "decimal",
             f"{decimal} is {hexadecimal(decimal)}, but {name} is at {hexadecimal(address)}",
-            f"{hexadecimal(address)} is {address}; put one of them right",
+            f"{hexadecimal(address)} is {address}; correct one of them",
             label(place, key, "the address"),
         )

@@ -28,13 +28,13 @@ def default_within_range(device: Device) -> Iterator[Diagnostic]:
         if isinstance(value.default, str):
             if value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
                 text = f"the default of {fact.name} is a text"
-                yield finding("default_within_range", fact.place, key, text, "give it as a number of counts")
+                yield finding("default_within_range", fact.place, key, text, "state it as a raw value")
             continue
         if value.default is None:
             continue
         why = legal.objection(value, value.default)
         if why:
             text = f"the default of {fact.name} is {value.default}, which {why}"
-            help = "put one of them right, or list the value under `sentinels`"
+            help = "correct one of them, or list the value under `sentinels`"
             labels = (label(fact.place, range_key(fact.place), "the range"),) if value.ranges else ()
             yield finding("default_within_range", fact.place, key, text, help, *labels)

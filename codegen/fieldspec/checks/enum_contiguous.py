@@ -33,14 +33,16 @@ def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
             continue
         declared = _declared(enum)
         if declared is None:
-            text = f"`{enum.gaps.partition(':')[0]}` is no list of values"
-            yield finding("enum_contiguous", enum.place, "gaps", text, "write it as in `16, 20..23: the reason`")
+            text = f"`{enum.gaps.partition(':')[0]}` is not a list of values"
+            yield finding("enum_contiguous", enum.place, "gaps", text, "write it like `16, 20..23: the reason`")
             continue
         span = Ranges(((min(values), max(values)),))
         for low, high in declared:
             if low > high or low < span.low or high > span.high or any(low <= value <= high for value in values):
-                text = f"the gap {interval(low, high)} of {enum.name} holds a member, or lies outside of the list"
-                yield finding("enum_contiguous", enum.place, "gaps", text, "name the values that are left out")
+                text = f"the gap {interval(low, high)} of {enum.name} contains a member, or is outside the list"
+                yield finding(
+                    "enum_contiguous", enum.place, "gaps", text, "name the values that are missing from the list"
+                )
                 break
         if _are_masks(values):
             continue
@@ -63,7 +65,7 @@ def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[in
             enum.place,
             "gaps" if enum.gaps else "name",
             f"{enum.name} does not list {enumeration([interval(*hole) for hole in left])}",
-            "transcribe the missing lines, or declare the values under `gaps` with a reason",
+            "transcribe the missing members, or declare the values under `gaps` with a reason",
             label(behind.place, "value", f"the next value is {behind.value}"),
         )
 

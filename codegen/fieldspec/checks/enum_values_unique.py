@@ -28,6 +28,6 @@ def enum_values_unique(device: Device) -> Iterator[Diagnostic]:
                     member.place,
                     "value",
                     f"{enum.name} has the value {member.value} twice, as {other.name} and as {member.name}",
-                    "put one of the values right",
+                    "correct one of the values",
                     label(other.place, "value", f"{other.name}"),
                 )

@@ -48,4 +48,4 @@ def _excluded(value: Value, member: Member) -> bool:
 def _finding(fact: Fact, key: str, what: str, out: list[Member]) -> Diagnostic:
     text = f"{what} cannot hold {enumeration([f'{member.name} ({member.value})' for member in out])}"
     there = label(out[0].place, "value", "listed here")
-    return finding("enum_within_range", fact.place, key, text, "put the range, the type or the list right", there)
+    return finding("enum_within_range", fact.place, key, text, "correct the range, the type or the list", there)

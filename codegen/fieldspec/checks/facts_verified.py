@@ -28,5 +28,5 @@ def facts_verified(device: Device) -> Iterator[Diagnostic]:
     for section, unverified in sections.items():
         names = enumeration([fact.name for fact in unverified])
         text = f"nobody has compared {names} of `{section}` with the manual"
-        help = "compare, cite the manual, and take `unverified` away"
+        help = "compare them, cite the manual, and remove `unverified`"
         yield finding("facts_verified", unverified[0].place, "unverified", text, help, severity=Severity.WARNING)

@@ -48,7 +48,7 @@ def _compared(
         "frame_length_matches",
         message.place,
         "frame_length",
-        f"the {direction} of {message.name} is printed with {plural(printed, 'byte')}; it has {actual}",
-        "put a field or the length right; leave out the length of what has no fixed size",
+        f"the {direction} of {message.name} is printed with {plural(printed, 'byte')}, but it has {actual}",
+        "correct a field or the length; omit the length if the size is not fixed",
         label(message.place, direction, "the data"),
     )

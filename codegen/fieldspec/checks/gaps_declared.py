@@ -50,14 +50,14 @@ def _hole(group: RegisterGroup, before: Register, behind: Register, low: int, hi
         "gaps_declared",
         behind.place,
         "at",
-        f"no register and no gap of {group.name} holds {addresses(low, high)}",
-        "put an address or a number of words right, or declare the addresses under `gaps` with a reason",
+        f"no register and no gap of {group.name} contains {addresses(low, high)}",
+        "correct an address or a number of words, or declare the addresses under `gaps` with a reason",
         label(before.place, "at", f"{before.name} ends at {addresses(before.end - 1, before.end - 1)}"),
     )
 
 
 def _wrong(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagnostic]:
-    help = "a gap names addresses between the rows of its group that nothing holds"
+    help = "a gap contains only unused addresses between the rows of its group"
     if not group.registers:
         return
     first = min(row.address for row in group.registers)
@@ -65,8 +65,8 @@ def _wrong(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagn
     for gap in group.gaps:
         for low, high in gap.addresses.intervals:
             if low < first or high > last:
-                text = f"the gap {addresses(low, high)} leaves the group at {addresses(first, last)}"
+                text = f"the gap {addresses(low, high)} goes beyond the group at {addresses(first, last)}"
                 yield finding("gaps_declared", gap.place, "at", text, help)
             elif uncovered(low, high, taken) != [(low, high)]:
-                text = f"the gap {addresses(low, high)} holds a register or table"
+                text = f"the gap {addresses(low, high)} contains a register or table"
                 yield finding("gaps_declared", gap.place, "at", text, help)

@@ -84,7 +84,7 @@ def _finding(used: _Used, word: str, other: str) -> Diagnostic:
         "identifiers_consistent",
         place,
         key,
-        f"`{rare}` is `{usual}` but for a letter",
-        "write it in one way, or allow it with a reason",
+        f"`{rare}` differs from `{usual}` by one letter",
+        "use one spelling, or allow it with a reason",
         label(there, its_key, f"`{usual}`"),
     )

@@ -27,9 +27,9 @@ def illegible_inferred(device: Device) -> Iterator[Diagnostic]:
     for erratum in illegible:
         fact = by_path.get(erratum.fact.partition("/restated/")[0])
         if fact is not None and not fact.inferred and _read(fact):
-            text = f"the print is {erratum.illegible}, and nothing of {fact.name} is inferred"
+            text = f"the print is {erratum.illegible}, but no key of {fact.name} is inferred"
             there = label(fact.place, _read(fact), "read into the print")
-            help = "give the reason under `inferred`"
+            help = "add the reason under `inferred`"
             yield finding("illegible_inferred", erratum.place, "illegible", text, help, there)
 
 

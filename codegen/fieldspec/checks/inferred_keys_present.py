@@ -25,8 +25,8 @@ def inferred_keys_present(device: Device) -> Iterator[Diagnostic]:
     for fact in facts(device):
         for key in fact.inferred:
             if not has_key(fact, key):
-                text = f"{fact.name} has no `{key}` that could be inferred"
-                yield finding("inferred_keys_present", fact.place, "inferred", text, "give it, or take the reason out")
+                text = f"{fact.name} has no `{key}` to infer"
+                yield finding("inferred_keys_present", fact.place, "inferred", text, "add it, or remove the reason")
 
 
 def has_key(fact: Fact, key: str) -> bool:

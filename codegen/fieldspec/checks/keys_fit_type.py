@@ -29,10 +29,10 @@ _UNFIT = {
     Kind.BYTES: (*_NAMED, *_SCALED, "byte_order", "range", "sentinels", "unit"),
 }
 _HELP = {
-    Kind.FLOAT: "take it away, or give the type of a whole number",
-    Kind.BOOLEAN: "take it away, or give the type of a whole number",
-    Kind.TEXT: "take it away; bytes follow each other as they are sent",
-    Kind.BYTES: "take it away; bytes follow each other as they are sent",
+    Kind.FLOAT: "remove it, or use an integer type",
+    Kind.BOOLEAN: "remove it, or use an integer type",
+    Kind.TEXT: "remove it; text and bytes have no byte order, range or scale",
+    Kind.BYTES: "remove it; text and bytes have no byte order, range or scale",
 }
 
 
@@ -41,11 +41,11 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
         kind = value.type.kind
         for key in _UNFIT.get(kind, ()):
             if _has(value, key):
-                text = f"{fact.name} is {value.type.name}, for which `{_key(fact.place, key)}` means nothing"
+                text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
                 yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, _HELP[kind])
         if kind is Kind.INTEGER and value.absent_nan:
-            text = f"{fact.name} is {value.type.name}, and the `bits` of a sentinel are those of an f32"
-            yield finding("keys_fit_type", fact.place, "sentinels", text, "give the count under `value`")
+            text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f32"
+            yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
 
 
 def _key(place: Place, key: str) -> str:

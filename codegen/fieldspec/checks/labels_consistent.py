@@ -43,7 +43,7 @@ def _odd(family: Sequence[tuple[Record, Field]]) -> Iterator[Diagnostic]:
                 "labels_consistent",
                 field.place,
                 "label",
-                f"{field.name} and {example.name} have one label, `{field.label}`, and are different values",
+                f"{field.name} and {example.name} have the same label, `{field.label}`, but are different values",
                 "find out what each of them is, or allow it with a reason",
                 label(example.place, "label", example.name),
             )

@@ -27,7 +27,7 @@ def limits_ordered(device: Device) -> Iterator[Diagnostic]:
             if less > more:
                 text = f"{limit.name} has the {before} {less} and the {behind} {more}"
                 there = label(limit.place, before, f"the {before}")
-                yield finding("limits_ordered", limit.place, behind, text, "put one of them right", there)
+                yield finding("limits_ordered", limit.place, behind, text, "correct one of them", there)
 
 
 def _limit_text(

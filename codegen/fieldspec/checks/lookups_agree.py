@@ -62,7 +62,7 @@ def _compared(what: str, cells: _Cells, theirs: _Cells, other: Lookup, reported:
         (mine, row), (their, their_row) = cells[key], theirs[key]
         if id(row) not in reported:
             reported.add(id(row))
-            text = f"the {what} {key} is {mine}, but {their} in {other.name}, which agrees otherwise"
-            help = "put one of the cells right, or allow the difference with a reason"
+            text = f"the {what} {key} is {mine}, but {their} in {other.name}, which otherwise agrees"
+            help = "correct one of the cells, or allow the difference with a reason"
             there = label(their_row.place, "cells", f"the row of {other.name}")
             yield finding("lookups_agree", row.place, "cells", text, help, there)

@@ -40,9 +40,9 @@ def _of_column(lookup: Lookup, name: str, numbers: Sequence[int]) -> Iterator[Di
         if odd and len(odd) * _SMALL <= len(numbers):
             for index, right in odd.items():
                 row, before = lookup.rows[index], lookup.rows[index - 1]
-                text = f"{name} is {numbers[index]} in a column that makes {right} here"
+                text = f"{name} is {numbers[index]}, but its column continues with {right}"
                 there = label(before.place, "cells", "the row before")
-                help = "put the cell right, or allow it with a reason"
+                help = "correct the cell, or allow it with a reason"
                 yield finding("lookups_regular", row.place, "cells", text, help, there)
             return
 

@@ -42,7 +42,8 @@ def _compared(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[Diagn
             "measures_match_repeats",
             field.place,
             range_key(field.place),
-            f"{field.name} goes over {ranges.text()}; {measured.name} has {interval(low, high)} {field.measures.of}",
-            "put the range or the repetitions right",
+            f"{field.name} has the range {ranges.text()}, but {measured.name}"
+            f" has {interval(low, high)} {field.measures.of}",
+            "correct the range or the repetitions",
             label(measured.place, "repeat", f"{measured.name} is repeated"),
         )

@@ -33,7 +33,7 @@ def _of_enum(enum: Enum, rows: list[tuple[int, Member]]) -> Iterator[Diagnostic]
         if other is not member:
             text = f"{enum.name} has the number {number} twice, as {other.name} and as {member.name}"
             there = label(other.place, "number", other.name)
-            yield finding(_CODE, member.place, "number", text, "put one of the numbers right", there)
+            yield finding(_CODE, member.place, "number", text, "correct one of the numbers", there)
     ascent = longest_ascent([number for number, _ in rows])
     if (len(rows) - len(ascent)) * _SMALL > len(rows):
         return
@@ -41,6 +41,6 @@ def _of_enum(enum: Enum, rows: list[tuple[int, Member]]) -> Iterator[Diagnostic]
         if index not in ascent:
             last, other = rows[index - 1] if index else rows[1]
             where = "behind" if index else "before"
-            text = f"{member.name} has the number {number}, out of the order of {enum.name}"
+            text = f"{member.name} has the number {number}, which breaks the order of {enum.name}"
             there = label(other.place, "number", f"it is listed {where} {other.name}, {last}")
-            yield finding(_CODE, member.place, "number", text, "put the number right", there)
+            yield finding(_CODE, member.place, "number", text, "correct the number", there)

@@ -35,14 +35,14 @@ def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
     for message in messages_on(device, link):
         if message.code is None:
             text = f"{message.name} has no code"
-            help = "give it as `code`, or name the links without codes on which it is sent"
+            help = "state its `code`, or name the links without codes on which it is sent"
             yield finding(_CODE, message.place, "code", text, help)
             continue
         other = first.setdefault(message.code, message)
         if other is not message:
             text = f"{message.name} and {other.name} have the code {message.code:#04x}"
             there = label(other.place, "code", other.name)
-            yield finding(_CODE, message.place, "code", text, "put one of the codes right", there)
+            yield finding(_CODE, message.place, "code", text, "correct one of the codes", there)
 
 
 def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:
@@ -52,7 +52,7 @@ def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:
         if other is not message:
             text = f"{message.name} and {other.name} have the number {message.number}"
             there = label(other.place, "number", other.name)
-            yield finding(_CODE, message.place, "number", text, "put one of the numbers right", there)
+            yield finding(_CODE, message.place, "number", text, "correct one of the numbers", there)
 
 
 def _beside(device: Device, message: Message) -> Iterator[Diagnostic]:
@@ -63,7 +63,7 @@ def _beside(device: Device, message: Message) -> Iterator[Diagnostic]:
             continue
         apart = not any(sent_on(link, message) and sent_on(link, other) for link in device.links.values())
         if apart or other.supplements:
-            why = "no link carries both" if apart else "that one is never sent alone either"
+            why = "no link carries both" if apart else "that message is never sent alone either"
             text = f"{message.name} is sent beside {name}, but {why}"
             there = label(other.place, "supplements" if other.supplements else "name", name)
             help = "name messages of the same link that are sent alone"

@@ -92,11 +92,11 @@ def _apart(what: str, named: Iterable[_Named]) -> Iterator[Diagnostic]:
             other, there = first.setdefault(case, (name, place))
             if there is not place or other != name:
                 if other == name:
-                    text = f"two of {what} are called `{name}`"
+                    text = f"two of {what} have the name `{name}`"
                 else:
-                    text = f"`{name}` and `{other}` of {what} become the same in a target"
+                    text = f"`{name}` and `{other}` of {what} become the same name in an output"
                 there_too = label(there, "name", f"`{other}`")
-                yield finding("names_unique", place, "name", text, "give one of them another name", there_too)
+                yield finding("names_unique", place, "name", text, "rename one of them", there_too)
                 break
 
 
@@ -122,7 +122,7 @@ def _paths(device: Device) -> Iterator[Diagnostic]:
         if group is not None:
             text = f"`registers/{register.name}` is the path of a register and of a group"
             there = label(group.place, "group", "the group")
-            yield finding("names_unique", register.place, "name", text, "give one of them another name", there)
+            yield finding("names_unique", register.place, "name", text, "rename one of them", there)
 
 
 def _elements(device: Device) -> Iterator[Diagnostic]:
@@ -136,4 +136,4 @@ def _elements(device: Device) -> Iterator[Diagnostic]:
         if array.index_from <= int(number) < array.index_from + array.count:
             text = f"`{register.name}` is also an element of the array `{stem}`"
             there = label(array.place, "name", f"it has {array.count} elements")
-            yield finding("names_unique", register.place, "name", text, "give one of them another name", there)
+            yield finding("names_unique", register.place, "name", text, "rename one of them", there)

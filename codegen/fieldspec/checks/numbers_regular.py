@@ -21,7 +21,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.registers import Register
 
 _CODE = "numbers_regular"
-_HELP = "put the address or the number right"
+_HELP = "correct the address or the number"
 
 
 def numbers_regular(device: Device) -> Iterator[Diagnostic]:
@@ -54,6 +54,6 @@ def _uneven(rows: list[tuple[int, Register]]) -> Iterator[Diagnostic]:
         right = base + step * number
         if row.address != right:
             where = hexadecimal(int(right)) if right.denominator == 1 else f"{float(right):.1f}"
-            text = f"{row.name} is number {number} at {hexadecimal(row.address)}; the others make it {where}"
+            text = f"{row.name} is number {number} at {hexadecimal(row.address)}, but the others give {where}"
             there = label(usual.place, "number", f"{usual.name} is one of the others")
             yield finding(_CODE, row.place, "at", text, _HELP, there)

@@ -37,7 +37,7 @@ def offsets_match_layout(device: Device) -> Iterator[Diagnostic]:
                     "offsets_match_layout",
                     field.place,
                     "at",
-                    f"{field.name} is printed at {hexadecimal(field.at)}; it lies at {right}",
-                    "put the position, or a type before it, right",
+                    f"{field.name} is printed at {hexadecimal(field.at)}, but it is at {right}",
+                    "correct the position or the type of a field before it",
                     *(label(table.place, "base", f"{table.name} begins here") for table in holders[:1]),
                 )

@@ -34,15 +34,15 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
         for link in ordered[1:]:
             if getattr(link, key) != getattr(ordered[0], key):
                 text = f"the links {ordered[0].name} and {link.name} have different orders"
-                help = "a device has one order; give both links the right one"
+                help = "a device has one order; correct one of the links"
                 there = label(ordered[0].place, key, f"that of {ordered[0].name}")
                 yield finding(_CODE, link.place, key, text, help, there)
     if links and not any(link.word_order for link in links) and _has_words(device):
         for fact, value in values(device):
             if _wide(value) and not isinstance(fact, Part):
-                text = f"{fact.name} has several words, and no link says in which order they come"
+                text = f"{fact.name} has several words, but no link states the word order"
                 there = label(fact.place, "type", f"{value.type.name} has {value.size} bytes")
-                yield finding(_CODE, links[0].place, "word_order", text, "give the link its `word_order`", there)
+                yield finding(_CODE, links[0].place, "word_order", text, "add `word_order` to the link", there)
                 return
     for link in links:
         yield from _in_words(device, link)
@@ -54,9 +54,9 @@ def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
         for data in (message.request, message.response):
             for field in data.fields:
                 if field.word_span is not None and field.value is not None and _wide(field.value):
-                    text = f"{field.name} has several words, and {link.name} does not say in which order they come"
-                    there = label(field.place, "word_span", "where they lie")
-                    yield finding(_CODE, link.place, "word_order", text, "give the link its `word_order`", there)
+                    text = f"{field.name} has several words, but {link.name} does not state the word order"
+                    there = label(field.place, "word_span", "the words")
+                    yield finding(_CODE, link.place, "word_order", text, "add `word_order` to the link", there)
                     return
 
 

@@ -56,7 +56,7 @@ def _wider(device: Device, parameter: Parameter, carried: _Signals) -> Iterator[
     for name, signals in carried.items():
         within = [message for message in parameter.messages if carried.get(message) and carried[message] <= signals]
         if name not in parameter.messages and within:
-            text = f"{parameter.name} has an effect with {within[0]}, and {name} carries all signals of that"
+            text = f"{parameter.name} has an effect with {within[0]}, and {name} carries all of its signals"
             yield _finding(device, parameter, name, text)
 
 
@@ -74,5 +74,5 @@ def _referring(
 
 def _finding(device: Device, parameter: Parameter, name: str, text: str) -> Diagnostic:
     there = label(device.messages[name].place, "name", name)
-    help = "give the message under `messages`, or allow it with a reason"
+    help = "add the message under `messages`, or allow it with a reason"
     return finding(_CODE, parameter.place, "messages", text, help, there)

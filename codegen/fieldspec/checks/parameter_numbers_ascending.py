@@ -34,9 +34,9 @@ def parameter_numbers_ascending(device: Device) -> Iterator[Diagnostic]:
                 continue
             if number > last:
                 text = f"{parameter_set.name} does not list {interval(last + 1, number - 1)}"
-                help = "transcribe what is missing, or allow it with a reason"
+                help = "transcribe the missing parameters, or allow it with a reason"
             else:
-                text = f"parameter {number} is listed behind {last}"
-                help = "put one of the numbers right"
+                text = f"parameter {number} is listed after {last}"
+                help = "correct one of the numbers"
             there = label(before.place, "number", f"the one before is {last}")
             yield finding("parameter_numbers_ascending", parameter.place, "number", text, help, there)

@@ -40,8 +40,8 @@ def _of_list(holder: Fact, form: str, keys: tuple[str, ...], rows: _Rows) -> Ite
         return
     match = _FORM.fullmatch(form)
     if match is None or match[1] not in keys:
-        text = f"`{form}` is no form of a {keys[0]}"
-        help = f"write it as in `AL.{{{keys[0]}:03X}}`: one pair of braces, and digits in base 2, 8, 10 or 16"
+        text = f"`{form}` is not a form of a {keys[0]}"
+        help = f"write it like `AL.{{{keys[0]}:03X}}`: one pair of braces, and digits in base 2, 8, 10 or 16"
         yield finding(_CODE, holder.place, "printed_as", text, help)
         return
     for row, numbers in rows:
@@ -54,6 +54,6 @@ def _compared(holder: Fact, row: Fact, right: str, key: str) -> Iterator[Diagnos
     printed += [(claim.place, str(claim.values.get("printed_name") or "")) for claim in row.restated]
     for place, name in printed:
         if name and name.casefold() != right.casefold():
-            text = f"{row.name} is printed as `{name}`; its {key} makes it `{right}`"
+            text = f"{row.name} is printed as `{name}`, but its {key} gives `{right}`"
             there = label(holder.place, "printed_as", "how it is printed")
-            yield finding(_CODE, place, "printed_name", text, f"put the name or the {key} right", there)
+            yield finding(_CODE, place, "printed_name", text, f"correct the name or the {key}", there)

@@ -20,6 +20,6 @@ from fieldspec.model.device import Device
 def printed_names_whole(device: Device) -> Iterator[Diagnostic]:
     for fact in facts(device):
         if "_" in fact.printed_name and len(fact.printed_name.split()) > 1:
-            text = f"the printed name `{fact.printed_name}` has a blank in it"
-            help = "write it in one piece, or allow it with a reason"
+            text = f"the printed name `{fact.printed_name}` contains a space"
+            help = "write it without the space, or allow it with a reason"
             yield finding("printed_names_whole", fact.place, "printed_name", text, help)

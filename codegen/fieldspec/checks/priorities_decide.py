@@ -34,7 +34,7 @@ def _of(lookup: Lookup) -> Iterator[Diagnostic]:
             if before != result:
                 text = f"{lookup.name} has {before} and {result} for {', '.join(states)}"
                 there = label(where.place, "cells", f"{before} here")
-                help = "put the row right, or write an erratum and allow it at the table"
+                help = "correct the row, or write an erratum and add an allowance to the table"
                 yield finding("priorities_decide", row.place, "cells", text, help, there)
                 break
 

@@ -30,5 +30,5 @@ def range_ends_match(device: Device) -> Iterator[Diagnostic]:
         if extreme and not passing and not -1 <= low <= 1 and not -1 <= high <= 1:
             text = f"the range of {fact.name} is {value.ranges.text()}; {value.type.name} holds"
             text += f" {value.type.low}..{value.type.high}"
-            help = "put the other end right, or allow it with a reason"
+            help = "correct the other end, or allow it with a reason"
             yield finding("range_ends_match", fact.place, range_key(fact.place), text, help)

@@ -34,7 +34,7 @@ def range_within_enum(device: Device) -> Iterator[Diagnostic]:
                 "range_within_enum",
                 fact.place,
                 range_key(fact.place),
-                f"{fact.name} may be {enumeration([interval(*hole) for hole in holes])}, without a name in {enum.name}",
-                "put the range or the list right, or say `open: true` on the enum",
+                f"{fact.name} can be {enumeration([interval(*hole) for hole in holes])}, without a name in {enum.name}",
+                "correct the range or the list, or set `open: true` on the enum",
                 label(enum.place, "name", "the list of values"),
             )

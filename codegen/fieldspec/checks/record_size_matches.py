@@ -38,10 +38,10 @@ def _of_record(record: Record, sizes: RecordSizes) -> Iterator[Diagnostic]:
             continue
         if size is None:
             text = f"{record.name} is printed with {plural(printed, noun)}, but its size is not fixed"
-            yield finding(_CODE, record.place, key, text, "take the size out, or the repetition", fields)
+            yield finding(_CODE, record.place, key, text, "remove the size or the repetition", fields)
         elif printed * each != size:
-            text = f"{record.name} is printed with {plural(printed, noun)}; its fields have {plural(size, 'byte')}"
-            yield finding(_CODE, record.place, key, text, "put a field or the size right", fields)
+            text = f"{record.name} is printed with {plural(printed, noun)}, but its fields have {plural(size, 'byte')}"
+            yield finding(_CODE, record.place, key, text, "correct a field or the size", fields)
 
 
 def _of_table(table: Table, sizes: RecordSizes, record: Record | None) -> Iterator[Diagnostic]:
@@ -54,12 +54,13 @@ def _of_table(table: Table, sizes: RecordSizes, record: Record | None) -> Iterat
         return
     there = label(record.place, "fields", f"the fields have {plural(size, 'byte')}")
     if size % 2:
-        text = f"elements of {table.name} have {plural(size, 'byte')}, which is no whole number of words"
-        yield finding(_CODE, table.place, "record", text, "put a field right", there)
+        text = f"elements of {table.name} have {plural(size, 'byte')}, which is not a whole number of words"
+        yield finding(_CODE, table.place, "record", text, "correct a field", there)
         return
     if table.words is not None and table.words != size // 2:
-        text = f"elements of {table.name} are printed with {plural(table.words, 'word')}; {record.name} has {size // 2}"
-        yield finding(_CODE, table.place, "words", text, "put a field or the words right", there)
+        text = f"elements of {table.name} are printed with {plural(table.words, 'word')}"
+        text += f", but {record.name} has {size // 2}"
+        yield finding(_CODE, table.place, "words", text, "correct a field or the words", there)
     if table.count > 1 and table.stride < size // 2:
-        text = f"elements of {table.name} have {plural(size // 2, 'word')} and are {table.stride} apart"
-        yield finding(_CODE, table.place, "stride", text, "put a field or the stride right", there)
+        text = f"elements of {table.name} have {plural(size // 2, 'word')}, but the stride is {table.stride}"
+        yield finding(_CODE, table.place, "stride", text, "correct a field or the stride", there)

@@ -23,6 +23,6 @@ def records_finite(device: Device) -> Iterator[Diagnostic]:
         record = device.records[name]
         for field in record.fields:
             if field.record in endless:
-                text = f"{name} lies in itself, or is nested more than {MOST_LEVELS} deep, through {field.record}"
-                help = "take the field out, or name the record that was meant"
+                text = f"{name} contains itself, or is nested more than {MOST_LEVELS} deep, through {field.record}"
+                help = "remove the field, or name the intended record"
                 yield finding("records_finite", field.place, "record", text, help)

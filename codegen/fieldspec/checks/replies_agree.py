@@ -20,7 +20,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.texts import Example
 
 _CODE = "replies_agree"
-_HELP = "put one of the frames right, or name the right example"
+_HELP = "correct one of the frames, or name the right example"
 
 
 def replies_agree(device: Device) -> Iterator[Diagnostic]:

@@ -59,17 +59,17 @@ def _compared(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diag
         if key == "present":
             if claimed is not True:
                 text = f"{fact.name} is missing where {_where(claim)} should have it"
-                help = "say `present: true` and write an erratum"
+                help = "set `present: true` and write an erratum"
                 yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
             continue
         have = own.get(key)
         if have is None:
-            text = f"{fact.name} has no `{key}` that {_where(claim)} could state again"
-            help = "give it to the fact, or take it out of `restated`"
+            text = f"{fact.name} has no `{key}` for {_where(claim)} to restate"
+            help = "add it to the fact, or remove it from `restated`"
             yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
         elif claimed_value(key, claimed) != have:
             text = f"`{key}` of {fact.name} is {as_text(key, have)}, but {as_text(key, claimed)} in {_where(claim)}"
-            help = "give both the right value, and write an erratum for the misprint"
+            help = "correct both values, and write an erratum for the misprint"
             yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
 
 

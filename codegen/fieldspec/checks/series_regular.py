@@ -75,6 +75,6 @@ def _odd(numbered: list[tuple[int, _Placed]]) -> Iterator[Diagnostic]:
     for number, (fact, key, place, _) in numbered:
         if place - step * number != base:
             text = f"{fact.name} is number {number} of a series, but has {place}, not {base + step * number}"
-            help = "put its place or its number right, or allow it with a reason"
-            there = label(usual[0].place, usual[1], f"{usual[0].name} is where the series expects it")
+            help = "correct its place or its number, or allow it with a reason"
+            there = label(usual[0].place, usual[1], f"{usual[0].name} matches the series")
             yield finding("series_regular", fact.place, key, text, help, there)

@@ -57,8 +57,8 @@ def _odd(
                 "siblings_agree",
                 field.place,
                 _key(field, what),
-                f"{field.name} has another {what} here than in {times} other places",
-                "look at the print again, or allow it with a reason",
+                f"{field.name} has a different {what} in {times} other places",
+                "compare it with the manual, or allow it with a reason",
                 label(example.place, _key(example, what), "one of the others"),
             )
 

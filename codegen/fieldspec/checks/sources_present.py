@@ -32,8 +32,8 @@ _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, 
 def sources_present(device: Device) -> Iterator[Diagnostic]:
     for what, place, sources, needed in cited_places(device):
         if not sources and needed:
-            text = f"nothing says where the manual prints {what}"
-            yield finding("sources_present", place, "source", text, "give `source: <section> L<line>`")
+            text = f"{what} has no source"
+            yield finding("sources_present", place, "source", text, "add `source: <section> L<line>`")
         for citation in sources:
             yield from _wrong(device, what, place, citation)
 
@@ -91,10 +91,10 @@ def _copied_as_blocks(device: Device) -> set[str]:
 def _wrong(device: Device, what: str, place: Place, citation: Citation) -> Iterator[Diagnostic]:
     if not citation.section:
         text = f"the source of {what} names no section"
-        yield finding("sources_present", place, "source", text, "give it as in `8.2 L1622`, or to the group")
+        yield finding("sources_present", place, "source", text, "add it like `8.2 L1622`, or add it to the group")
     lines = device.manual.lines
     for first, last in citation.lines:
         if not 1 <= first <= last <= lines:
             text = f"the source of {what} is {citation.text()}; the manual's text has the lines 1 to {lines}"
-            yield finding("sources_present", place, "source", text, "put the lines right")
+            yield finding("sources_present", place, "source", text, "correct the lines")
             return

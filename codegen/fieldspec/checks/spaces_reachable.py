@@ -34,15 +34,15 @@ def spaces_reachable(device: Device) -> Iterator[Diagnostic]:
     for fact, name, accesses in _holders(device):
         space = device.space(name)
         if space.unit != WORD:
-            text = f"{fact.name} has registers of words, and an address of {space.name} holds a {space.unit}"
+            text = f"{fact.name} has registers of words, but an address of {space.name} is a {space.unit}"
             help = (
-                f"state each {space.unit} as data of the messages that carry it, or put the group into a space of words"
+                f"state each {space.unit} as data of the messages that carry it, or move the group to a space of words"
             )
             yield finding(_CODE, fact.place, "space", text, help, label(space.place, "unit", "the unit of the space"))
             continue
         for operation, needs in (("read", {"ro", "rw"}), ("write", {"rw", "wo"})):
             if accesses & needs and (space.name, operation) not in reached:
-                text = f"no message {operation}s {space.name}, in which {fact.name} lies"
+                text = f"no message {operation}s {space.name}, which contains {fact.name}"
                 help = f"name the space under `accesses` of the message that {operation}s it"
                 yield finding(_CODE, fact.place, "space", text, help, label(space.place, "name", "the space"))
 

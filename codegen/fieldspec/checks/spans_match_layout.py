@@ -85,10 +85,10 @@ def _finding(field: Field, place: Place, key: str, printed: _Span, fitting: list
     right = _text(fitting[0], unit) if fitting else f"no fixed {unit}s"
     if len(fitting) > 1:
         right += f", up to {_text(fitting[-1], unit)}"
-    text = f"{field.name} is printed at {_text(printed, unit)}; it lies at {right}"
+    text = f"{field.name} is printed at {_text(printed, unit)}, but it is at {right}"
     holder = "type" if field.value is not None else "record" if field.record else "choice"
-    help = "put a type or the span right"
-    return finding("spans_match_layout", place, key, text, help, label(field.place, holder, "what lies here"))
+    help = "correct a type or the span"
+    return finding("spans_match_layout", place, key, text, help, label(field.place, holder, "the field"))
 
 
 def _text(span: _Span, unit: str) -> str:

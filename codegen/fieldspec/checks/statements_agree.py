@@ -25,7 +25,7 @@ def statements_agree(device: Device) -> Iterator[Diagnostic]:
         for statement in note.statements:
             before = first.setdefault(statement.subject, statement)
             if before.says != statement.says:
-                text = f"{statement.subject} is so {before.says} in one place, and {statement.says} in another"
+                text = f"{statement.subject} is `{before.says}` in one place, but `{statement.says}` in another"
                 there = label(before.place, "says", "the first one")
-                help = "state what is right, and write an erratum for the place that prints something else"
+                help = "state the correct fact, and write an erratum for the place that prints something else"
                 yield finding("statements_agree", statement.place, "says", text, help, there)

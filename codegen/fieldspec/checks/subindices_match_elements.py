@@ -37,14 +37,16 @@ def _of_parameter(parameter: Parameter) -> Iterator[Diagnostic]:
         for low, high in inner.indices.intervals:
             if low < 0 or high > last:
                 text = f"{inner.name or interval(low, high)} is element {interval(low, high)} of {parameter.name}"
-                help = "put the sub-index or the number of elements right"
+                help = "correct the subindex or the number of elements"
                 yield finding(_CODE, inner.place, "index", text, help, count)
             elif uncovered(low, high, merged(taken)) != [(low, high)]:
                 text = f"element {interval(low, high)} of {parameter.name} is described twice"
-                yield finding(_CODE, inner.place, "index", text, "put one of the sub-indices right")
+                yield finding(_CODE, inner.place, "index", text, "correct one of the subindices")
             taken.append((low, high))
     holes = uncovered(0, last, merged(taken))
     if holes:
-        text = f"nothing says what element {enumeration([interval(*hole) for hole in holes])} of {parameter.name} holds"
+        text = (
+            f"there is no description of element {enumeration([interval(*hole) for hole in holes])} of {parameter.name}"
+        )
         help = "transcribe the missing elements, or allow it with a reason"
         yield finding(_CODE, parameter.place, "subindices", text, help, count)

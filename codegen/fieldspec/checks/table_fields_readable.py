@@ -35,8 +35,8 @@ def _of_record(device: Device, table: Table, record: Record, done: set[str], lev
     done.add(record.name)
     for field in record.fields:
         if field.value is not None and field.value.const is not None and not field.reserved:
-            text = f"{field.name} is a constant in a table, but {table.name} can answer anything"
-            help = f"write `range: {field.value.const}` instead, which binds what is written only"
+            text = f"{field.name} is a constant, but {table.name} can return any value"
+            help = f"write `range: {field.value.const}` instead, which restricts only writing"
             there = label(table.place, "record", "the table")
             yield finding("table_fields_readable", field.place, "const", text, help, there)
         inner = device.records.get(field.record)

@@ -25,6 +25,6 @@ def tasks_complete(device: Device) -> Iterator[Diagnostic]:
     answered = {task.kind for task in device.tasks}
     missing = [kind for kind in schema()["$defs"]["task_kind"]["enum"] if kind not in answered]
     if missing:
-        text = f"nothing says how {device.name} does {enumeration(missing)}"
+        text = f"{device.name} has no entry for the tasks {enumeration(missing)}"
         help = "add a task with `steps`, `not_applicable` or `open` for each"
         yield finding("tasks_complete", device.tasks[0].place, "task", text, help)

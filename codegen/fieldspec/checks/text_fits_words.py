@@ -24,16 +24,16 @@ def text_fits_words(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         if value.characters is not None and value.type.kind is not Kind.TEXT:
             text = f"{fact.name} is {value.type.name}, which has no characters"
-            yield finding("text_fits_words", fact.place, "characters", text, "give it the type `text`")
+            yield finding("text_fits_words", fact.place, "characters", text, "use the type `text`")
         elif value.characters is not None and value.characters > value.size:
-            text = f"{fact.name} may have {value.characters} characters, but has {plural(value.size, 'byte')}"
-            help = "put the characters or the size right"
+            text = f"{fact.name} can have {value.characters} characters, but has {plural(value.size, 'byte')}"
+            help = "correct the characters or the size"
             yield finding("text_fits_words", fact.place, "characters", text, help, _size(fact))
         if isinstance(value.default, str) and value.type.kind is Kind.TEXT:
             length = len(value.default.encode())
             if length > value.size:
                 text = f"the default of {fact.name} takes {length} bytes, but it has {value.size}"
-                help = "put the default or the size right"
+                help = "correct the default or the size"
                 yield finding("text_fits_words", fact.place, "default", text, help, _size(fact))
 
 

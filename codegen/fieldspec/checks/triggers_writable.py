@@ -25,5 +25,5 @@ def triggers_writable(device: Device) -> Iterator[Diagnostic]:
         if fact.trigger and fact.access == "ro":
             text = f"{fact.name} starts an action when it is written, but its access is ro"
             there = label(fact.place, "trigger", "only writing starts an action")
-            help = "put the access right, or take `trigger` out"
+            help = "correct the access, or remove `trigger`"
             yield finding("triggers_writable", fact.place, "access", text, help, there)

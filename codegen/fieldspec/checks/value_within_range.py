@@ -19,7 +19,7 @@ from fieldspec.checks.numbers import Legal, numbers
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 
-_HELP = "put one of them right, or list the value under `sentinels`"
+_HELP = "correct one of them, or list the value under `sentinels`"
 
 
 def value_within_range(device: Device) -> Iterator[Diagnostic]:
@@ -36,5 +36,5 @@ def value_within_range(device: Device) -> Iterator[Diagnostic]:
             why = legal.objection(value, number)
             if why:
                 text = f"{path} is {number} in the example {example.id}, which {why}"
-                there = label(fact.place, range_key(fact.place), "what it may be")
+                there = label(fact.place, range_key(fact.place), "its permitted values")
                 yield finding("value_within_range", example.place, "values", text, _HELP, there)

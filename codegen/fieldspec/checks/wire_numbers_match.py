@@ -41,11 +41,11 @@ def _printed(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
         right = parameter_set.base + parameter.number
         if parameter.wire_number is not None and parameter.wire_number != right:
             text = f"{parameter.name} has the number {hexadecimal(parameter.wire_number)} on the wire; as"
-            text += f" {parameter_set.number_text(parameter.number)} it has {hexadecimal(right)}"
+            text += f" {parameter_set.number_text(parameter.number)} it should have {hexadecimal(right)}"
             there = label(
                 parameter_set.place, "base", f"{parameter_set.name} begins at {hexadecimal(parameter_set.base)}"
             )
-            help = "put the number, the one on the wire or the base right"
+            help = "correct the number, the number on the wire or the base"
             yield finding(_CODE, parameter.place, "wire_number", text, help, there)
 
 
@@ -61,8 +61,8 @@ def _claimed(parameter_set: ParameterSet, other: ParameterSet) -> Iterator[Diagn
         )
     for low, high, name, place, key in claims:
         if uncovered(low, high, taken) != [(low, high)]:
-            text = f"{name} has {addresses(low, high)} on the wire, where {other.name} has numbers too"
+            text = f"{name} has {addresses(low, high)} on the wire, which {other.name} also uses"
             there = label(other.place, "base", f"{other.name} has {addresses(taken[0][0], taken[-1][1])}")
-            help = "put a number, a base or the space of one of the sets right"
+            help = "correct a number, a base or the space of one of the sets"
             yield finding(_CODE, place, key, text, help, there)
             return

@@ -39,6 +39,6 @@ def _compared(fact: Fact, words: int | None, size: int, type_name: str) -> Itera
             fact.place,
             "words",
             f"{fact.name} is printed with {plural(words, 'word')}; as {type_name} it has {plural(size, 'byte')}",
-            "put the type, the length or the words right",
+            "correct the type, the length or the words",
             label(fact.place, "length" if "length" in fact.place else "type", "its type"),
         )

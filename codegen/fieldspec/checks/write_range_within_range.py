@@ -21,7 +21,7 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.value import Kind, Ranges, Value, merged, uncovered
 
 _CODE = "write_range_within_range"
-_HELP = "put one of them right"
+_HELP = "correct one of them"
 
 
 def write_range_within_range(device: Device) -> Iterator[Diagnostic]:
@@ -35,14 +35,16 @@ def _compared(fact: Fact, value: Value, writable: Ranges) -> Iterator[Diagnostic
     sentinels = tuple((sentinel.value, sentinel.value) for sentinel in value.sentinels)
     beyond = _beyond(writable, [*read, *sentinels])
     if beyond is not None:
-        text = f"{beyond} may be written to {fact.name}, but is none of what it may be"
+        text = f"{beyond} can be written to {fact.name}, but is not in its range"
         key = "type" if value.ranges is None else range_key(fact.place)
-        yield finding(_CODE, fact.place, "write_range", text, _HELP, label(fact.place, key, "what it may be"))
+        yield finding(_CODE, fact.place, "write_range", text, _HELP, label(fact.place, key, "its permitted values"))
     for sentinel in value.sentinels:
         if sentinel.value not in writable:
-            text = f"the sentinel {sentinel.name}, {sentinel.value}, cannot be written to {fact.name}"
+            text = f"the special value {sentinel.name}, {sentinel.value}, cannot be written to {fact.name}"
             help = "add it to `write_range`, or make it a member of an enum if it is only read"
-            yield finding(_CODE, fact.place, "write_range", text, help, label(fact.place, "sentinels", "the sentinel"))
+            yield finding(
+                _CODE, fact.place, "write_range", text, help, label(fact.place, "sentinels", "the special value")
+            )
 
 
 def _beyond(writable: Ranges, read: list[tuple[int, int]]) -> int | None:
