@@ -27,7 +27,7 @@ def addresses_ascending(device: Device) -> Iterator[Diagnostic]:
         for number, row in enumerate(rows):
             if number not in in_order:
                 other = rows[number - 1] if number else rows[1]
-                where = "behind" if number else "before"
+                where = "after" if number else "before"
                 yield finding(
                     "addresses_ascending",
                     row.place,

@@ -53,6 +53,7 @@ def _elements_overlap(device: Device) -> Iterator[Diagnostic]:
                 "addresses_disjoint",
                 register.place,
                 "stride",
-                f"elements of {register.name} have {plural(register.width, 'word')}, but the stride is {register.stride}",
+                f"elements of {register.name} have {plural(register.width, 'word')}"
+                f", but the stride is {register.stride}",
                 "correct the stride or the type",
             )

@@ -60,5 +60,5 @@ def _compared(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> 
                 key,
                 f"{text}, but has a different {key.removeprefix('unit_')}",
                 "correct one of them, or remove `same_as`",
-                label(other.place, range_key(other.place) if "range" in key else key, f"that of {other.name}"),
+                label(other.place, range_key(other.place) if "range" in key else key, f"in {other.name}"),
             )

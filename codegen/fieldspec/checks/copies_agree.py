@@ -60,4 +60,4 @@ def _printed(row: Register, original: Register) -> Iterator[Diagnostic]:
 
 
 def _finding(row: Register, original: Register, key: str, text: str, help: str) -> Diagnostic:
-    return finding(_CODE, row.place, key, text, help, label(original.place, key, f"that of {original.name}"))
+    return finding(_CODE, row.place, key, text, help, label(original.place, key, f"in {original.name}"))

@@ -44,7 +44,7 @@ def _compared(word: Flags, bit: Bit, other: Flags, same: Bit) -> Iterator[Diagno
     ):
         if mine != theirs:
             text = f"{bit.name} has {theirs} in {other.name} and {mine} in {word.name}, forms of one word"
-            there = label(same.place, key if key in same.place else "name", f"that of {other.name}")
+            there = label(same.place, key if key in same.place else "name", f"in {other.name}")
             help = "correct one of them, or allow it with a reason"
             yield finding(_CODE, bit.place, key, text, help, there)
 

@@ -40,7 +40,7 @@ def _of_enum(enum: Enum, rows: list[tuple[int, Member]]) -> Iterator[Diagnostic]
     for index, (number, member) in enumerate(rows):
         if index not in ascent:
             last, other = rows[index - 1] if index else rows[1]
-            where = "behind" if index else "before"
+            where = "after" if index else "before"
             text = f"{member.name} has the number {number}, which breaks the order of {enum.name}"
             there = label(other.place, "number", f"it is listed {where} {other.name}, {last}")
             yield finding(_CODE, member.place, "number", text, "correct the number", there)

@@ -35,7 +35,7 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
             if getattr(link, key) != getattr(ordered[0], key):
                 text = f"the links {ordered[0].name} and {link.name} have different orders"
                 help = "a device has one order; correct one of the links"
-                there = label(ordered[0].place, key, f"that of {ordered[0].name}")
+                there = label(ordered[0].place, key, f"in {ordered[0].name}")
                 yield finding(_CODE, link.place, key, text, help, there)
     if links and not any(link.word_order for link in links) and _has_words(device):
         for fact, value in values(device):

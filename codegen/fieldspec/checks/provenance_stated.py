@@ -75,7 +75,7 @@ def _reported(fact: Fact) -> Iterator[Diagnostic]:
             yield finding(_RULE, report.place, "by", text, "add the unit, the scale, or another reported value")
         for what, text in (("by", report.by), ("how", report.how)):
             if not text.strip():
-                text = f"nothing says {'who reports it' if what == 'by' else 'how they know it'} of {fact.name}"
+                text = f"the report about {fact.name} has no `{what}`"
                 yield finding(_RULE, report.place, what, text, "name the program or the person, and where it shows")
         for key in report.values:
             if key != "doc" and key in fact.place:

@@ -69,7 +69,7 @@ def _compared(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diag
             yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
         elif claimed_value(key, claimed) != have:
             text = f"`{key}` of {fact.name} is {as_text(key, have)}, but {as_text(key, claimed)} in {_where(claim)}"
-            help = "correct both values, and write an erratum for the misprint"
+            help = "use the right value in both places, and write an erratum for the misprint"
             yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
 
 

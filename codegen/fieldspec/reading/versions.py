@@ -173,7 +173,7 @@ class Lines:
         built = [identity(line) or "" for line in mappings(lines) if _true(line, "builds")]
         for named in {id(scalar): scalar for scalar in self.alike.values()}.values():
             if named.text not in built:
-                text = f"the device has no version line {quoted(named.text)} with outputs"
+                text = f"no version line with outputs has the name {quoted(named.text)}"
                 self.findings.append(Diagnostic("version_unknown", text, named.span, help=near(named.text, built)))
 
     def _add(self, number: int, line: Mapping) -> None:
