@@ -48,8 +48,8 @@ fuzz: $(INSTALLED)
 	$(BIN)/python tests/c_output/fuzz.py
 
 soak: $(INSTALLED)
-	$(BIN)/python tests/kills.py 200 1
-	FAULT_STEP=1 $(BIN)/pytest tests/test_faults.py tests/test_kills.py
+	$(BIN)/python tests/interruptions.py 200 1
+	FAULT_STEP=1 $(BIN)/pytest tests/test_faults.py tests/test_interruptions.py
 
 dist: $(INSTALLED)
 	rm -rf dist

@@ -34,12 +34,16 @@ def rows() -> Iterator[Row]:
             changed.append(run(build, **variables).clock)
         size = sum(path.stat().st_size for path in files) / 1e6
     everything = f"everything, {len(files)} files of {size:.0f} MB"
-    yield limited(GROUP, everything, median(one.clock for one in took["all"]) / 1e3, "s", 2)
-    work = median(one.work for one in took["all"]) / 1e3
+    yield limited(GROUP, everything, median(measured.clock for measured in took["all"]) / 1e3, "s", 2)
+    work = median(measured.work for measured in took["all"]) / 1e3
     yield Row(GROUP, f"{everything}, work of all processors", "", round(work, 1), 0, "s", 0)
-    yield limited(GROUP, "nothing has changed", median(one.clock for one in took["none"]), "ms", 250)
+    yield limited(GROUP, "nothing has changed", median(measured.clock for measured in took["none"]), "ms", 250)
     yield limited(
-        GROUP, "nothing has changed, work of the processor", median(one.work for one in took["none"]), "ms", 250
+        GROUP,
+        "nothing has changed, work of the processor",
+        median(measured.work for measured in took["none"]),
+        "ms",
+        250,
     )
     yield Row(GROUP, "nothing has changed, files rewritten", "none", rewritten, 0, "files", 0, at_most=0)
     yield Row(GROUP, "TC100 has changed", "", round(median(changed), 1), 0, "ms", 0)

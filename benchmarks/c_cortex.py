@@ -25,10 +25,12 @@ void {p}_write(const {p} *in, uint8_t *out) {{ {p}_pack(in, out); }}
 """
 
 
-def compiled(folder: Path, found: list[Subject], machine: str) -> Path:
+def compiled(folder: Path, subjects: list[Subject], machine: str) -> Path:
     """An object with a function for each direction of each record."""
-    headers = "".join(f'#include "{header}"\n' for header in dict.fromkeys(one.header for one in found))
-    (folder / "cortex.c").write_text(headers + "".join(FORM.format(p=one.prefix) for one in found), encoding="utf-8")
+    headers = "".join(f'#include "{header}"\n' for header in dict.fromkeys(subject.header for subject in subjects))
+    (folder / "cortex.c").write_text(
+        headers + "".join(FORM.format(p=subject.prefix) for subject in subjects), encoding="utf-8"
+    )
     target = folder / f"{machine}.o"
     flags = ["-std=c99", "-O2", "-ffreestanding", "-mthumb", f"-mcpu={machine}"]
     gcc = needed("arm-none-eabi-gcc", PACKAGE)
@@ -42,21 +44,23 @@ def rows() -> Iterator[Row]:
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
         devices = newest()
-        found = subjects(devices, write_headers(folder, devices))
-        large, _ = instructions(objdump, compiled(folder, found, "cortex-m4"))
-        small, calls = instructions(objdump, compiled(folder, found, "cortex-m0plus"))
+        all_subjects = subjects(devices, write_headers(folder, devices))
+        large, _ = instructions(objdump, compiled(folder, all_subjects, "cortex-m4"))
+        small, calls = instructions(objdump, compiled(folder, all_subjects, "cortex-m0plus"))
     by = f"the best form by hand; {version(gcc)} -O2"
-    for one in found:
-        for way, best in zip(("read", "write"), BEST.get(one.name, TELEGRAM), strict=True):
-            name = f"{one.prefix}_{way}"
+    for subject in all_subjects:
+        for way, best in zip(("read", "write"), BEST.get(subject.name, TELEGRAM), strict=True):
+            name = f"{subject.prefix}_{way}"
             ours = large[name]
             yield Row(
-                GROUP, f"{one.name}, {way}, Cortex-M4", by, ours, best, "instructions", round(ours / best, 3), 1.1
+                GROUP, f"{subject.name}, {way}, Cortex-M4", by, ours, best, "instructions", round(ours / best, 3), 1.1
             )
             ours = small[name]
-            yield Row(GROUP, f"{one.name}, {way}, Cortex-M0+", by, ours, best, "instructions", round(ours / best, 3))
+            yield Row(
+                GROUP, f"{subject.name}, {way}, Cortex-M0+", by, ours, best, "instructions", round(ours / best, 3)
+            )
             memory = float(calls[name])
-            label = f"{one.name}, {way}, Cortex-M0+, calls of memory functions"
+            label = f"{subject.name}, {way}, Cortex-M0+, calls of memory functions"
             yield Row(GROUP, label, "none", memory, 0, "calls", memory, 0)
 
 

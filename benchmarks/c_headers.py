@@ -29,8 +29,8 @@ class Subject:
     header: str
     prefix: str
     size: int
-    read: int
-    written: int
+    reads: int
+    writes: int
 
 
 def newest() -> dict[str, DeviceLayout]:
@@ -54,20 +54,20 @@ def subjects(devices: dict[str, DeviceLayout], headers: dict[str, str]) -> list[
     """The point record of one device, and both directions of a telegram of another."""
     point = devices["ck10"].records["point"]
     telegram = devices["hiwin-e"].messages["telegram_111"]
-    found = []
+    all_subjects = []
     for device, record in (("ck10", point), ("hiwin-e", telegram.request), ("hiwin-e", telegram.response)):
         assert record.size is not None
-        found.append(
+        all_subjects.append(
             Subject(
                 name=record.name.replace("_", " "),
                 header=headers[device],
                 prefix=f"{device.replace('-', '_')}_{record.name}",
                 size=record.size,
-                read=len(members(record)),
-                written=sum(field.count or 1 for field in record.fields),
+                reads=len(members(record)),
+                writes=sum(field.count or 1 for field in record.fields),
             )
         )
-    return found
+    return all_subjects
 
 
 def needed(tool: str, package: str) -> str:
@@ -80,8 +80,8 @@ def needed(tool: str, package: str) -> str:
 
 def version(tool: str) -> str:
     """A compiler and its version: `gcc 12.2.0`."""
-    said = subprocess.run([tool, "-dumpfullversion"], capture_output=True, text=True, check=True).stdout.strip()
-    return f"{Path(tool).name} {said}"
+    output = subprocess.run([tool, "-dumpfullversion"], capture_output=True, text=True, check=True).stdout.strip()
+    return f"{Path(tool).name} {output}"
 
 
 def instructions(objdump: str, program: Path) -> tuple[Counter[str], Counter[str]]:
@@ -93,8 +93,8 @@ def instructions(objdump: str, program: Path) -> tuple[Counter[str], Counter[str
     calls: Counter[str] = Counter()
     function = ""
     for line in text.stdout.splitlines():
-        if found := re.match(r"[0-9a-f]+ <(\w+)>:", line):
-            function = found[1]
+        if match := re.match(r"[0-9a-f]+ <(\w+)>:", line):
+            function = match[1]
         elif re.match(r"\s+[0-9a-f]+:\t[^.]", line):
             total[function] += 1
         elif re.match(r"\s+[0-9a-f]+: R_\w+\s+(__aeabi_)?mem\w+", line):

@@ -69,25 +69,25 @@ static void hiwin_e_telegram_111_response_fill(hiwin_e_telegram_111_response *he
 """
 
 
-def source(found: list[Subject], crc: str) -> str:
+def source(subjects: list[Subject], crc: str) -> str:
     """The program that calls every form of every function, as often."""
-    headers = "".join(f'#include "{header}"\n' for header in dict.fromkeys(one.header for one in found))
+    headers = "".join(f'#include "{header}"\n' for header in dict.fromkeys(subject.header for subject in subjects))
     texts = [
         headers,
         '#define APART __attribute__((noipa))\n#define SEEN(what) __asm__ volatile("" : : "r"(what) : "memory")\n',
     ]
-    for one in found:
-        texts += [form.format(p=one.prefix, size=one.size) for form in (*FORMS.values(), CHECKED)]
+    for subject in subjects:
+        texts += [form.format(p=subject.prefix, size=subject.size) for form in (*FORMS.values(), CHECKED)]
     texts += [FILL, f"\nAPART uint16_t crc_of_all(const uint8_t *in) {{ return {crc}(in, {BYTES}); }}"]
     texts.append("\nint main(void)\n{\n    int at;\n    static uint8_t many[256];")
-    texts += [RUN.format(p=one.prefix, size=one.size, calls=CALLS) for one in found]
+    texts += [RUN.format(p=subject.prefix, size=subject.size, calls=CALLS) for subject in subjects]
     return (
         "".join(texts)
         + f"\n    for (at = 0; at < {CALLS}; at++) many[0] = (uint8_t)crc_of_all(many);\n    return 0;\n}}\n"
     )
 
 
-def counted(folder: Path, text: str, *flags: str) -> dict[str, float]:
+def instruction_counts(folder: Path, text: str, *flags: str) -> dict[str, float]:
     """Instructions a call of each function, those of what it calls included."""
     (folder / "bench.c").write_text(text, encoding="utf-8")
     gcc, valgrind = needed("gcc", "gcc"), needed("valgrind", "valgrind")
@@ -116,35 +116,37 @@ def rows() -> Iterator[Row]:
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
         devices = newest()
-        found = subjects(devices, write_headers(folder, devices))
-        text = source(found, "ck10_crc16_modbus")
-        plain = counted(folder, text, "-O2")
-        small = counted(folder, text, "-Os")
-        wide = counted(folder, text, "-O2", "-DCK10_WIDE_CRC_TABLE")
+        all_subjects = subjects(devices, write_headers(folder, devices))
+        text = source(all_subjects, "ck10_crc16_modbus")
+        narrow = instruction_counts(folder, text, "-O2")
+        small = instruction_counts(folder, text, "-Os")
+        wide = instruction_counts(folder, text, "-O2", "-DCK10_WIDE_CRC_TABLE")
         by = f"3 a field and 1; {version(needed('gcc', 'gcc'))} -O2"
-        for one in found:
-            for way, fields in (("read", one.read), ("write", one.written)):
+        for subject in all_subjects:
+            for way, fields in (("read", subject.reads), ("write", subject.writes)):
                 best = 3 * fields + 1
                 for form, ending in ENDINGS.items():
-                    yield row(f"{one.name}, {way}, {form}", by, plain[f"{one.prefix}_{way}_{ending}"], best, 1.05)
-                yield row(f"{one.name}, {way}, -Os", by, small[f"{one.prefix}_{way}_plain"], best, None)
+                    yield row(
+                        f"{subject.name}, {way}, {form}", by, narrow[f"{subject.prefix}_{way}_{ending}"], best, 1.05
+                    )
+                yield row(f"{subject.name}, {way}, -Os", by, small[f"{subject.prefix}_{way}_plain"], best, None)
             yield row(
-                f"{one.name}, decode: size and values checked",
+                f"{subject.name}, decode: size and values checked",
                 "11 more than unchecked",
-                plain[f"{one.prefix}_read_checked"],
-                plain[f"{one.prefix}_read_plain"] + 11,
+                narrow[f"{subject.prefix}_read_checked"],
+                narrow[f"{subject.prefix}_read_plain"] + 11,
                 1.0,
             )
             # Ranges cost what they cost anyone: the goal is for encoders that only look at the size.
-            limit = plain[f"{one.prefix}_write_plain"] + 11
+            limit = narrow[f"{subject.prefix}_write_plain"] + 11
             for name, ending, goal in (
                 ("pack behind a check of the size", "sized", 1.0),
                 ("encode: every value against its range", "checked", None),
             ):
-                count = plain[f"{one.prefix}_write_{ending}"]
-                yield row(f"{one.name}, {name}", "11 more than unchecked", count, limit, goal)
-        for name, held, goal in (("32 bytes of table", plain, 14.5), ("512 bytes of table", wide, 9.5)):
-            yield row(f"CRC-16 a byte, {name}", "the goal", held["crc_of_all"] / BYTES, goal, 1.0)
+                count = narrow[f"{subject.prefix}_write_{ending}"]
+                yield row(f"{subject.name}, {name}", "11 more than unchecked", count, limit, goal)
+        for name, costs, goal in (("32 bytes of table", narrow, 14.5), ("512 bytes of table", wide, 9.5)):
+            yield row(f"CRC-16 a byte, {name}", "the goal", costs["crc_of_all"] / BYTES, goal, 1.0)
 
 
 def row(name: str, peer: str, ours: float, best: float, at_most: float | None) -> Row:

@@ -33,14 +33,16 @@ def size(folder: Path, header: str, machine: str, *more: str) -> int:
     source, target = folder / "size.c", str(folder / "size.o")
     source.write_text(f'#include "{header}"\n', encoding="utf-8")
     tool = needed(compiler, PACKAGES[compiler])
-    kept = ["-std=c99", "-ffreestanding", "-fkeep-inline-functions", "-fno-asynchronous-unwind-tables"]
-    subprocess.run([tool, *kept, *flags, *more, "-c", "-o", target, str(source)], check=True)
+    options = ["-std=c99", "-ffreestanding", "-fkeep-inline-functions", "-fno-asynchronous-unwind-tables"]
+    subprocess.run([tool, *options, *flags, *more, "-c", "-o", target, str(source)], check=True)
     sizes = subprocess.run(
         [tool.removesuffix("gcc") + "size", "--format=sysv", target], capture_output=True, text=True, check=True
     ).stdout.splitlines()
-    held = {line.split()[0]: int(line.split()[1]) for line in sizes if line.startswith(".")}
-    assert not any(number for name, number in held.items() if name.startswith((".data", ".bss")) and ".rel" not in name)
-    return sum(number for name, number in held.items() if name.startswith((".text", ".rodata", ".data.rel.ro")))
+    sizes_of = {line.split()[0]: int(line.split()[1]) for line in sizes if line.startswith(".")}
+    assert not any(
+        number for name, number in sizes_of.items() if name.startswith((".data", ".bss")) and ".rel" not in name
+    )
+    return sum(number for name, number in sizes_of.items() if name.startswith((".text", ".rodata", ".data.rel.ro")))
 
 
 def measured() -> Iterator[tuple[str, str, int, int]]:
@@ -66,13 +68,13 @@ def rows() -> Iterator[Row]:
 
 def table() -> str:
     """The table of the documentation."""
-    found: dict[str, dict[str, tuple[int, int]]] = {}
+    cells: dict[str, dict[str, tuple[int, int]]] = {}
     for device, machine, code, texts in measured():
-        found.setdefault(device, {})[machine] = (code, texts)
+        cells.setdefault(device, {})[machine] = (code, texts)
     compilers = " and ".join(sorted({version(needed(tool, PACKAGES[tool])) for tool, _ in MACHINES.values()}))
     lines = [f"With {compilers}, in bytes:", "", f"| device | {' | '.join(MACHINES)} | texts of codes, Cortex-M0 |"]
     lines.append("|---" * (len(MACHINES) + 2) + "|")
-    for device, sizes in found.items():
+    for device, sizes in cells.items():
         numbers = [f"{sizes[machine][0]:,}" for machine in MACHINES] + [f"{sizes['Cortex-M0, -Os'][1]:,}"]
         lines.append(f"| {device} | {' | '.join(numbers)} |")
     return "\n".join(lines) + "\n"

@@ -31,7 +31,7 @@ def rows() -> Iterator[Row]:
         with tempfile.TemporaryDirectory() as folder:
             took[count] = in_turns(_commands(count, Path(folder)), rounds, FIELDSPEC_CACHE=folder)
         yield from _of(count, took[count])
-    few, many = (median(one.work for one in took[count]["all"]) for count in (10_000, 100_000))
+    few, many = (median(measured.work for measured in took[count]["all"]) for count in (10_000, 100_000))
     yield limited("100,000 registers", "time, times that of 10,000", many / few, "x", 11)
 
 
@@ -40,7 +40,7 @@ def _of(count: int, took: dict[str, list[Took]]) -> Iterator[Row]:
     yield compared(group, "C, Python, Markdown and HTML", took, "all", FLOOR, at_most=2.0)
     yield compared(group, "reading and checking alone", took, "check", FLOOR)
     if count == 100_000:
-        yield limited(group, "memory", max(one.memory for one in took["all"]) / 1e6, "MB", 1000)
+        yield limited(group, "memory", max(measured.memory for measured in took["all"]) / 1e6, "MB", 1000)
     peakrdl, html, hdl, page = _names()
     if count == 400:
         yield compared(group, "C header and self-test", took, "c", peakrdl, at_most=0.12)
@@ -64,28 +64,28 @@ def _commands(count: int, folder: Path) -> dict[str, tuple[str, ...]]:
         (folder / "specs" / path).write_text(text, encoding="utf-8")
     rdl, toml, out = folder / "large.rdl", folder / "large.toml", folder / "out"
     build = (*FIELDSPEC, "build", "--no-cache", "--specs", str(folder / "specs"), "--out", str(out))
-    made = {
+    commands = {
         "all": (*build, "--to", OUTPUTS),
         "check": (*FIELDSPEC, "check", "--specs", str(folder / "specs")),
         FLOOR: (*PYTHON, str(PEERS / "floor.py"), str(folder / "specs"), str(folder / "floor")),
     }
     if count == 100_000:
-        return made
+        return commands
     rdl.write_text(registers.systemrdl(count), encoding="utf-8")
     toml.write_text(registers.toml(count), encoding="utf-8")
     peakrdl, html, hdl, page = _names()
-    made |= {
+    commands |= {
         "c": (*build, "--to", "c"),
         peakrdl: (*PYTHON, str(BIN / "peakrdl"), "c-header", str(rdl), "-o", str(folder / "large.h")),
         hdl: (*PYTHON, str(PEERS / "hdl_registers_header.py"), str(toml), str(folder / "hdl")),
     }
     if count == 400:
-        made |= {
+        commands |= {
             "docs": (*build, "--to", "docs"),
             html: (*PYTHON, str(BIN / "peakrdl"), "html", str(rdl), "-o", str(folder / "html")),
             page: (*PYTHON, str(PEERS / "hdl_registers_header.py"), str(toml), str(folder / "hdl"), "html"),
         }
-    return made
+    return commands
 
 
 if __name__ == "__main__":

@@ -30,33 +30,33 @@ ROW = "      - {{at: {at}, name: value_{at}, type: u16, range: 0..{most}, scale:
 def device(count: int) -> Device:
     """A device with some registers; those that the reader would refuse for their addresses are copied from others."""
     text = SPEC.format(zeros="0" * 64) + "".join(ROW.format(at=at, most=at + 9) for at in range(1, 201))
-    held = read({"large/device.yaml": text.encode()}).devices["large"].at("1")[0]
-    group = held.groups[0]
+    model = read({"large/device.yaml": text.encode()}).devices["large"].at("1")[0]
+    group = model.groups[0]
     rows = tuple(
         replace(
             group.registers[at % 200], address=at, name=f"value_{at}", value=replace(group.registers[at % 200].value)
         )
         for at in range(count)
     )
-    return replace(held, groups=(replace(group, registers=rows),))
+    return replace(model, groups=(replace(group, registers=rows),))
 
 
-def changed(held: Device) -> Device:
+def changed(device: Device) -> Device:
     """The same device in its next version. Nothing of it is shared with the first one."""
-    group = held.groups[0]
-    rows = tuple(row for at, one in enumerate(group.registers) for row in _changed(at, one))
-    return replace(held, groups=(replace(group, registers=rows),))
+    group = device.groups[0]
+    rows = tuple(row for at, register in enumerate(group.registers) for row in _changed(at, register))
+    return replace(device, groups=(replace(group, registers=rows),))
 
 
-def _changed(at: int, one: Register) -> tuple[Register, ...]:
-    one = replace(one, value=replace(one.value))
+def _changed(at: int, register: Register) -> tuple[Register, ...]:
+    register = replace(register, value=replace(register.value))
     if at % 1000 == 1:
-        return (replace(one, address=one.address + 1_000_000),)
+        return (replace(register, address=register.address + 1_000_000),)
     if at % 1000 == 2:
-        return (replace(one, name=f"{one.name}_renamed"),)
+        return (replace(register, name=f"{register.name}_renamed"),)
     if at % 1000 == 3:
-        return one, replace(one, name=f"{one.name}_more", address=one.address + 2_000_000)
-    return (replace(one, access="ro"),) if at % 100 == 4 else (one,)
+        return register, replace(register, name=f"{register.name}_more", address=register.address + 2_000_000)
+    return (replace(register, access="ro"),) if at % 100 == 4 else (register,)
 
 
 def main(counts: list[int]) -> None:
@@ -65,10 +65,12 @@ def main(counts: list[int]) -> None:
         new = changed(old)
         gc.disable()
         start = time.perf_counter()
-        found = changes(old, new)
+        differences = changes(old, new)
         took = time.perf_counter() - start
         gc.enable()
-        rules = ", ".join(f"{number} {rule}" for rule, number in sorted(Counter(one.rule for one in found).items()))
+        rules = ", ".join(
+            f"{number} {rule}" for rule, number in sorted(Counter(change.rule for change in differences).items())
+        )
         memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
         print(f"{count} registers: {took:.2f} s, {took / count * 1e6:.1f} us each, {memory} MiB: {rules}")
 

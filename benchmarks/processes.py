@@ -57,7 +57,9 @@ def in_turns(commands: Mapping[str, Sequence[str]], rounds: int, **variables: st
 
 def compared(group: str, name: str, took: Mapping[str, list[Took]], ours: str, peer: str, **goal: float) -> Row:
     """The row of two of the commands: the medians, and the median of the ratios of the rounds."""
-    pairs = list(zip((one.work for one in took[ours]), (one.work for one in took[peer]), strict=True))
+    pairs = list(
+        zip((measured.work for measured in took[ours]), (measured.work for measured in took[peer]), strict=True)
+    )
     ratio = median(a / b for a, b in pairs)
     mine, its = median(a for a, _ in pairs), median(b for _, b in pairs)
     return Row(group, name, peer, round(mine, 1), round(its, 1), "ms", round(ratio, 3), **goal)

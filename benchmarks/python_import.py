@@ -45,7 +45,7 @@ def write_generated(folder: Path) -> str:
 
 def added(took: list[Took], nothing: list[Took]) -> float:
     """Milliseconds of the processor beyond those of a process that does nothing."""
-    middle: float = median(one.work - other.work for one, other in zip(took, nothing, strict=True))
+    middle: float = median(measured.work - other.work for measured, other in zip(took, nothing, strict=True))
     return round(middle, 2)
 
 

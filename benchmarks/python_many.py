@@ -45,23 +45,23 @@ def rows() -> Iterator[Row]:
     columns = decode_many(Telegram111Response, data)
 
     def in_c() -> list[numpy.ndarray]:
-        made = [numpy.empty_like(column) for column in columns.values()]
-        library.columns(data, ctypes.c_size_t(NUMBER), *map(pointer, made))
-        return made
+        columns_out = [numpy.empty_like(column) for column in columns.values()]
+        library.columns(data, ctypes.c_size_t(NUMBER), *map(pointer, columns_out))
+        return columns_out
 
     words = columns["status_word_1"]
     masks = [1 << (bit % 16) for bit in range(40)]
     named = type("Word", (StatusWord1Positioning,), {"_BITS": {str(at): (at % 16, 1) for at in range(40)}})
 
     def bits_in_c() -> list[numpy.ndarray]:
-        made = [numpy.empty(NUMBER, bool) for _ in masks]
-        for mask, held in zip(masks, made, strict=True):
-            library.bits(pointer(words), ctypes.c_size_t(NUMBER), ctypes.c_uint16(mask), pointer(held))
-        return made
+        bit_arrays = [numpy.empty(NUMBER, bool) for _ in masks]
+        for mask, bits_out in zip(masks, bit_arrays, strict=True):
+            library.bits(pointer(words), ctypes.c_size_t(NUMBER), ctypes.c_uint16(mask), pointer(bits_out))
+        return bit_arrays
 
     copied = bytearray(data)
-    assert all((one == other).all() for one, other in zip(in_c(), columns.values(), strict=True))
-    assert all((one == other).all() for one, other in zip(bits_in_c(), bits(named, words).values(), strict=True))
+    assert all((left == other).all() for left, other in zip(in_c(), columns.values(), strict=True))
+    assert all((left == other).all() for left, other in zip(bits_in_c(), bits(named, words).values(), strict=True))
     version = f"numpy {numpy.__version__}"
     yield timed(GROUP, f"columns, {version}", lambda: decode_many(Telegram111Response, data), "a loop in C, gcc -O3",
                 in_c, at_most=1.5)  # fmt: skip

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from importlib.metadata import version
 
 from peers import modbus
-from peers.kaitai import reader, writer, written
+from peers.kaitai import encoded_bytes, reader, writer
 from rows import Row, printed, timed, use_generated
 
 use_generated()
@@ -38,7 +38,7 @@ def rows() -> Iterator[Row]:
         return modbus.ReadRequest.parse(modbus.ReadRequest(1, 0x1000, 1).build())
 
     def by_position() -> object:
-        return modbus.read(modbus.written(1, modbus.Message(0x1000, 1)))
+        return modbus.read(modbus.encoded_bytes(1, modbus.Message(0x1000, 1)))
 
     def by_pymodbus() -> object:
         framer.buildFrame(ReadHoldingRegistersRequest(address=0x1000, count=1, dev_id=1))
@@ -49,7 +49,7 @@ def rows() -> Iterator[Row]:
         return modbus.CONSTRUCT.parse(modbus.CONSTRUCT.build({"body": {"value": values}}))
 
     assert built() == modbus.ReadRequest(1, 0x1000, 1).build() == FRAME
-    assert modbus.written(1, modbus.Message(0x1000, 1)) == FRAME
+    assert modbus.encoded_bytes(1, modbus.Message(0x1000, 1)) == FRAME
     assert by_construct().body.value.start == 0x1000
     kaitai, writing = reader("request"), writer("request")
 
@@ -63,7 +63,7 @@ def rows() -> Iterator[Row]:
         request = writing()
         request.station, request.function, request.start, request.count = 1, 3, 0x1000, 1
         request.check = 0
-        data = written(request, 8)[:6]
+        data = encoded_bytes(request, 8)[:6]
         frame = data + modbus.crc16(data).to_bytes(2, "little")
         parsed = writing.from_bytes(frame)
         parsed._read()

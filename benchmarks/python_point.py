@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from importlib.metadata import version
 
 from peers.can import message
-from peers.kaitai import reader, writer, written
+from peers.kaitai import encoded_bytes, reader, writer
 from peers.point import CONSTRUCT, FIELDS, Bare, Checked
 from rows import Row, printed, timed, use_generated
 
@@ -33,11 +33,11 @@ def rows() -> Iterator[Row]:
     def decoded() -> object:
         return Point.decode(data)
 
-    held = writing.from_bytes(data)
-    held._read()
+    kaitai_point = writing.from_bytes(data)
+    kaitai_point._read()
 
     def by_kaitai() -> bytes:
-        return written(held, 64)
+        return encoded_bytes(kaitai_point, 64)
 
     assert by_kaitai() == data
 

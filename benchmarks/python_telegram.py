@@ -22,17 +22,17 @@ def rows() -> Iterator[Row]:
     from fieldspec_devices.hiwin_e.v2_14_4 import StatusWord1Positioning, Telegram111Response
 
     telegram, words = Telegram111Response.decode(DATA), Words.decode(DATA)
-    held = [
+    status_words = [
         telegram.status_word_1, telegram.positioning_status_word_1, telegram.positioning_status_word_2,
         telegram.status_word_2, telegram.message_word,
     ]  # fmt: skip
-    bits = [{name: most << first for name, (first, most) in word._BITS.items()} for word in held]
+    bits = [{name: most << first for name, (first, most) in word._BITS.items()} for word in status_words]
     library = with_construct(bits)
-    first, second, third, fourth, fifth = held
+    first, second, third, fourth, fifth = status_words
     names = ", ".join(f"{word}.{name}" for word, some in zip("abcde", bits, strict=True) for name in some)
-    read_each = eval(f"lambda: ({names})", dict(zip("abcde", held, strict=True)))
+    read_each = eval(f"lambda: ({names})", dict(zip("abcde", status_words, strict=True)))
     assert telegram.position_actual_a == words.position_actual == library.parse(DATA).part_5
-    assert held[0].operation_enabled == words.operation_enabled
+    assert status_words[0].operation_enabled == words.operation_enabled
 
     def snapshot() -> object:
         return first.flags(), second.flags(), third.flags(), fourth.flags(), fifth.flags()
@@ -46,9 +46,9 @@ def rows() -> Iterator[Row]:
     yield timed(GROUP, "decode", lambda: Telegram111Response.decode(DATA),
                 f"construct {version('construct')}, FlagsEnum, compiled", lambda: library.parse(DATA),
                 at_least=18)  # fmt: skip
-    kept = grown(StatusWord1Positioning)
-    yield Row(GROUP, f"memory kept after {WORDS} different words", "a byte a word", kept, WORDS, "bytes",
-              round(kept / WORDS, 4), at_most=0.01)  # fmt: skip
+    growth = grown(StatusWord1Positioning)
+    yield Row(GROUP, f"memory kept after {WORDS} different words", "a byte a word", growth, WORDS, "bytes",
+              round(growth / WORDS, 4), at_most=0.01)  # fmt: skip
 
 
 def grown(word: type) -> float:

@@ -59,10 +59,10 @@ def interleaved(ours: Callable[[], object], peer: Callable[[], object]) -> tuple
     try:
         pairs = []
         for turn in range(ROUNDS):
-            sides = [(first, numbers[0]), (second, numbers[1])]
+            runs = [(first, numbers[0]), (second, numbers[1])]
             if turn % 2:
-                sides.reverse()
-            took = {timer: timer.timeit(number) / number for timer, number in sides}
+                runs.reverse()
+            took = {timer: timer.timeit(number) / number for timer, number in runs}
             pairs.append((took[first] * 1e9, took[second] * 1e9))
     finally:
         if collecting:
@@ -83,8 +83,8 @@ def timed(
 ) -> Row:
     """The row of two calls that do the same work; the goal is `at_most` or `at_least`."""
     mine, its, ratio = interleaved(ours, theirs)
-    shown = 1 / ratio if "at_least" in goal else ratio
-    return Row(group, name, peer, round(mine, 1), round(its, 1), "ns", round(shown, 3), **goal)
+    figure = 1 / ratio if "at_least" in goal else ratio
+    return Row(group, name, peer, round(mine, 1), round(its, 1), "ns", round(figure, 3), **goal)
 
 
 def printed(rows: Iterable[Row]) -> None:

@@ -59,7 +59,7 @@ writes this page again. It was written on {machine}.
 
 def main(names: list[str]) -> int:
     """Runs benchmarks, and writes the page."""
-    held = json.loads(RESULTS.read_text("utf-8")) if RESULTS.exists() else {}
+    results = json.loads(RESULTS.read_text("utf-8")) if RESULTS.exists() else {}
     for name in names or FILES:
         print(f"running {name}", file=sys.stderr, flush=True)
         load = round(os.getloadavg()[0], 1) if hasattr(os, "getloadavg") else 0.0
@@ -67,35 +67,35 @@ def main(names: list[str]) -> int:
         if ran.returncode:
             print(f"{name} has failed; its rows stay as they were", file=sys.stderr)
             continue
-        held[name] = {"load": load, "rows": [json.loads(line) for line in ran.stdout.splitlines()]}
-    RESULTS.write_text(json.dumps(held, indent=1) + "\n", encoding="utf-8")
-    write(held)
+        results[name] = {"load": load, "rows": [json.loads(line) for line in ran.stdout.splitlines()]}
+    RESULTS.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+    write(results)
     return 0
 
 
-def write(held: dict[str, Any]) -> None:
+def write(results: dict[str, Any]) -> None:
     """Writes the page and the plot of what has been measured."""
-    rows = [Row(**row) for name in FILES if name in held for row in held[name]["rows"]]
-    PAGE.write_text("\n".join(_lines(rows, held)), encoding="utf-8")
+    rows = [Row(**row) for name in FILES if name in results for row in results[name]["rows"]]
+    PAGE.write_text("\n".join(_lines(rows, results)), encoding="utf-8")
     drawn(rows, PLOT)
     missed = [row for row in rows if not row.met]
     print(f"{len(rows)} rows, {len(missed)} goals missed", file=sys.stderr)
 
 
-def _lines(rows: list[Row], held: dict[str, Any]) -> Iterator[str]:
+def _lines(rows: list[Row], results: dict[str, Any]) -> Iterator[str]:
     yield HEAD.format(command="make bench", machine=machine())
     with_goal = [row for row in rows if row.at_most is not None or row.at_least is not None]
     met = sum(row.met for row in with_goal)
     yield f"Of {len(with_goal)} goals, {met} are met."
-    busy = [name for name in FILES if name in held and held[name]["load"] > BUSY]
+    busy = [name for name in FILES if name in results and results[name]["load"] > BUSY]
     if busy:
-        most = max(held[name]["load"] for name in busy)
+        most = max(results[name]["load"] for name in busy)
         yield (
             f"\nWhen {', '.join(f'`{name}`' for name in busy)} began, the machine had a load of up to {most}, of which "
             "the benchmark before may have been a part: what they measure by the clock may be too long."
         )
-    yield from (f"\n`{name}`: {held[name]['note']}" for name in FILES if held.get(name, {}).get("note"))
-    if missing := [name for name in FILES if name not in held]:
+    yield from (f"\n`{name}`: {results[name]['note']}" for name in FILES if results.get(name, {}).get("note"))
+    if missing := [name for name in FILES if name not in results]:
         yield f"\nNot measured yet: {', '.join(f'`{name}`' for name in missing)}."
     for group in dict.fromkeys(row.group for row in rows):
         own = [row for row in rows if row.group == group]

@@ -42,23 +42,23 @@ CHANGE = "  - {{fact: parameters/set_0/value_{at}, set: {{range: {{was: 0..{most
 
 def files(count: int) -> dict[str, bytes]:
     """The spec of a device with so many registers, in files of a size that is read, and its versions."""
-    made = {"large/device.yaml": DEVICE.format(zeros="0" * 64)}
+    contents = {"large/device.yaml": DEVICE.format(zeros="0" * 64)}
     for start in range(0, count, MOST):
         rows = "".join(ROW.format(at=at - start, most=at % 100 + 1) for at in range(start, min(start + MOST, count)))
-        made[f"large/set-{start}.yaml"] = SET.format(at=start // MOST) + rows + "]}\n"
+        contents[f"large/set-{start}.yaml"] = SET.format(at=start // MOST) + rows + "]}\n"
     for number in range(1, VERSIONS + 1):
         at = number * 10
         some = range(at, at + 5)
-        made[f"large/versions/1.{number}.yaml"] = OVERLAY.format(
+        contents[f"large/versions/1.{number}.yaml"] = OVERLAY.format(
             version=f"1.{number}",
             base=f"1.{number - 1}",
-            changes="".join(CHANGE.format(at=one, most=one % 100 + 1, new=one % 100 + 500) for one in some),
+            changes="".join(CHANGE.format(at=number, most=number % 100 + 1, new=number % 100 + 500) for number in some),
             number=number,
             free=60_000 + number,
             gone=at + 6,
             old=at + 7,
         )
-    return {path: text.encode() for path, text in made.items()}
+    return {path: text.encode() for path, text in contents.items()}
 
 
 @contextmanager
@@ -73,14 +73,14 @@ def timed(what: str, each: int = 0) -> Iterator[None]:
 
 def compared(spec: DeviceSpec, versions: list[str], each: int = 0) -> None:
     """Resolves versions, and compares each with the one before it."""
-    found = 0
+    count = 0
     with timed(f"{spec.id}: {len(versions)} versions resolved and compared", each):
         old = spec.at(versions[0])[0]
         for version in versions[1:]:
             new = spec.at(version)[0]
-            found += len(changes(old, new))
+            count += len(changes(old, new))
             old = new
-    print(f"  {found} changes")
+    print(f"  {count} changes")
 
 
 def main(counts: list[int]) -> None:
@@ -88,9 +88,9 @@ def main(counts: list[int]) -> None:
     gc.disable()
     for path in sorted(SPECS.glob("*/device.yaml")):
         name = path.parent.name
-        held = {file.relative_to(SPECS).as_posix(): file.read_bytes() for file in SPECS.rglob("*.yaml")}
+        contents = {file.relative_to(SPECS).as_posix(): file.read_bytes() for file in SPECS.rglob("*.yaml")}
         with timed(f"{name}: read"):
-            spec = read(held, frozenset([name])).devices[name]
+            spec = read(contents, frozenset([name])).devices[name]
         versions = spec.versions()
         compared(spec, [versions[0], versions[-1]])
     for count in counts:

@@ -18,8 +18,8 @@ def rows() -> Iterator[Row]:
     """The row."""
     (text,) = registers.spec(COUNT).values()
     data = text.encode()
-    file, found = decoded("device.yaml", data)
-    assert not found
+    file, findings = decoded("device.yaml", data)
+    assert not findings
     peer = f"PyYAML {yaml.__version__}, CSafeLoader"
     yield timed(GROUP, f"{COUNT} registers", lambda: parsed(file), peer,
                 lambda: yaml.load(data, yaml.CSafeLoader), at_most=0.40)  # fmt: skip

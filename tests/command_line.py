@@ -12,14 +12,14 @@ from typing import Any, NamedTuple
 import pytest
 
 from fieldspec.cli import main
-from fieldspec.commands import compiled
+from fieldspec.commands import layout_cache
 
 SPECS = Path(__file__).resolve().parent.parent / "specs"
-MADE_UP = Path(__file__).resolve().parent / "specs"
+TEST_SPECS = Path(__file__).resolve().parent / "specs"
 
 
-class Ran(NamedTuple):
-    """What a run has left."""
+class RunResult(NamedTuple):
+    """The exit code and the output of a run."""
 
     code: int
     out: str
@@ -31,20 +31,20 @@ class Ran(NamedTuple):
 
 
 class CommandLine:
-    """Runs verbs on the specs of a folder. A layout is read once, however many verbs use it."""
+    """Runs verbs on the specs of a folder. Each layout is read once and shared by all runs."""
 
     def __init__(self, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
         self.capsys, self.monkeypatch, self.folder = capsys, monkeypatch, folder
-        monkeypatch.setattr(compiled, "layout", _layout)
+        monkeypatch.setattr(layout_cache, "layout", _layout)
 
-    def __call__(self, *arguments: str, stdin: bytes = b"") -> Ran:
+    def __call__(self, *arguments: str, stdin: bytes = b"") -> RunResult:
         self.monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BufferedReader(io.BytesIO(stdin))))
         code = main([*arguments, "--specs", str(self.folder)])
-        return Ran(code, *self.capsys.readouterr())
+        return RunResult(code, *self.capsys.readouterr())
 
     def json(self, *arguments: str, stdin: bytes = b"") -> Any:
         """The data that a verb prints as JSON."""
         return json.loads(self(*arguments, "--format", "json", stdin=stdin).out)
 
 
-_layout = cache(compiled.layout)
+_layout = cache(layout_cache.layout)

@@ -29,7 +29,7 @@ SLOW = (
     "test_faults.py",
     "test_generated.py",
     "test_inputs_bounded.py",
-    "test_kills.py",
+    "test_interruptions.py",
     "test_python_conversions.py",
     "test_python_frames.py",
     "test_python_heads.py",

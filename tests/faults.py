@@ -30,7 +30,7 @@ class Fault:
     only: tuple[str, ...] = CHANGING
 
     def strike(self, call: Callable[..., Any], arguments: tuple[Any, ...]) -> None:
-        """Does what happens in place of an operation."""
+        """Carries out the fault in place of an operation."""
         if self.half and call.__name__ == "write":
             call(arguments[0], arguments[1][: len(arguments[1]) // 2])
         if self.error is None:
@@ -55,7 +55,7 @@ FAULTS = (
 
 @dataclass
 class Operations:
-    """The operations so far; at the one with number `at`, counted from 1, a fault strikes."""
+    """The operations so far; at the one with number `at`, counting from 1, a fault strikes."""
 
     fault: Fault | None = None
     at: int = 0
@@ -64,7 +64,7 @@ class Operations:
     def replaced(self, name: str) -> Callable[..., Any]:
         call = getattr(os, name)
 
-        def counted(*arguments: Any, **named: Any) -> Any:
+        def counting(*arguments: Any, **named: Any) -> Any:
             if name == "open" and not arguments[1] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT):
                 return call(*arguments, **named)
             if name == "write" and arguments[0] <= 2:
@@ -77,22 +77,22 @@ class Operations:
                 self.seen.append(name)
             return call(*arguments, **named)
 
-        counted.__name__ = name
-        return counted
+        counting.__name__ = name
+        return counting
 
 
 @contextmanager
 def operations(fault: Fault | None = None, at: int = 0) -> Iterator[Operations]:
-    """Counts operations, with a fault at one of them."""
-    made = Operations(fault, at)
+    """Counts operations and raises a fault at one of them."""
+    counter = Operations(fault, at)
     with pytest.MonkeyPatch.context() as patch:
         for name in CHANGING:
-            patch.setattr(os, name, made.replaced(name))
-        yield made
+            patch.setattr(os, name, counter.replaced(name))
+        yield counter
 
 
 def struck(work: Callable[[], object], fault: Fault, at: int) -> bool:
-    """Does some work in a process of its own, with a fault at an operation; whether there were so many operations."""
+    """Does some work in a process of its own, with a fault at operation `at`; returns whether the work got that far."""
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
@@ -101,15 +101,15 @@ def struck(work: Callable[[], object], fault: Fault, at: int) -> bool:
             with open(os.devnull, "w") as nowhere:
                 os.dup2(nowhere.fileno(), 1)
                 os.dup2(nowhere.fileno(), 2)
-            with operations(fault, at) as made:
+            with operations(fault, at) as counter:
                 with suppress(KeyboardInterrupt, Exception):
                     work()
-                reached = len(made.seen) >= at
+                reached = len(counter.seen) >= at
         finally:
             os.write(writing, b"1" if reached else b"0")
             os._exit(0)
     os.close(writing)
-    said = os.read(reading, 1)
+    output = os.read(reading, 1)
     os.close(reading)
     _, status = os.waitpid(child, 0)
-    return os.WIFSIGNALED(status) or said == b"1"
+    return os.WIFSIGNALED(status) or output == b"1"

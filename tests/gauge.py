@@ -119,18 +119,18 @@ messages:
 
 
 def files(device: str = DEVICE, audit: str = AUDIT, manual: str = MANUAL) -> dict[str, str]:
-    """The files of the spec of the gauge, about a manual."""
+    """The files of the gauge's spec, which cites the given manual."""
     sha256 = hashlib.sha256(manual.encode()).hexdigest()
     head = device.replace("SHA256", sha256).replace("LINES", str(len(manual.splitlines())))
-    made = {"gauge/device.yaml": head, "protocols/wire.yaml": WIRE}
-    return {**made, "gauge/audit.yaml": audit} if audit else made
+    texts = {"gauge/device.yaml": head, "protocols/wire.yaml": WIRE}
+    return {**texts, "gauge/audit.yaml": audit} if audit else texts
 
 
 def spec(device: str = DEVICE, audit: str = AUDIT, manual: str = MANUAL) -> DeviceSpec:
-    """The spec of the gauge, about a manual."""
-    found = read({path: text.encode() for path, text in files(device, audit, manual).items()})
-    assert [finding.message for finding in found.findings] == []
-    return found.devices["gauge"]
+    """The gauge's spec, which cites the given manual."""
+    project = read({path: text.encode() for path, text in files(device, audit, manual).items()})
+    assert [finding.message for finding in project.findings] == []
+    return project.devices["gauge"]
 
 
 def index(manual: str = MANUAL) -> ManualIndex:
@@ -141,10 +141,10 @@ def index(manual: str = MANUAL) -> ManualIndex:
 def covered(
     device: str = DEVICE, audit: str = AUDIT, cited: str = MANUAL, manual: str | None = None, recorded: bool = True
 ) -> Section:
-    """The coverage of the manual `cited`, from its index, or from another text at hand."""
+    """The coverage of the manual `cited`: from its index, or from the text `manual`."""
     read_spec = spec(device, audit, cited)
-    model, found = read_spec.at("1")
-    assert [finding.message for finding in found] == []
+    model, findings = read_spec.at("1")
+    assert [finding.message for finding in findings] == []
     layout = device_layout(model)
     at_hand = index(manual) if manual is not None else None
     return coverage(
@@ -153,10 +153,10 @@ def covered(
 
 
 def numbers(section: Section) -> list[int]:
-    """How much is covered, corrected, left out and not accounted for, of how much."""
+    """The numbers of covered, corrected, omitted and unaccounted lines, and the total."""
     return [*(figure.number for figure in section.figures[:4]), section.figures[0].whole or 0]
 
 
-def said(section: Section) -> list[str]:
+def finding_texts(section: Section) -> list[str]:
     """The findings as `rule: message`."""
     return [f"{finding.code}: {finding.message}" for finding in section.findings]

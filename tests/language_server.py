@@ -1,4 +1,4 @@
-"""Speaks to an editor's language server over its standard input and output."""
+"""A client of an editor's language server, over its standard input and output."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import Any
 Json = dict[str, Any]
 
 LONGEST = 120
-"""Seconds after which a server is ended that does not answer."""
+"""Seconds after which a server that does not answer is stopped."""
 
 _SETTINGS = {"yaml": {"validate": True, "hover": True, "completion": True, "schemaStore": {"enable": False}}}
 
@@ -42,7 +42,7 @@ class LanguageServer:
         self._watchdog.cancel()
 
     def opened(self, path: Path, text: str) -> list[Json]:
-        """Opens a file with a text that need not be on disk, and gives what the server has against it."""
+        """Opens a file with a text that need not be on disk, and returns the server's diagnostics."""
         uri = path.as_uri()
         document = {"uri": uri, "languageId": "yaml", "version": 1, "text": text}
         self._notify("textDocument/didOpen", {"textDocument": document})
@@ -55,14 +55,14 @@ class LanguageServer:
         self._notify("textDocument/didClose", {"textDocument": {"uri": path.as_uri()}})
 
     def completions(self, path: Path, line: int, column: int) -> dict[str, Json]:
-        """What may be typed at a position, by its label."""
-        found = self._request("textDocument/completion", _position(path, line, column))
-        return {item["label"]: item for item in found["items"]}
+        """The completions at a position, by label."""
+        items = self._request("textDocument/completion", _position(path, line, column))
+        return {item["label"]: item for item in items["items"]}
 
     def hover(self, path: Path, line: int, column: int) -> str:
-        """The text that is shown for what stands at a position."""
-        found = self._request("textDocument/hover", _position(path, line, column))
-        return str(found["contents"]["value"]) if found else ""
+        """The hover text at a position."""
+        contents = self._request("textDocument/hover", _position(path, line, column))
+        return str(contents["contents"]["value"]) if contents else ""
 
     def _request(self, method: str, params: Any) -> Any:
         self._asked += 1
@@ -78,7 +78,7 @@ class LanguageServer:
         self._send({"method": method, "params": params})
 
     def _answered(self, message: Json) -> None:
-        """Does what a message of the server asks for."""
+        """Handles a message of the server."""
         if message.get("method") == "textDocument/publishDiagnostics":
             self._diagnostics[message["params"]["uri"]] = message["params"]["diagnostics"]
         elif "id" in message and "method" in message:

@@ -15,7 +15,7 @@ import tarfile
 from functools import cache
 from pathlib import Path
 
-from tools_available import require_tool, without
+from external_tools import require_tool, without
 
 VARIABLE = "MATIEC"
 STEPS = (["autoreconf", "-i"], ["./configure"], ["make", "-j4"])
@@ -23,7 +23,7 @@ STEPS = (["autoreconf", "-i"], ["./configure"], ["make", "-j4"])
 
 @cache
 def matiec() -> Path:
-    """The folder with `iec2c` and `lib`. Without it the test is skipped, or fails in CI."""
+    """The folder with `iec2c` and `lib`. If it is missing, the test is skipped, or fails in CI."""
     text = os.environ.get(VARIABLE, "")
     place = Path(text)
     if not text or not place.exists():
@@ -44,9 +44,11 @@ def _built(archive: Path) -> Path:
             for name in ("autoreconf", "bison", "flex", "make", "g++"):
                 require_tool(name)
             shutil.rmtree(folder, ignore_errors=True)
-            with tarfile.open(archive) as held:
-                held.extractall(folder, filter="data") if hasattr(tarfile, "data_filter") else held.extractall(folder)
-            (source,) = {found.parent for found in folder.glob("**/configure.ac")}
+            with tarfile.open(archive) as tar_file:
+                tar_file.extractall(folder, filter="data") if hasattr(tarfile, "data_filter") else tar_file.extractall(
+                    folder
+                )
+            (source,) = {path.parent for path in folder.glob("**/configure.ac")}
             for step in STEPS:
                 ran = subprocess.run(step, cwd=source, capture_output=True, text=True, check=False)
                 assert ran.returncode == 0, (step, ran.stderr[-3000:])

@@ -26,7 +26,7 @@ def scalar(value: int | str | bool, near: Node) -> Scalar:
 
 
 def at(node: Node, way: Way) -> Node:
-    """The node at the end of a way."""
+    """The node at the end of a path."""
     for step in way:
         node = node.values[str(step)] if isinstance(node, Mapping) else node.items[int(step)]  # type: ignore[union-attr]
     return node
@@ -34,9 +34,9 @@ def at(node: Node, way: Way) -> Node:
 
 def put(node: Node, way: Way, new: Node | None) -> Mapping:
     """The tree with something else at the end of a way; without it, where that is None."""
-    made = _put(node, way, new)
-    assert isinstance(made, Mapping)
-    return made
+    changed = _put(node, way, new)
+    assert isinstance(changed, Mapping)
+    return changed
 
 
 def _put(node: Node, way: Way, new: Node | None) -> Node:
@@ -62,7 +62,7 @@ def _put(node: Node, way: Way, new: Node | None) -> Node:
 
 
 def mappings(node: Node, way: Way = ()) -> Iterator[tuple[Way, Mapping]]:
-    """All mappings below a node, with the ways to them."""
+    """All mappings below a node, with their paths."""
     if isinstance(node, Mapping):
         yield way, node
     for step, inner in children(node):
@@ -73,7 +73,7 @@ def mappings(node: Node, way: Way = ()) -> Iterator[tuple[Way, Mapping]]:
 def of(
     tree: Mapping, *sections: str, keys: Sequence[str] = (), without: Sequence[str] = ()
 ) -> list[tuple[Way, Mapping]]:
-    """The mappings of some sections that have some keys and lack others, at any depth."""
+    """The mappings of some sections, at any depth, that have all of `keys` and none of `without`."""
     return [
         (way, node)
         for way, node in mappings(tree)
@@ -89,29 +89,29 @@ def of(
 def values(tree: Mapping) -> list[tuple[Way, Mapping]]:
     """Registers, fields, parameters and parts with a type of their own."""
     sections = ("registers", "records", "messages", "parameters", "links")
-    found = of(tree, *sections, keys=("type", "name"))
-    return [(way, node) for way, node in found if way[-2] in VALUED and len(way) > 2]
+    candidates = of(tree, *sections, keys=("type", "name"))
+    return [(way, node) for way, node in candidates if way[-2] in VALUED and len(way) > 2]
 
 
 def counts(tree: Mapping) -> list[tuple[Way, Mapping]]:
-    """Those of them that hold whole numbers, and take nothing from elsewhere."""
+    """Those that hold whole numbers and refer to nothing else."""
     return [(way, node) for way, node in values(tree) if text(node, "type") in NUMBERS and "role" not in node.values]
 
 
 def text(node: Mapping, key: str) -> str:
-    held = node.values.get(key)
-    return held.text if isinstance(held, Scalar) else ""
+    scalar = node.values.get(key)
+    return scalar.text if isinstance(scalar, Scalar) else ""
 
 
 def number(node: Mapping, key: str) -> int:
-    held = node.values.get(key)
-    assert isinstance(held, Scalar)
-    assert isinstance(held.value, int)
-    return held.value
+    scalar = node.values.get(key)
+    assert isinstance(scalar, Scalar)
+    assert isinstance(scalar.value, int)
+    return scalar.value
 
 
-def picked(found: list[tuple[Way, Mapping]], chance: random.Random) -> tuple[Way, Mapping] | None:
-    return chance.choice(found) if found else None
+def picked(places: list[tuple[Way, Mapping]], chance: random.Random) -> tuple[Way, Mapping] | None:
+    return chance.choice(places) if places else None
 
 
 def setting(
@@ -122,10 +122,10 @@ def setting(
     """Sets a key of one of some mappings to another value."""
 
     def mutation(tree: Mapping, chance: random.Random) -> Mapping | None:
-        one = picked(find(tree), chance)
-        if one is None:
+        place = picked(find(tree), chance)
+        if place is None:
             return None
-        way, node = one
+        way, node = place
         value = other(node, chance)
         if key in node.values and text(node, key) == str(value):
             return None
@@ -138,47 +138,47 @@ def removing(find: Callable[[Mapping], list[tuple[Way, Mapping]]]) -> Mutation:
     """Takes one of some mappings out of its list."""
 
     def mutation(tree: Mapping, chance: random.Random) -> Mapping | None:
-        found = [(way, node) for way, node in find(tree) if len(at(tree, way[:-1]).items) > 1]  # type: ignore[union-attr]
-        one = picked(found, chance)
-        return None if one is None else put(tree, one[0], None)
+        places = [(way, node) for way, node in find(tree) if len(at(tree, way[:-1]).items) > 1]  # type: ignore[union-attr]
+        place = picked(places, chance)
+        return None if place is None else put(tree, place[0], None)
 
     return mutation
 
 
 def fields(tree: Mapping) -> list[tuple[Way, Mapping]]:
     """The fields of records and messages."""
-    found = of(tree, "records", "messages", keys=("name",), without=("repeat", "choice", "measures", "record"))
-    return [(way, node) for way, node in found if way[-2] in VALUED and "type" in node.values and len(way) < 6]
+    places = of(tree, "records", "messages", keys=("name",), without=("repeat", "choice", "measures", "record"))
+    return [(way, node) for way, node in places if way[-2] in VALUED and "type" in node.values and len(way) < 6]
 
 
 def inserted(tree: Mapping, chance: random.Random) -> Mapping | None:
-    """A field is put before another one."""
+    """A field is inserted before another one."""
     one = picked(fields(tree), chance)
     if one is None:
         return None
     way, node = one
     new = Mapping(node.file, node.start, node.end, {})
     new = new.with_value("name", scalar("put_before", node)).with_value("type", scalar("u8", node))
-    held = at(tree, way[:-1])
-    assert isinstance(held, Items)
+    sequence = at(tree, way[:-1])
+    assert isinstance(sequence, Items)
     place = int(way[-1])
-    items = (*held.items[:place], new, *held.items[place:])
-    return put(tree, way[:-1], Items(held.file, held.start, held.end, items))
+    items = (*sequence.items[:place], new, *sequence.items[place:])
+    return put(tree, way[:-1], Items(sequence.file, sequence.start, sequence.end, items))
 
 
 def swapped(tree: Mapping, chance: random.Random) -> Mapping | None:
-    """Two fields that follow each other change places."""
+    """Two adjacent fields change places."""
     known = {way for way, _ in fields(tree)}
-    found = [way for way in known if (*way[:-1], int(way[-1]) + 1) in known]
-    if not found:
+    pairs = [way for way in known if (*way[:-1], int(way[-1]) + 1) in known]
+    if not pairs:
         return None
-    way = chance.choice(sorted(found, key=str))
-    held = at(tree, way[:-1])
-    assert isinstance(held, Items)
-    items = list(held.items)
+    way = chance.choice(sorted(pairs, key=str))
+    sequence = at(tree, way[:-1])
+    assert isinstance(sequence, Items)
+    items = list(sequence.items)
     place = int(way[-1])
     items[place], items[place + 1] = items[place + 1], items[place]
-    return put(tree, way[:-1], Items(held.file, held.start, held.end, tuple(items)))
+    return put(tree, way[:-1], Items(sequence.file, sequence.start, sequence.end, tuple(items)))
 
 
 def free(node: Mapping, key: str, tree_values: set[int], chance: random.Random) -> int:
@@ -186,16 +186,16 @@ def free(node: Mapping, key: str, tree_values: set[int], chance: random.Random) 
 
 
 def members(tree: Mapping) -> list[tuple[Way, Mapping]]:
-    found = of(tree, "enums", keys=("name", "value"), without=("unavailable",))
+    places = of(tree, "enums", keys=("name", "value"), without=("unavailable",))
     derived = {way[:2] for way, node in of(tree, "enums", keys=("derived",))}
-    return [(way, node) for way, node in found if way[-2] == "members" and way[:2] not in derived]
+    return [(way, node) for way, node in places if way[-2] == "members" and way[:2] not in derived]
 
 
 def renumbered(tree: Mapping, chance: random.Random) -> Mapping | None:
-    one = picked(members(tree), chance)
-    if one is None:
+    place = picked(members(tree), chance)
+    if place is None:
         return None
-    way, node = one
+    way, node = place
     used = {number(node, "value") for _, node in members(tree)}
     return put(tree, (*way, "value"), scalar(max(used) + chance.randint(1, 9), node))
 
@@ -213,10 +213,10 @@ def rows(tree: Mapping) -> list[tuple[Way, Mapping]]:
 
 
 def lone_rows(tree: Mapping) -> list[tuple[Way, Mapping]]:
-    """Registers that share their address with no other one."""
-    found = rows(tree)
-    used = [number(node, "at") for _, node in found]
-    return [(way, node) for way, node in found if used.count(number(node, "at")) == 1]
+    """Registers whose address no other register has."""
+    candidates = rows(tree)
+    used = [number(node, "at") for _, node in candidates]
+    return [(way, node) for way, node in candidates if used.count(number(node, "at")) == 1]
 
 
 def numbered(tree: Mapping) -> list[tuple[Way, Mapping]]:
@@ -246,11 +246,11 @@ def more(key: str, most: int = 9) -> Callable[[Mapping, random.Random], int]:
 
 
 def measured(tree: Mapping, chance: random.Random) -> Mapping | None:
-    """A field measures the bytes where it measured the items, or the other way round."""
-    one = picked([(way, node) for way, node in mappings(tree) if way and way[-1] == "measures"], chance)
-    if one is None:
+    """A field that counts items counts bytes, or the other way round."""
+    place = picked([(way, node) for way, node in mappings(tree) if way and way[-1] == "measures"], chance)
+    if place is None:
         return None
-    way, node = one
+    way, node = place
     key, other = ("bytes", "items") if "bytes" in node.values else ("items", "bytes")
     return put(tree, way, node.without(key).with_value(other, node.values[key]))
 
@@ -259,10 +259,10 @@ def turned(key: str) -> Mutation:
     """All links that have an order have the other one: a device has one order on all of them."""
 
     def mutation(tree: Mapping, _: random.Random) -> Mapping | None:
-        found = top("links", key)(tree)
-        for way, node in found:
+        candidates = top("links", key)(tree)
+        for way, node in candidates:
             tree = put(tree, (*way, key), scalar(SWAPPED[text(node, key)], node))
-        return tree if found else None
+        return tree if candidates else None
 
     return mutation
 
@@ -315,7 +315,9 @@ MUTATIONS: tuple[tuple[str, Mutation], ...] = (
         "sentinel_changed",
         setting(
             lambda tree: [
-                one for one in mappings(tree) if one[0] and "sentinels" in one[0][-2:] and "value" in one[1].values
+                place
+                for place in mappings(tree)
+                if place[0] and "sentinels" in place[0][-2:] and "value" in place[1].values
             ],
             "value",
             more("value"),
@@ -325,7 +327,7 @@ MUTATIONS: tuple[tuple[str, Mutation], ...] = (
     (
         "case_changed",
         setting(
-            lambda tree: [one for one in mappings(tree) if one[0] and "cases" in one[0][-2:]],
+            lambda tree: [place for place in mappings(tree) if place[0] and "cases" in place[0][-2:]],
             "when",
             lambda *_: "another",
         ),

@@ -1,4 +1,4 @@
-"""Random raw values and random bytes for records: mostly right ones, and some beside every limit."""
+"""Random raw values and random bytes for records: mostly valid ones, and some just outside every limit."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ _VALUES: dict[tuple[int, int], st.SearchStrategy[dict[str, Any]]] = {}
 
 
 def values_of(layout: DeviceLayout, record: RecordLayout) -> st.SearchStrategy[dict[str, Any]]:
-    """Values of all fields but constants, measures and reserved ones."""
-    # By identity: layouts are made once, and comparing them takes longer than a test.
+    """Values of all fields except constants, counting fields and reserved ones."""
+    # Compared by identity: layouts are computed once, and comparing them takes longer than a test.
     key = id(layout), id(record)
     if key not in _VALUES:
         _VALUES[key] = _values_of(layout, record)
@@ -48,15 +48,15 @@ def _choosing(layout: DeviceLayout, record: RecordLayout, selector: FieldLayout)
 
 
 def _field(layout: DeviceLayout, field: FieldLayout) -> st.SearchStrategy[Any]:
-    one = values_of(layout, field.record) if field.record else _value(layout, field.value)
+    nested = values_of(layout, field.record) if field.record else _value(layout, field.value)
     if not field.is_list:
-        return one
+        return nested
     repeat = field.field.repeat
     least, most = (repeat.low, repeat.high) if repeat else (field.count or 0, field.count or 0)
-    right = st.lists(one, min_size=least, max_size=min(most, least + 6))
+    right = st.lists(nested, min_size=least, max_size=min(most, least + 6))
     if most > 60:
         return right
-    return st.one_of(right, right, right, st.lists(one, min_size=max(least - 1, 0), max_size=most + 1))
+    return st.one_of(right, right, right, st.lists(nested, min_size=max(least - 1, 0), max_size=most + 1))
 
 
 def _value(layout: DeviceLayout, value: Value | None) -> st.SearchStrategy[Any]:
@@ -106,12 +106,12 @@ def _choosing_bytes(record: RecordLayout, selector: FieldLayout) -> st.SearchStr
         length = len(data) - (len(data) - decided.offset) % decided.size
         if not mend or len(data) < record.least or length < decided.offset:
             return data
-        made = bytearray(data[:length])
+        mended_bytes = bytearray(data[:length])
         order: Literal["big", "little"] = "big" if selector.order == "big" else "little"
-        made[selector.offset : selector.offset + selector.size] = number.to_bytes(selector.size, order)
+        mended_bytes[selector.offset : selector.offset + selector.size] = number.to_bytes(selector.size, order)
         for field in measures:
-            made[field.offset] = (length - decided.offset) // decided.size
-        return bytes(made)
+            mended_bytes[field.offset] = (length - decided.offset) // decided.size
+        return bytes(mended_bytes)
 
     return st.builds(mended, _random_bytes(record), st.sampled_from(sorted(record.chosen)), st.booleans())
 

@@ -1,4 +1,4 @@
-"""The page that shows how to add a device tells the truth: its device is checked and built as it says."""
+"""The page on adding a device is true: its device is checked and built as the page says."""
 
 from __future__ import annotations
 
@@ -13,43 +13,45 @@ from pathlib import Path
 import pytest
 
 from fieldspec.pipeline import checked
-from reading import project
+from spec_files import project
 
 ROOT = Path(__file__).parent.parent
 PAGE = ROOT / "docs" / "add-a-device.md"
 RUN = "$ fieldspec "
 
 WRONG, RIGHT = "default: 120, source", "default: 20, source"
-"""The row as the manual prints it, and as it is when the erratum is there."""
+"""The row as the manual prints it, and as it is with the erratum."""
 
 
-def block(kind: str, text: str) -> list[str]:
+def code_blocks(kind: str, text: str) -> list[str]:
     return re.findall(rf"```{kind}\n(.*?)```", text, re.DOTALL)
 
 
 def files() -> dict[str, str]:
-    """The files of the page by the paths that stand above them."""
-    found = re.findall(r"^`(specs/[\w./-]+)`\n\n```yaml\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL | re.MULTILINE)
-    assert len(found) == 5
-    return dict(found)
+    """The files on the page, by the paths above them."""
+    blocks = re.findall(r"^`(specs/[\w./-]+)`\n\n```yaml\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL | re.MULTILINE)
+    assert len(blocks) == 5
+    return dict(blocks)
 
 
 def run(command: str, folder: Path) -> str:
-    """What a command prints in a folder."""
+    """The output of a command in a folder."""
     words = command.removeprefix(RUN).split()
     ran = subprocess.run([sys.executable, "-m", "fieldspec", *words], cwd=folder, capture_output=True, encoding="utf-8")
     assert ran.stderr == ""
     return ran.stdout
 
 
-def test_the_frames_of_its_own_are_right() -> None:
-    (frames,) = (text for text in block("yaml", PAGE.read_text("utf-8")) if text.startswith("links:\n  - name: bus"))
+def test_the_frames_of_the_page_are_right() -> None:
+    (frames,) = (
+        text for text in code_blocks("yaml", PAGE.read_text("utf-8")) if text.startswith("links:\n  - name: bus")
+    )
     assert [finding.message for finding in checked(project(frames))] == []
 
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """The folder of a project with the device as it is before the erratum is written."""
+    """A project with the device as it is without the erratum."""
     shutil.copytree(ROOT / "specs" / "protocols", tmp_path / "specs" / "protocols")
     (tmp_path / "specs" / "lifter").mkdir()
     for path, text in files().items():
@@ -60,7 +62,7 @@ def folder(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def mended(folder: Path) -> Path:
-    """The same with the erratum, and with the row put right."""
+    """The same project with the erratum and the corrected row."""
     registers = folder / "specs" / "lifter" / "registers.yaml"
     text = registers.read_text("utf-8")
     assert WRONG in text
@@ -70,7 +72,7 @@ def mended(folder: Path) -> Path:
 
 
 def test_the_manual_of_the_page_is_the_one_that_its_device_names() -> None:
-    (manual, *_) = block("text", PAGE.read_text("utf-8"))
+    (manual, *_) = code_blocks("text", PAGE.read_text("utf-8"))
     device = files()["specs/lifter/device.yaml"]
     assert f"sha256: {hashlib.sha256(manual.encode()).hexdigest()}\n" in device
     assert f"lines: {len(manual.splitlines())}\n" in device
@@ -78,18 +80,18 @@ def test_the_manual_of_the_page_is_the_one_that_its_device_names() -> None:
 
 def test_the_misprint_is_found_as_the_page_shows_it(folder: Path, accept: bool) -> None:
     page = PAGE.read_text("utf-8")
-    first = block("console", page)[0]
+    first = code_blocks("console", page)[0]
     command = first.splitlines()[0]
     printed = f"{command}\n{run(command, folder)}"
     if accept:
         PAGE.write_text(page.replace(f"```console\n{first}```", f"```console\n{printed}```", 1), "utf-8", newline="\n")
     assert "default_within_range" in printed
-    assert block("console", PAGE.read_text("utf-8"))[0] == printed
+    assert code_blocks("console", PAGE.read_text("utf-8"))[0] == printed
 
 
 def test_the_mended_device_has_no_findings(mended: Path) -> None:
-    (shown,) = [one for one in block("console", PAGE.read_text("utf-8")) if "no findings" in one]
-    command, _, printed = shown.partition("\n")
+    (session,) = [block for block in code_blocks("console", PAGE.read_text("utf-8")) if "no findings" in block]
+    command, _, printed = session.partition("\n")
     assert run(command, mended) == printed
 
 
@@ -100,7 +102,7 @@ def test_the_erratum_is_needed(mended: Path) -> None:
 
 
 def test_the_mended_device_is_built(mended: Path) -> None:
-    (command,) = [one for one in block("console", PAGE.read_text("utf-8")) if "build" in one]
+    (command,) = [block for block in code_blocks("console", PAGE.read_text("utf-8")) if "build" in block]
     run(command.strip(), mended)
     outputs = sorted(path.name for path in (mended / "generated").iterdir() if path.is_dir())
     assert len(outputs) >= 3
@@ -111,15 +113,15 @@ def test_the_mended_device_is_built(mended: Path) -> None:
 
 def test_the_audit_of_the_mended_device_leaves_nothing(mended: Path, accept: bool) -> None:
     page = PAGE.read_text("utf-8")
-    (mended / "lifter.txt").write_text(block("text", page)[0], "utf-8", newline="\n")
-    shown = [one for one in block("console", page) if "audit" in one]
-    for one in shown:
-        command = one.splitlines()[0]
+    (mended / "lifter.txt").write_text(code_blocks("text", page)[0], "utf-8", newline="\n")
+    blocks = [block for block in code_blocks("console", page) if "audit" in block]
+    for block in blocks:
+        command = block.splitlines()[0]
         printed = f"{command}\n{run(command, mended)}"
-        page = page.replace(f"```console\n{one}```", f"```console\n{printed}```", 1)
+        page = page.replace(f"```console\n{block}```", f"```console\n{printed}```", 1)
     if accept:
         PAGE.write_text(page, "utf-8", newline="\n")
     assert PAGE.read_text("utf-8") == page
-    assert len(shown) == 2
-    told = json.loads(run("$ fieldspec audit lifter --format json", mended))
-    assert told["sections"]["coverage"]["findings"] == []
+    assert len(blocks) == 2
+    result = json.loads(run("$ fieldspec audit lifter --format json", mended))
+    assert result["sections"]["coverage"]["findings"] == []

@@ -1,4 +1,4 @@
-"""A fact may allow a check to fail at it, with a reason."""
+"""A fact may allow a rule to be broken there, with a reason."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ HOLE = "allow: {gaps_declared: Nobody knows.}"
 
 
 def codes(group: str = "", first: str = "", second: str = "") -> list[str]:
-    """The codes of what is found when a group and its rows have these keys too."""
+    """The codes of the findings when a group and its rows have these additional keys."""
     text = SPEC.replace("GROUP", group).replace("FIRST", f", {first}" if first else "")
     text = text.replace("SECOND", f", {second}" if second else "")
-    device, found = read({"gadget/device.yaml": text.encode()}).devices["gadget"].at("1")
-    assert found == []
+    device, findings = read({"gadget/device.yaml": text.encode()}).devices["gadget"].at("1")
+    assert findings == []
     return [finding.code for finding in checks.run(device)]
 
 
@@ -50,7 +50,7 @@ def test_allowance_of_one_check_does_not_hold_for_another() -> None:
     assert codes(second=HOLE) == ["addresses_disjoint", "allowances_used", "gaps_declared"]
 
 
-def test_one_check_alone_takes_allowances_too() -> None:
+def test_a_single_check_respects_allowances_too() -> None:
     text = SPEC.replace("GROUP", "").replace("FIRST", "").replace("SECOND", f", {OVERLAP}")
     device, _ = read({"gadget/device.yaml": text.encode()}).devices["gadget"].at("1")
     assert checks.run_named(device, "addresses_disjoint") == []

@@ -14,12 +14,21 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.audit.accounting import OPEN, Accounts, accounts
-from fieldspec.audit.citations import Judged, judged
+from fieldspec.audit.accounting import OPEN, Accounts, accounts_of
+from fieldspec.audit.citations import CitationResults, citation_results
 from fieldspec.audit.coverage import coverage
-from fieldspec.audit.line_facts import Cited, OnLine, cited
-from fieldspec.audit.manual_lines import NAME, Aligned, ManualIndex, aligned, index_of, index_text, parsed, unmoved
-from fieldspec.audit.plan import Plan, plan
+from fieldspec.audit.line_facts import LineCitations, LineFacts, line_citations
+from fieldspec.audit.manual_lines import (
+    NAME,
+    AlignedManual,
+    ManualIndex,
+    aligned,
+    index_of,
+    index_text,
+    parsed,
+    unmoved,
+)
+from fieldspec.audit.plan import Plan, plan_of
 from fieldspec.audit.section import Section, Subject
 from fieldspec.facts import FactRow, rows
 from fieldspec.layout.device import DeviceLayout, device_layout
@@ -76,23 +85,23 @@ def covered(device: str, manual: ManualIndex | None = None) -> Section:
 
 
 @cache
-def planned(device: str) -> tuple[Plan, Cited]:
+def planned(device: str) -> tuple[Plan, LineCitations]:
     """How its manual is read, and what cites each line."""
-    made, found = plan(spec(device), len(recorded(device).lines))
-    assert made is not None
-    assert found == []
-    return made, cited(spec(device), layouts(device), facts(device))
+    audit_plan, findings = plan_of(spec(device), len(recorded(device).lines))
+    assert audit_plan is not None
+    assert findings == []
+    return audit_plan, line_citations(spec(device), layouts(device), facts(device))
 
 
-def counted(device: str, manual: Aligned, told: Cited | None = None) -> Accounts:
+def accounts_with(device: str, manual: AlignedManual, citations: LineCitations | None = None) -> Accounts:
     """What is accounted for in a text of its manual."""
-    made, known = planned(device)
-    return accounts(manual, made, told or known)
+    audit_plan, known = planned(device)
+    return accounts_of(manual, audit_plan, citations or known)
 
 
-def judgement(device: str, manual: Aligned) -> Judged:
+def judgement(device: str, manual: AlignedManual) -> CitationResults:
     """Which citations hold."""
-    return judged([layout.device for layout in layouts(device)], manual, planned(device)[0])
+    return citation_results([layout.device for layout in layouts(device)], manual, planned(device)[0])
 
 
 def test_every_device_has_an_index() -> None:
@@ -108,10 +117,10 @@ def test_the_documentation_gives_the_numbers_of_the_manuals(accept: bool) -> Non
     page = PAGE.read_text("utf-8")
     fresh = page
     for device in DEVICES:
-        places, corrected, left_out, unaccounted, needed, _, held = covered(device).figures
+        places, corrected, left_out, unaccounted, needed, _, figure = covered(device).figures
         cells = [places.whole, places.number, corrected.number, left_out.number, unaccounted.number]
-        shares = [f"{one.number} of {one.whole}" for one in (needed, held)]
-        row = f"| `{device}` | {' | '.join(map(str, [*cells, *shares]))} |"
+        fractions = [f"{figure.number} of {figure.whole}" for figure in (needed, figure)]
+        row = f"| `{device}` | {' | '.join(map(str, [*cells, *fractions]))} |"
         fresh = re.sub(rf"^\| `{device}` \|(?: \d+ \|){{5}} \d+ of .*", row, fresh, flags=re.MULTILINE)
     if accept:
         PAGE.write_text(fresh, "utf-8", newline="\n")
@@ -121,7 +130,7 @@ def test_the_documentation_gives_the_numbers_of_the_manuals(accept: bool) -> Non
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_most_facts_would_be_missed(device: str) -> None:
-    needed = counted(device, unmoved(recorded(device))).needed
+    needed = accounts_with(device, unmoved(recorded(device))).needed
     numbered = judgement(device, unmoved(recorded(device))).numbered
     assert len(needed & numbered.keys()) >= LEAST_NEEDED[device] * len(numbered)
 
@@ -130,14 +139,16 @@ def test_most_facts_would_be_missed(device: str) -> None:
 def test_a_fact_that_is_gone_is_noticed(device: str) -> None:
     known = planned(device)[1]
     manual = unmoved(recorded(device))
-    needed = sorted(counted(device, manual).needed)
+    needed = sorted(accounts_with(device, manual).needed)
     for gone in random.Random(1).sample(needed, 12):
-        told = {
-            line: OnLine([row for row in held.facts if not f"{row['path']}/".startswith(f"{gone}/")], held.errata)
-            for line, held in known.by_line.items()
+        by_line = {
+            line: LineFacts(
+                [row for row in figure.facts if not f"{row['path']}/".startswith(f"{gone}/")], figure.errata
+            )
+            for line, figure in known.by_line.items()
         }
-        left = counted(device, manual, Cited(told, known.lines, known.elided))
-        assert OPEN in {one.status for one in left.candidates}, gone
+        left = accounts_with(device, manual, LineCitations(by_line, known.lines, known.elided))
+        assert OPEN in {candidate.status for candidate in left.candidates}, gone
 
 
 @pytest.mark.parametrize("device", DEVICES)
@@ -158,41 +169,43 @@ def test_the_text_itself_says_the_same(device: str) -> None:
 def test_lines_that_are_inserted_and_removed_move_the_citations_along(device: str) -> None:
     chosen = random.Random(device)
     lines = recorded(device).lines
-    kept = [number for number, digest in enumerate(recorded(device).digests) if digest or chosen.random() > 0.5]
+    numbers = [number for number, digest in enumerate(recorded(device).digests) if digest or chosen.random() > 0.5]
     shifted = []
-    for number in kept:
+    for number in numbers:
         shifted += ["inserted in another edition"] if chosen.random() < 0.02 else []
         shifted.append(number)
     other = ManualIndex(
         hashlib.sha256(b"another").hexdigest(),
-        [recorded(device).digests[one] if isinstance(one, int) else "0000abcd" for one in shifted],
-        [lines[one] if isinstance(one, int) else "…" for one in shifted],
+        [recorded(device).digests[number] if isinstance(number, int) else "0000abcd" for number in shifted],
+        [lines[number] if isinstance(number, int) else "…" for number in shifted],
         recorded(device).file,
         recorded(device).offset,
     )
     section = covered(device, other)
     assert [finding.message for finding in section.findings] == []
-    assert any("(100 %)" in said for said in section.says)
+    assert any("(100 %)" in text for text in section.paragraphs)
 
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_line_that_is_changed_fails_what_it_alone_is_cited_for(device: str) -> None:
-    made, known = planned(device)
+    audit_plan, known = planned(device)
     index = recorded(device)
     alone = sorted(
         (line, str(row["path"]))
-        for line, held in known.by_line.items()
-        for row in held.facts
+        for line, figure in known.by_line.items()
+        for row in figure.facts
         if row["kind"] in ("register", "bit", "enum_value", "parameter")
         and re.fullmatch(rf"\S+ L{line}", str(row["sources"]))
-        and not any(fnmatchcase(str(row["path"]), like) for one in made.unprinted for like in one.facts)
+        and not any(
+            fnmatchcase(str(row["path"]), like) for unprinted in audit_plan.unprinted for like in unprinted.facts
+        )
     )
     for number, path in random.Random(device).sample(alone, 8):
         texts = [line if at != number else "…" for at, line in enumerate(index.lines, 1)]
         digests = [digest if at != number else "0000abcd" for at, digest in enumerate(index.digests, 1)]
         other = ManualIndex("0" * 64, digests, texts, index.file, index.offset)
         failing = judgement(device, aligned(index, other)).missing
-        assert any(f"{path}/".startswith(f"{one.path}/") for one in failing), path
+        assert any(f"{path}/".startswith(f"{missing.path}/") for missing in failing), path
 
 
 @pytest.mark.parametrize("device", DEVICES)

@@ -15,7 +15,7 @@ SPECS = Path(__file__).resolve().parent.parent / "specs"
 
 @pytest.fixture
 def specs(tmp_path: Path) -> Path:
-    """A copy of the specs that a test may spoil."""
+    """A copy of the specs that a test may change."""
     return Path(shutil.copytree(SPECS, tmp_path / "specs"))
 
 
@@ -52,7 +52,7 @@ def test_a_spec_with_findings_leaves_the_old_outputs(specs: Path, tmp_path: Path
     assert texts(tmp_path / "out") == before
 
 
-def test_a_folder_where_a_file_should_be_written_is_said_and_nothing_changes(
+def test_a_folder_in_place_of_a_file_is_reported_and_nothing_changes(
     specs: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out = tmp_path / "out"
@@ -64,7 +64,7 @@ def test_a_folder_where_a_file_should_be_written_is_said_and_nothing_changes(
         assert texts(out) == before
 
 
-def test_a_file_where_the_folder_should_be_is_wrong_use(
+def test_a_file_in_place_of_the_folder_is_wrong_use(
     specs: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "out").write_text("not a folder", encoding="utf-8")
@@ -73,7 +73,7 @@ def test_a_file_where_the_folder_should_be_is_wrong_use(
     assert (tmp_path / "out").read_text("utf-8") == "not a folder"
 
 
-def test_check_tells_which_files_are_not_fresh_and_writes_nothing(
+def test_check_lists_the_files_that_are_not_fresh_and_writes_nothing(
     specs: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     build(specs, tmp_path / "out", "--to", "vectors")
@@ -102,6 +102,6 @@ def test_one_version_of_one_device_can_be_built(specs: Path, tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize("arguments", [["--to", "pascal"], ["--to", ""], ["no_such_device"], ["tc100@9.9"]])
-def test_what_there_is_not_is_wrong_use(arguments: list[str], specs: Path, tmp_path: Path) -> None:
+def test_an_unknown_device_version_or_output_is_wrong_use(arguments: list[str], specs: Path, tmp_path: Path) -> None:
     assert build(specs, tmp_path / "out", *arguments) == 2
     assert not (tmp_path / "out").exists()

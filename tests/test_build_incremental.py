@@ -1,18 +1,18 @@
-"""A build makes only what is not fresh any more, and what it keeps is what it would make."""
+"""A build makes only what is out of date, and what it reuses is equal to what it would make."""
 
 from __future__ import annotations
 
 import json
 import os
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
 
 from fieldspec import pipeline
 from fieldspec.cli import main
-from fieldspec.commands import caching, fresh, working
+from fieldspec.commands import cache_folder, freshness, workers
 
 SPECS = Path(__file__).resolve().parent / "specs"
 OUTPUTS = "vectors,c"
@@ -36,20 +36,22 @@ class Place:
         self.spec.write_text(self.spec.read_text("utf-8") + USE, encoding="utf-8")
         self.made: list[str] = []
         self.devices = ["gadget", "gizmo", "glider-x"]
-        made = pipeline.output
+        output_stage = pipeline.output
 
-        def noted(name: str, versions: list[pipeline.DeviceLayout]) -> dict[str, bytes]:
+        def noted(
+            name: str, versions: list[pipeline.DeviceLayout], links: Sequence[pipeline.PageLink] = ()
+        ) -> dict[str, bytes]:
             self.made.append(f"{versions[0].device.id} {name}")
-            return made(name, versions)
+            return output_stage(name, versions, links)
 
         monkeypatch.setattr(pipeline, "output", noted)
-        monkeypatch.setattr(working, "WORTH_IT", 10**9)  # within this process, where the notes are
+        monkeypatch.setattr(workers, "WORTH_IT", 10**9)  # within this process, where the notes are
         monkeypatch.setenv("FIELDSPEC_CACHE", str(folder / "cache"))
 
     def build(self, *more: str, to: str = OUTPUTS, out: Path | None = None) -> int:
         """Builds, with a fresh note, and a compiler that is looked at anew."""
         self.made.clear()
-        fresh._at_start.clear()
+        freshness._at_start.clear()
         return main(["build", "--specs", str(self.specs), "--out", str(out or self.out), "--to", to, *more])
 
     def texts(self, out: Path | None = None) -> dict[str, bytes]:
@@ -65,16 +67,16 @@ class Place:
     def forgets(self, path: str) -> None:
         """Takes a file away, and out of the manifest."""
         (self.out / path).unlink()
-        held = json.loads(self.manifest.read_text("utf-8"))
-        del held["files"][path]
-        self.manifest.write_text(json.dumps(held), encoding="utf-8")
+        manifest = json.loads(self.manifest.read_text("utf-8"))
+        del manifest["files"][path]
+        self.manifest.write_text(json.dumps(manifest), encoding="utf-8")
 
     def wrote(self, path: str, content: bytes) -> None:
         """Puts a content into a file, as if it had been made like that."""
         (self.out / path).write_bytes(content)
-        held = json.loads(self.manifest.read_text("utf-8"))
-        held["files"][path] = fresh.digest(content)
-        self.manifest.write_text(json.dumps(held), encoding="utf-8")
+        manifest = json.loads(self.manifest.read_text("utf-8"))
+        manifest["files"][path] = freshness.digest(content)
+        self.manifest.write_text(json.dumps(manifest), encoding="utf-8")
 
     @property
     def spec(self) -> Path:
@@ -89,17 +91,17 @@ class Place:
     @property
     def record(self) -> Path:
         """The note of the last build."""
-        (path,) = Path(caching.folder(), fresh.KIND).iterdir()
+        (path,) = Path(cache_folder.folder(), freshness.KIND).iterdir()
         return path
 
 
 @pytest.fixture
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     """Specs that are built already."""
-    made = Place(tmp_path, monkeypatch)
-    assert made.build() == 0
-    assert sorted(made.made) == made.of(*made.devices)
-    return made
+    workplace = Place(tmp_path, monkeypatch)
+    assert workplace.build() == 0
+    assert sorted(workplace.made) == workplace.of(*workplace.devices)
+    return workplace
 
 
 def replaced(path: Path, old: str, new: str) -> None:
@@ -179,7 +181,7 @@ def test_a_file_that_is_not_as_it_was_built_is_made_again(place: Place, spoil: C
 
 
 def test_with_another_compiler_everything_is_made(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(caching, "identity", lambda: "another")
+    monkeypatch.setattr(cache_folder, "identity", lambda: "another")
     assert place.build() == 0
     assert sorted(place.made) == place.of(*place.devices)
     assert place.build() == 0
@@ -189,7 +191,7 @@ def test_with_another_compiler_everything_is_made(place: Place, monkeypatch: pyt
 def test_a_compiler_that_changes_while_it_runs_notes_nothing(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     before = place.record.read_bytes()
     turns = iter(range(100))
-    monkeypatch.setattr(caching, "state", lambda parts: str(next(turns)))
+    monkeypatch.setattr(cache_folder, "state", lambda parts: str(next(turns)))
     replaced(place.spec, "name: Gadget", "name: Gidget")
     assert place.build() == 0
     assert sorted(place.made) == place.of("gadget")
@@ -197,13 +199,13 @@ def test_a_compiler_that_changes_while_it_runs_notes_nothing(place: Place, monke
 
 
 def test_the_compiler_is_every_file_of_it_and_its_libraries(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    names = {Path(path).name for path in caching._files(caching._PACKAGE)}
-    assert {"cli.py", "page.html.in", "page.css", "spec.schema.json", "_frames.py"} <= names
+    names = {Path(path).name for path in cache_folder._files(cache_folder._PACKAGE)}
+    assert {"cli.py", "page.html.j2", "page.css", "spec.schema.json", "_frames.py"} <= names
     assert not any(name.endswith(".pyc") for name in names)
-    assert all("info" in caching._version(*one) for one in caching.LIBRARIES.items())
-    first = caching.identity()
-    monkeypatch.setattr(caching, "_version", lambda module, distribution: "2.0")
-    assert caching.identity() != first
+    assert all("info" in cache_folder._version(*library) for library in cache_folder.LIBRARIES.items())
+    first = cache_folder.identity()
+    monkeypatch.setattr(cache_folder, "_version", lambda module, distribution: "2.0")
+    assert cache_folder.identity() != first
 
 
 @pytest.mark.parametrize(
@@ -348,8 +350,8 @@ def test_without_a_folder_to_keep_notes_in_all_is_made(place: Place, monkeypatch
 
 
 def test_processes_make_what_one_makes(place: Place, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(working, "WORTH_IT", 0)
-    monkeypatch.setattr(working, "_processors", lambda: 3)
+    monkeypatch.setattr(workers, "WORTH_IT", 0)
+    monkeypatch.setattr(workers, "_processors", lambda: 3)
     assert place.build("--no-cache", out=tmp_path / "all") == 0
     assert place.texts(tmp_path / "all") == place.texts()
     for device in place.devices:
@@ -362,14 +364,14 @@ def test_processes_make_what_one_makes(place: Place, tmp_path: Path, monkeypatch
 
 def test_caches_are_data_that_nobody_executes(place: Place) -> None:
     digest, _, text = place.record.read_bytes().partition(b"\n")
-    assert caching.checksum(text).encode() == digest
-    assert json.loads(text)["compiler"] == caching.identity()
+    assert cache_folder.checksum(text).encode() == digest
+    assert json.loads(text)["compiler"] == cache_folder.identity()
     assert oct(place.record.stat().st_mode & 0o177) == "0o0"
 
 
 def test_only_the_newest_notes_are_kept(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(caching, "MOST", 3)
+    monkeypatch.setattr(cache_folder, "MOST", 3)
     for number in range(5):
-        caching.store("test", str(number), b"%d" % number)
-        os.utime(caching._path("test", str(number)), ns=(number, number))
-    assert [caching.cached("test", str(number)) for number in range(5)] == [None, None, b"2", b"3", b"4"]
+        cache_folder.store("test", str(number), b"%d" % number)
+        os.utime(cache_folder._path("test", str(number)), ns=(number, number))
+    assert [cache_folder.cached("test", str(number)) for number in range(5)] == [None, None, b"2", b"3", b"4"]

@@ -1,4 +1,4 @@
-"""`build --watch` builds again at every save, and lives on with what is wrong."""
+"""`build --watch` builds again at every save and keeps running when something is wrong."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ class Watch:
             self.command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, encoding="utf-8"
         )
 
-    def told(self) -> str:
-        """What is printed up to the end of the next build."""
+    def next_output(self) -> str:
+        """The output up to the end of the next build."""
         assert self.process.stdout is not None
         lines = []
         for line in self.process.stdout:
@@ -53,51 +53,51 @@ class Watch:
 @pytest.fixture
 def watch(tmp_path: Path) -> Iterator[Watch]:
     """A watch whose first build is done."""
-    made = Watch(tmp_path)
+    session = Watch(tmp_path)
     try:
-        assert "built in" in made.told()
-        yield made
+        assert "built in" in session.next_output()
+        yield session
     finally:
-        made.process.kill()
-        made.process.communicate()
+        session.process.kill()
+        session.process.communicate()
 
 
 def test_a_save_builds_again(watch: Watch) -> None:
     before = watch.texts()
     watch.save(watch.spec.read_text("utf-8").replace("name: Gizmo", "name: Gimmick"))
-    assert "\nbuilt in" in watch.told()
+    assert "\nbuilt in" in watch.next_output()
     assert watch.texts() != before
     assert watch.texts().keys() == before.keys()
 
 
-def test_a_broken_spec_shows_what_is_found_and_keeps_the_outputs(watch: Watch) -> None:
+def test_a_broken_spec_shows_the_findings_and_keeps_the_outputs(watch: Watch) -> None:
     before, text = watch.texts(), watch.spec.read_text("utf-8")
     watch.save(text.replace("u16", "u17", 1))
-    told = watch.told()
-    assert "u17" in told
-    assert "device.yaml:" in told
-    assert "not built in" in told
+    output = watch.next_output()
+    assert "u17" in output
+    assert "device.yaml:" in output
+    assert "not built in" in output
     assert watch.texts() == before
     watch.save(text)
-    assert "\nbuilt in" in watch.told()
+    assert "\nbuilt in" in watch.next_output()
     assert watch.texts() == before
 
 
-def test_specs_that_are_gone_are_waited_for(watch: Watch) -> None:
+def test_the_watch_waits_for_specs_that_are_gone(watch: Watch) -> None:
     text = watch.spec.read_text("utf-8")
     watch.spec.unlink()
-    assert "holds no device" in watch.told()
+    assert "holds no device" in watch.next_output()
     watch.save(text)
-    assert "\nbuilt in" in watch.told()
+    assert "\nbuilt in" in watch.next_output()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no such signal")
-def test_an_interrupt_ends_it(watch: Watch) -> None:
+def test_an_interrupt_ends_the_watch(watch: Watch) -> None:
     watch.process.send_signal(signal.SIGINT)
     assert watch.process.wait(20) == 130
 
 
-def test_wrong_use_ends_it_at_once(watch: Watch) -> None:
+def test_wrong_use_ends_the_watch_at_once(watch: Watch) -> None:
     ran = subprocess.run([*watch.command, "--to", "pascal"], capture_output=True, text=True, timeout=60)
     assert ran.returncode == 2
     assert "there is no output pascal" in ran.stderr

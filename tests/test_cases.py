@@ -19,7 +19,7 @@ from fieldspec.audit.register_dump import compared, judged
 from fieldspec.audit.review import sign_off
 from fieldspec.audit.section import Subject
 from fieldspec.backends import OUTPUTS
-from fieldspec.commands.sources import files as specs
+from fieldspec.commands.spec_files import files as specs
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.facts import rows
 from fieldspec.lists.dump import dump
@@ -39,12 +39,12 @@ def name(folder: Path) -> str:
 
 
 def audited(folder: Path, spec: DeviceSpec) -> list[Diagnostic]:
-    """What an audit finds in the comparison with the manual and in the reviews; or, where there is one, in a dump."""
+    """The findings of an audit: from the manual and the reviews, or from a dump where the case has one."""
     versions = layouts(spec)
-    dumped, manual = folder / "dump.csv", folder / "manual.txt"
-    if dumped.exists():
-        data = dumped.read_bytes()
-        file = SourceFile(dumped.name, data.decode("utf-8"))
+    path, manual = folder / "dump.csv", folder / "manual.txt"
+    if path.exists():
+        data = path.read_bytes()
+        file = SourceFile(path.name, data.decode("utf-8"))
         starts = {row: file.text.index(line) for row, line in enumerate(file.text.splitlines(), 1)}
         return judged(compared(versions[-1], dump(text_sheet(data), {})), file, starts)
     index = index_of(manual.name, manual.read_bytes()) if manual.exists() else None
@@ -52,7 +52,7 @@ def audited(folder: Path, spec: DeviceSpec) -> list[Diagnostic]:
     return [finding for part in (coverage, sign_off) for finding in part(subject).findings]
 
 
-def found(folder: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+def findings_text(folder: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     """The findings of a case as text."""
     limits = folder / "limits.json"
     for limit, value in json.loads(limits.read_text("utf-8")).items() if limits.exists() else ():
@@ -60,18 +60,20 @@ def found(folder: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     files = {f"gadget/{path.name}": path.read_bytes() for path in sorted(folder.glob("*.yaml"))} or specs(folder)
     assert files, f"{name(folder)} has no spec"
     project = load(files)
-    given = checked(project)
+    findings = checked(project)
     stage = rule(folder.parent.name)
-    if stage is not None and stage.stage == "audits" and not given:
-        given = in_order(one for spec in project.devices.values() for one in audited(folder, spec))
-    if stage is not None and stage.stage == "outputs" and not given:
-        given = in_order(one for spec in project.devices.values() for one in refusals(layouts(spec), OUTPUTS))
-    return concise(given)
+    if stage is not None and stage.stage == "audits" and not findings:
+        findings = in_order(finding for spec in project.devices.values() for finding in audited(folder, spec))
+    if stage is not None and stage.stage == "outputs" and not findings:
+        findings = in_order(
+            finding for spec in project.devices.values() for finding in refusals(layouts(spec), OUTPUTS)
+        )
+    return concise(findings)
 
 
 @pytest.mark.parametrize("folder", [f for f in FOLDERS if f.name.startswith("failing")], ids=name)
 def test_broken_spec_has_the_expected_findings(folder: Path, accept: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = found(folder, monkeypatch)
+    text = findings_text(folder, monkeypatch)
     expected = folder / "expected.txt"
     if accept:
         expected.write_text(text, "utf-8", newline="\n")
@@ -81,7 +83,7 @@ def test_broken_spec_has_the_expected_findings(folder: Path, accept: bool, monke
 
 @pytest.mark.parametrize("folder", [f for f in FOLDERS if f.name.startswith("passing")], ids=name)
 def test_good_spec_has_no_findings(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert found(folder, monkeypatch) == ""
+    assert findings_text(folder, monkeypatch) == ""
 
 
 @pytest.mark.parametrize("kind", ["failing", "passing"])

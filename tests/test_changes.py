@@ -6,6 +6,7 @@ folder, which both sides have. `expected.txt` holds all changes that are found.
 
 from __future__ import annotations
 
+import ast
 from functools import cache
 from pathlib import Path
 
@@ -25,21 +26,21 @@ PAGE = Path(__file__).parent.parent / "docs" / "changes.md"
 
 @cache
 def devices(folder: Path) -> tuple[Device, Device]:
-    """The two sides of a folder."""
-    sides = []
+    """The old and the new device of a folder."""
+    device_models = []
     for side in ("old", "new"):
         files = {"gadget/device.yaml": CASES / "device.yaml", "gadget/common.yaml": folder / "common.yaml"}
         files |= {f"gadget/{side}_{path.name}": path for path in sorted((folder / side).glob("*.yaml"))}
         project = read({path: file.read_bytes() for path, file in files.items() if file.exists()})
         assert [finding.message for finding in project.findings] == []
         spec = project.devices["gadget"]
-        device, found = spec.at(spec.versions()[-1])
-        assert [finding.message for finding in found] == []
-        sides.append(device)
-    return sides[0], sides[1]
+        device, findings = spec.at(spec.versions()[-1])
+        assert [finding.message for finding in findings] == []
+        device_models.append(device)
+    return device_models[0], device_models[1]
 
 
-def found(folder: Path) -> list[Change]:
+def changes_of(folder: Path) -> list[Change]:
     return changes(*devices(folder))
 
 
@@ -49,16 +50,18 @@ def name(folder: Path) -> str:
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=name)
 def test_the_changes_between_two_specs_are_found(folder: Path, accept: bool) -> None:
-    text = concise(found(folder))
+    text = concise(changes_of(folder))
     expected = folder / "expected.txt"
     if accept:
         expected.write_text(text, "utf-8", newline="\n")
     assert text == expected.read_text("utf-8")
 
 
-@pytest.mark.parametrize(("rule", "effects"), [(code, effects) for code, _, effects in RULES], ids=lambda one: str(one))
+@pytest.mark.parametrize(
+    ("rule", "effects"), [(code, effects) for code, _, effects in RULES], ids=lambda param: str(param)
+)
 def test_every_rule_has_a_folder_that_shows_each_of_its_classes(rule: str, effects: tuple[Effect, ...]) -> None:
-    assert {change.effect for change in found(CASES / rule) if change.rule == rule} == set(effects)
+    assert {change.effect for change in changes_of(CASES / rule) if change.rule == rule} == set(effects)
 
 
 def test_every_folder_belongs_to_a_rule() -> None:
@@ -72,8 +75,8 @@ def test_a_spec_does_not_differ_from_itself(folder: Path) -> None:
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=name)
 def test_every_change_has_values_places_and_a_class_of_its_rule(folder: Path) -> None:
-    effects = {code: held for code, _, held in RULES}
-    for change in found(folder):
+    effects = {code: class_effects for code, _, class_effects in RULES}
+    for change in changes_of(folder):
         assert change.effect in effects[change.rule]
         assert change.old != change.new
         assert change.before or change.after or change.what in ("line of versions", "version")
@@ -88,9 +91,14 @@ def test_rules_are_listed_by_name() -> None:
     assert [rule.__name__ for _, rule, _ in RULES] == names
 
 
-def test_every_module_that_documents_a_rule_is_in_the_table() -> None:
-    folder = Path(rules.__file__).parent / "changes"
-    documented = {path.stem for path in folder.glob("*.py") if "\nCure: " in path.read_text("utf-8")}
+def test_every_function_that_documents_a_rule_is_in_the_table() -> None:
+    folder = Path(rules.__file__).parent / "changes" / "rules"
+    functions = [node for path in folder.glob("*.py") for node in ast.parse(path.read_text("utf-8")).body]
+    documented = {
+        node.name
+        for node in functions
+        if isinstance(node, ast.FunctionDef) and "\nCure: " in (ast.get_docstring(node) or "")
+    }
     assert documented == {code for code, _, _ in RULES}
 
 

@@ -1,4 +1,4 @@
-"""Nothing of the model can be forgotten by the diff.
+"""The diff overlooks no attribute of the model.
 
 Every attribute of every class of the model is changed, in every kind of place where the class stands: some rule has to
 notice it, or the attribute is listed here with the reason why none does.
@@ -27,11 +27,11 @@ from fieldspec.model.fact import Citation, Claim, Place, Report, Standard
 from fieldspec.model.value import PRIMITIVES, ParameterPart, Primitive, Ranges, Sentinel, Value
 from fieldspec.reading.project import read
 from fieldspec.source import SourceFile, Span
-from reading import gadget
+from spec_files import gadget
 
-MADE_UP = Path(__file__).parent / "specs"
+TEST_SPECS = Path(__file__).parent / "specs"
 
-# What the made-up devices have not.
+# Features that the made-up devices lack.
 MORE = """
 registers:
   - group: all
@@ -96,7 +96,7 @@ IGNORED = {
 @cache
 def devices() -> tuple[Device, ...]:
     """The newest versions of the made-up devices, which use every feature of the language."""
-    files = {path.relative_to(MADE_UP).as_posix(): path.read_bytes() for path in MADE_UP.rglob("*.yaml")}
+    files = {path.relative_to(TEST_SPECS).as_posix(): path.read_bytes() for path in TEST_SPECS.rglob("*.yaml")}
     project = read(files)
     specs = (*project.devices.values(), gadget(MORE))
     return tuple(spec.at(spec.versions()[-1])[0] for spec in specs)
@@ -105,17 +105,19 @@ def devices() -> tuple[Device, ...]:
 def classes() -> Iterator[type]:
     """All dataclasses of the model."""
     for module in iter_modules(fieldspec.model.__path__, "fieldspec.model."):
-        for held in vars(import_module(module.name)).values():
-            if dataclasses.is_dataclass(held) and isinstance(held, type) and held.__module__ == module.name:
-                yield held
+        if module.name == "fieldspec.model.attributes":
+            continue  # it describes these classes
+        for member in vars(import_module(module.name)).values():
+            if dataclasses.is_dataclass(member) and isinstance(member, type) and member.__module__ == module.name:
+                yield member
 
 
 Step = tuple[str, Any]
-Held = tuple[Device, str, Any, tuple[Any, ...]]
+Position = tuple[Device, str, Any, tuple[Any, ...]]
 
 
 def walk(holder: Any, item: Any, path: tuple[Any, ...]) -> Iterator[tuple[str, Any, tuple[Any, ...]]]:
-    """All dataclasses below one, with the name of the class that holds each, and the way to it."""
+    """All dataclasses below one, each with the name of the class that contains it and the path to it."""
     if dataclasses.is_dataclass(item) and not isinstance(item, type | Primitive):
         yield type(holder).__name__, item, path
         for field in dataclasses.fields(item):
@@ -130,17 +132,17 @@ def walk(holder: Any, item: Any, path: tuple[Any, ...]) -> Iterator[tuple[str, A
 
 
 @cache
-def found() -> dict[tuple[str, type], list[Held]]:
-    """The places of every class, by the class that holds it."""
-    places: dict[tuple[str, type], list[Held]] = {}
+def positions() -> dict[tuple[str, type], list[Position]]:
+    """The positions of the instances of every class, by the class that contains it."""
+    by_class: dict[tuple[str, type], list[Position]] = {}
     for device in devices():
         for holder, item, path in walk(None, device, ()):
-            places.setdefault((holder, type(item)), []).append((device, holder, item, path))
-    return places
+            by_class.setdefault((holder, type(item)), []).append((device, holder, item, path))
+    return by_class
 
 
 def with_changed(item: Any, path: tuple[Any, ...], value: Any) -> Any:
-    """A copy of a device where something else stands at the end of a way."""
+    """A copy of a device with another value at the end of a path."""
     if not path:
         return value
     step, *rest = path
@@ -152,7 +154,7 @@ def with_changed(item: Any, path: tuple[Any, ...], value: Any) -> Any:
 
 
 def others(value: Any, hint: Any) -> Iterator[Any]:
-    """Other values than one of an attribute."""
+    """Values of an attribute that differ from its current one."""
     if isinstance(value, bool):
         yield not value
     elif isinstance(value, int | Decimal):
@@ -181,16 +183,16 @@ def others(value: Any, hint: Any) -> Iterator[Any]:
             yield {"key": SAMPLES[typing.get_args(hint)[-1]]}
     elif isinstance(value, tuple) and value:
         yield value[:-1]
-        if len(value) == 2 and all(isinstance(one, int) for one in value):
+        if len(value) == 2 and all(isinstance(number, int) for number in value):
             yield value[0] + 1, value[1] + 1
     elif value is None or value == ():
-        yield from made(hint)
+        yield from values_of_type(hint)
     elif type(None) in typing.get_args(hint):
         yield None
 
 
-def made(hint: Any) -> Iterator[Any]:
-    """Values of a type where there was nothing."""
+def values_of_type(hint: Any) -> Iterator[Any]:
+    """Values of a type for an attribute that has none."""
     for inner in typing.get_args(hint) if isinstance(hint, types.UnionType) else (hint,):
         if inner in (int, Decimal, bool):
             yield inner(1)
@@ -207,29 +209,29 @@ def ignored(holder: str, noun: type, attribute: str) -> bool:
     return any(name in IGNORED for name in names)
 
 
-ALWAYS_HELD = {
+NEVER_ABSENT = {
     noun.__name__: [
         name
         for name, hint in typing.get_type_hints(noun).items()
         if dataclasses.is_dataclass(hint) and hint is not Primitive and hint is not Place
     ]
-    for _, noun in found()
+    for _, noun in positions()
 }
-"""Attributes that are never without their dataclass, whose own attributes are changed."""
+"""Attributes that always have a dataclass as their value; the attributes of that dataclass are changed."""
 
 CASES = [
     pytest.param(holder, noun, field.name, id=f"{holder}/{noun.__name__}.{field.name}")
-    for holder, noun in found()
+    for holder, noun in positions()
     for field in dataclasses.fields(noun)
-    if field.name not in ALWAYS_HELD.get(noun.__name__, ())
+    if field.name not in NEVER_ABSENT.get(noun.__name__, ())
 ]
 
 
 def noticed(holder: str, noun: type, attribute: str) -> set[str]:
-    """The rules that notice another value of an attribute, wherever the class stands."""
+    """The rules that notice another value of an attribute, wherever the class occurs."""
     hint = typing.get_type_hints(noun)[attribute]
     rules: set[str] = set()
-    for device, _, item, path in found()[holder, noun]:
+    for device, _, item, path in positions()[holder, noun]:
         for value in others(getattr(item, attribute), hint):
             if getattr(item, attribute) != value:
                 new = with_changed(device, (*path, attribute), value)
@@ -246,14 +248,14 @@ def test_every_attribute_of_the_model_is_compared_or_listed(holder: str, noun: t
 
 
 def test_the_made_up_devices_have_every_class_of_the_model() -> None:
-    missing = {noun.__name__ for noun in classes()} - {noun.__name__ for _, noun in found()}
-    assert missing == {"Fact", "Operand", "Place", "Primitive"}
+    missing = {noun.__name__ for noun in classes()} - {noun.__name__ for _, noun in positions()}
+    assert missing == {"Fact", "Operand", "Place", "Primitive", "Shape"}
 
 
 def test_every_reason_to_ignore_an_attribute_is_about_an_attribute() -> None:
-    names = {f"{noun.__name__}.{field.name}" for _, noun in found() for field in dataclasses.fields(noun)}
+    names = {f"{noun.__name__}.{field.name}" for _, noun in positions() for field in dataclasses.fields(noun)}
     names |= {
-        f"{holder}/{noun.__name__}.{field.name}" for holder, noun in found() for field in dataclasses.fields(noun)
+        f"{holder}/{noun.__name__}.{field.name}" for holder, noun in positions() for field in dataclasses.fields(noun)
     }
     names |= {f"*.{field.name}" for noun in classes() for field in dataclasses.fields(noun)}
     assert set(IGNORED) - names == set()
@@ -263,8 +265,8 @@ def test_a_device_does_not_differ_from_itself() -> None:
     assert [changes(device, device) for device in devices()] == [[] for _ in devices()]
 
 
-def test_values_are_held_by_every_noun_that_has_one() -> None:
-    assert {holder for holder, noun in found() if noun is Value} == {
+def test_values_occur_in_every_class_that_may_have_one() -> None:
+    assert {holder for holder, noun in positions() if noun is Value} == {
         "Case",
         "Field",
         "Parameter",

@@ -7,7 +7,7 @@ import random
 import pytest
 
 from fieldspec.changes import changes
-from fieldspec.changes.judging import Compared, accepts_used, judged
+from fieldspec.changes.acceptances import ComparedVersions, accepts_used, judged_changes
 from fieldspec.reading.building.device import built
 from fieldspec.reading.nodes import Mapping, Node
 from fieldspec.reading.scalars import violations_at
@@ -36,11 +36,11 @@ def test_broken_devices_are_compared(seed: int) -> None:
             continue
         device = built(broken, version)[0]
         for old, new in ((sound, device), (device, sound)):
-            found = changes(old, new)
-            assert [change for change in found if change.old == change.new] == []
-            held = Compared(old, new, found, step=True)
-            assert len(judged(held)) == len(found)
-            list(accepts_used([held]))
+            noticed = changes(old, new)
+            assert [change for change in noticed if change.old == change.new] == []
+            comparison = ComparedVersions(old, new, noticed, step=True)
+            assert len(judged_changes(comparison)) == len(noticed)
+            list(accepts_used([comparison]))
         compared += 1
         if compared == ROUNDS:
             break

@@ -1,4 +1,4 @@
-"""The arithmetic of addresses and ranges that checks share agrees with plain sets of numbers."""
+"""The arithmetic of addresses and ranges in the checks agrees with sets of numbers."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ interval = st.tuples(small, small).map(sorted).map(tuple)
 intervals = st.lists(interval, max_size=5).map(tuple)
 
 
-def numbers(held: tuple[tuple[int, int], ...] | list[tuple[int, int]]) -> set[int]:
-    return {number for low, high in held for number in range(low, high + 1)}
+def numbers(pairs: tuple[tuple[int, int], ...] | list[tuple[int, int]]) -> set[int]:
+    return {number for low, high in pairs for number in range(low, high + 1)}
 
 
 @given(intervals, st.lists(small))
-def test_missing_values_are_those_of_the_range_that_nobody_has(
-    held: tuple[tuple[int, int], ...], have: list[int]
+def test_missing_values_are_those_of_the_range_that_are_not_taken(
+    pairs: tuple[tuple[int, int], ...], have: list[int]
 ) -> None:
-    assert numbers(missing(Ranges(held), have)) == numbers(held) - set(have)
+    assert numbers(missing(Ranges(pairs), have)) == numbers(pairs) - set(have)
 
 
 @given(intervals)
-def test_merged_intervals_hold_the_same_numbers_and_do_not_touch(held: tuple[tuple[int, int], ...]) -> None:
-    joined = merged(held)
-    assert numbers(joined) == numbers(held)
+def test_merged_intervals_hold_the_same_numbers_and_do_not_touch(pairs: tuple[tuple[int, int], ...]) -> None:
+    joined = merged(pairs)
+    assert numbers(joined) == numbers(pairs)
     assert all(before[1] + 1 < behind[0] for before, behind in pairwise(joined))
 
 
@@ -41,10 +41,10 @@ def test_free_addresses_are_those_that_nothing_takes(
 
 
 @given(st.lists(small, max_size=9))
-def test_longest_ascent_leaves_out_as_few_as_possible(listed: list[int]) -> None:
-    kept = [listed[index] for index in sorted(longest_ascent(listed))]
-    assert kept == sorted(kept)
-    more = combinations(listed, len(kept) + 1)
+def test_longest_ascent_leaves_out_as_few_as_possible(sequence: list[int]) -> None:
+    ascent = [sequence[index] for index in sorted(longest_ascent(sequence))]
+    assert ascent == sorted(ascent)
+    more = combinations(sequence, len(ascent) + 1)
     assert not any(list(other) == sorted(other) for other in more)
 
 

@@ -46,18 +46,18 @@ ROUNDS = 12
 @lru_cache(maxsize=1)
 def trees() -> tuple[Mapping, ...]:
     """The trees of all devices: the real ones, those made for outputs, and those of the cases."""
-    found = []
+    trees = []
     folders = [TESTS.parent / "specs", TESTS / "specs", *sorted(TESTS.glob("cases/*/*"))]
     for folder in folders:
         files = {}
-        for path in sorted(folder.rglob("*.yaml")):
+        for path in sorted(path for path in folder.rglob("*.yaml") if path.is_file()):
             inside = path.relative_to(folder).as_posix()
             files[inside if "/" in inside else f"gadget/{inside}"] = path.read_bytes()
         project = read(files)
         if not project.findings:
-            found += [spec.tree for spec in project.devices.values()]
-    assert len(found) > 50
-    return tuple(found)
+            trees += [spec.tree for spec in project.devices.values()]
+    assert len(trees) > 50
+    return tuple(trees)
 
 
 def changed(node: Node, chance: random.Random, spare: list[Node]) -> Node:
@@ -84,7 +84,7 @@ def changed(node: Node, chance: random.Random, spare: list[Node]) -> Node:
 
 
 def replaced(node: Node, chance: random.Random, spare: list[Node]) -> Node:
-    """Something else than the node: a number, a word, or another node of the same kind."""
+    """A replacement of a node: a number, a word, or another node of the same kind."""
     if not isinstance(node, Scalar) or chance.random() < 0.4:
         others = [other for other in chance.sample(spare, min(40, len(spare))) if type(other) is type(node)]
         return chance.choice(others) if others else node
@@ -95,14 +95,14 @@ def replaced(node: Node, chance: random.Random, spare: list[Node]) -> Node:
 
 
 def every(node: Node) -> list[Node]:
-    found = [node]
+    nodes = [node]
     for _, inner in children(node):
-        found += every(inner)
-    return found
+        nodes += every(inner)
+    return nodes
 
 
 @pytest.mark.parametrize("seed", range(64))
-def test_checks_never_raise_and_what_passes_can_be_laid_out(seed: int) -> None:
+def test_checks_never_raise_and_what_passes_has_a_layout(seed: int) -> None:
     chance = random.Random(seed)
     tree = trees()[seed % len(trees())] if seed % 4 else chance.choice(trees()[:6])
     spare = every(tree)
@@ -117,8 +117,8 @@ def test_checks_never_raise_and_what_passes_can_be_laid_out(seed: int) -> None:
         version = chance.choice(lines.versions())
         whole = selected(broken, version, lines)
         assert isinstance(whole, Mapping)
-        device, found = built(whole, version)
-        if not has_errors(everything(device, found)):
+        device, findings = built(whole, version)
+        if not has_errors(everything(device, findings)):
             codec(device_layout(device))
         tried += 1
         if tried == ROUNDS:

@@ -37,19 +37,19 @@ def test_a_manual_is_recorded_and_then_not_needed(run: CommandLine, folder: Path
     ran = run("audit", "gauge", "--manual", str(manual), "--record")
     assert (ran.code, ran.lines) == (0, [f"wrote {recorded(folder)}: 19 lines"])
     manual.unlink()
-    told = run.json("audit", "gauge")["sections"]["coverage"]
-    assert told["findings"] == []
-    assert [figure["number"] for figure in told["figures"][:4]] == [13, 0, 4, 0]
+    section = run.json("audit", "gauge")["sections"]["coverage"]
+    assert section["findings"] == []
+    assert [figure["number"] for figure in section["figures"][:4]] == [13, 0, 4, 0]
     assert run("audit", "gauge").code == 0
 
 
 def test_recording_twice_writes_the_same_bytes(run: CommandLine, folder: Path) -> None:
-    made = []
+    contents = []
     for _ in range(2):
         run("audit", "gauge", "--manual", str(folder / "gauge.txt"), "--record")
-        made.append(recorded(folder).read_bytes())
-    assert made[0] == made[1]
-    assert made[0].isascii() or "…" in made[0].decode()
+        contents.append(recorded(folder).read_bytes())
+    assert contents[0] == contents[1]
+    assert contents[0].isascii() or "…" in contents[0].decode()
 
 
 def test_the_index_holds_no_sentence_of_the_manual(run: CommandLine, folder: Path) -> None:
@@ -96,8 +96,8 @@ BAD = [
 ]
 
 
-@pytest.mark.parametrize(("data", "said"), [one[1:] for one in BAD], ids=[one[0] for one in BAD])
-def test_what_is_no_manual_is_refused(run: CommandLine, folder: Path, data: bytes, said: str) -> None:
+@pytest.mark.parametrize(("data", "message"), [case[1:] for case in BAD], ids=[case[0] for case in BAD])
+def test_what_is_no_manual_is_refused(run: CommandLine, folder: Path, data: bytes, message: str) -> None:
     run("audit", "gauge", "--manual", str(folder / "gauge.txt"), "--record")
     before = recorded(folder).read_bytes()
     bad = folder / "bad.txt"
@@ -107,8 +107,8 @@ def test_what_is_no_manual_is_refused(run: CommandLine, folder: Path, data: byte
         assert ran.code == 2
         assert ran.out == ""
         assert len(ran.err.splitlines()) == 1
-        if not more or "not this manual" not in said:
-            assert said in ran.err
+        if not more or "not this manual" not in message:
+            assert message in ran.err
     assert recorded(folder).read_bytes() == before
 
 

@@ -1,4 +1,4 @@
-"""A device beside someone else's list: every way to write addresses, what differs, and what only one side has."""
+"""A device is compared with someone else's list: every form of address, what differs, and what only one of them has."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from fieldspec.lists.comparison import compared
 from fieldspec.lists.item import items
 from fieldspec.lists.listing import listing
 from fieldspec.lists.text_sheet import text_sheet
-from laid_out import newest
-from reading import DEVICE
+from layouts import newest
+from spec_files import DEVICE
 
 SPEC = """
 registers:
@@ -66,10 +66,10 @@ def against(run: CommandLine, text: str | bytes, *options: str) -> Any:
 def summary(result: Any) -> tuple[list[str], list[tuple[str, str]], list[int], list[str]]:
     """Names that agree, what differs, the addresses that only the list has, and the names that only the device has."""
     return (
-        [one["name"] for one in result["agree"]],
-        [(one["name"], what["what"]) for one in result["differ"] for what in one["differences"]],
-        [one["address"] for one in result["only_in_list"]],
-        [f"{one['name']} {one['elements']}".strip() for one in result["only_in_device"]],
+        [entry["name"] for entry in result["agree"]],
+        [(entry["name"], what["what"]) for entry in result["differ"] for what in entry["differences"]],
+        [entry["address"] for entry in result["only_in_list"]],
+        [f"{entry['name']} {entry['elements']}".strip() for entry in result["only_in_device"]],
     )
 
 
@@ -117,7 +117,7 @@ def test_a_list_is_understood(text: str, run: CommandLine) -> None:
         ("0x0010,,,,", []),
     ],
 )
-def test_what_differs_is_told(row: str, what: list[tuple[str, str]], run: CommandLine) -> None:
+def test_differences_are_reported(row: str, what: list[tuple[str, str]], run: CommandLine) -> None:
     assert summary(against(run, HEAD + row))[1] == what
 
 
@@ -132,8 +132,8 @@ def test_what_differs_is_told(row: str, what: list[tuple[str, str]], run: Comman
         ("Count", "2", ["count"]),
     ],
 )
-def test_numbers_that_differ_are_told(heads: str, cells: str, what: list[str], run: CommandLine) -> None:
-    assert [one for _, one in summary(against(run, f"Address,{heads}\n0x10,{cells}\n"))[1]] == what
+def test_numbers_that_differ_are_reported(heads: str, cells: str, what: list[str], run: CommandLine) -> None:
+    assert [text for _, text in summary(against(run, f"Address,{heads}\n0x10,{cells}\n"))[1]] == what
 
 
 def test_what_is_ignored_is_no_difference(run: CommandLine) -> None:
@@ -141,16 +141,16 @@ def test_what_is_ignored_is_no_difference(run: CommandLine) -> None:
     assert summary(against(run, text, "--ignore", "name,words"))[1] == []
 
 
-def test_what_only_the_list_has_is_told_with_what_is_there(run: CommandLine) -> None:
+def test_an_address_that_only_the_list_has_is_reported_with_what_the_device_has_there(run: CommandLine) -> None:
     result = against(run, HEAD + "\n".join([*ROWS, "0x0012,Pos high,1,,", "0x0999,Ghost,1,,", "0x0010,Speed,1,,"]))
-    assert [(one["address"], one["remark"]) for one in result["only_in_list"]] == [
+    assert [(entry["address"], entry["remark"]) for entry in result["only_in_list"]] == [
         (0x12, "inside position"),
         (0x999, ""),
         (0x10, "listed before in row 2"),
     ]
 
 
-def test_elements_of_a_table_that_the_list_leaves_out_are_told_together(run: CommandLine) -> None:
+def test_elements_of_a_table_that_the_list_omits_are_reported_together(run: CommandLine) -> None:
     rows = [*ROWS, *POINTS, "0x0110,Target,2,INT,"]
     missing = summary(against(run, HEAD + "\n".join(rows)))[3]
     assert missing == ["points.target 1", "points.target 3", "points.mode 1..3"]
@@ -179,7 +179,7 @@ def test_an_offset_is_recognised_by_addresses_alone(run: CommandLine) -> None:
 def test_one_row_that_is_off_by_one_is_no_offset_of_the_list(run: CommandLine) -> None:
     result = against(run, HEAD + "\n".join([*ROWS[:2], "0x001B,State,1,WORD,R", *POINTS]))
     assert result["offset"] == 0
-    assert [one["address"] for one in result["only_in_list"]] == [0x1B]
+    assert [entry["address"] for entry in result["only_in_list"]] == [0x1B]
 
 
 @pytest.mark.parametrize(
@@ -234,6 +234,12 @@ def test_the_text_says_which_columns_are_used_and_what_differs(run: CommandLine)
     )
 
 
+def test_at_most_ten_rows_without_an_address_are_named(run: CommandLine) -> None:
+    text = "Address,Name\n0x10,speed\n" + "Axis,\n" * 12
+    out = run("compare", "gadget", "-", stdin=text.encode()).out
+    assert "rows without an address: 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 and 2 more\n" in out
+
+
 def test_csv_has_a_row_for_each_result_and_no_formula(run: CommandLine) -> None:
     text = "Address,Name\n0x10,=1+2\n0x999,@x\n"
     ran = run("compare", "gadget", "-", "--format", "csv", stdin=text.encode())
@@ -255,7 +261,7 @@ def test_a_workbook_with_a_title_that_is_merged_is_read(run: CommandLine, tmp_pa
     path = tmp_path / "list.xlsx"
     book.save(path)
     result = run.json("compare", "gadget", str(path))
-    assert [(one["name"], one["row"]) for one in result["agree"]] == [("speed", 3), ("position", 4), ("state", 6)]
+    assert [(entry["name"], entry["row"]) for entry in result["agree"]] == [("speed", 3), ("position", 4), ("state", 6)]
 
 
 def test_a_sheet_is_chosen_by_its_name(run: CommandLine, tmp_path: Path) -> None:
@@ -282,11 +288,11 @@ FORMS = {
 @given(data=st.data(), form=st.sampled_from(sorted(FORMS)))
 @settings(max_examples=40, deadline=None)
 def test_some_rows_of_a_device_agree_however_their_addresses_are_written(data: st.DataObject, form: str) -> None:
-    held = [item for item in items(newest(Path(__file__).parent.parent / "specs", "tc100")) if item.address < 0x8000]
-    chosen = data.draw(st.lists(st.sampled_from(held), min_size=8, unique_by=lambda item: item.address))
+    registers = [item for item in items(newest(SPECS, "tc100")) if item.address < 0x8000]
+    chosen = data.draw(st.lists(st.sampled_from(registers), min_size=8, unique_by=lambda item: item.address))
     shift = 1 if FORMS[form] == "one more" else 0
     text = "Address,Name\n" + "".join(f"{form.format(item.address + shift)},{item.name}\n" for item in chosen)
-    result = compared(held, listing(text_sheet(text.encode()), {}))
+    result = compared(registers, listing(text_sheet(text.encode()), {}))
     assert [pair.item.name for pair in result.agreeing] == [item.name for item in chosen]
 
 
@@ -295,7 +301,7 @@ def test_a_count_stands_for_several_equal_registers(
 ) -> None:
     run = CommandLine(capsys, monkeypatch, SPECS)
     agree = "Address,Name,Count\n0x1060,AlarmHistory,50\n"
-    found = run.json("compare", "tc100", "-", "--ignore", "name", stdin=agree.encode())
-    assert [one["name"] for one in found["only_in_device"] if one["name"].startswith("alarm_history")] == []
-    found = run.json("compare", "tc100", "-", "--ignore", "name", stdin=agree.replace("50", "51").encode())
-    assert [what["what"] for one in found["differ"] for what in one["differences"]] == ["count"]
+    report = run.json("compare", "tc100", "-", "--ignore", "name", stdin=agree.encode())
+    assert [entry["name"] for entry in report["only_in_device"] if entry["name"].startswith("alarm_history")] == []
+    report = run.json("compare", "tc100", "-", "--ignore", "name", stdin=agree.replace("50", "51").encode())
+    assert [what["what"] for entry in report["differ"] for what in entry["differences"]] == ["count"]

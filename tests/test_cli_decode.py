@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 
-from command_line import MADE_UP, SPECS, CommandLine
+from command_line import SPECS, TEST_SPECS, CommandLine
 from fieldspec.explain.readings import FrameOptions, read
 from fieldspec.model.texts import Example
-from laid_out import newest
+from layouts import newest
 
-EXAMPLES = newest(MADE_UP, "widget").device.examples
+EXAMPLES = newest(TEST_SPECS, "widget").device.examples
 READ = "01 03 10 00 00 02 C0 CB"
 ANSWER = "01 03 04 12 34 FF FF BF 35"
 WRITE = "01 06 20 00 00 05 42 09"
@@ -23,7 +23,7 @@ STOPPED = "00 06 20 00 41 67"
 
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
-    return CommandLine(capsys, monkeypatch, MADE_UP)
+    return CommandLine(capsys, monkeypatch, TEST_SPECS)
 
 
 def decoded(run: CommandLine, *arguments: str) -> Any:
@@ -52,17 +52,17 @@ def row(data: Any, path: str) -> Any:
 def test_the_frames_of_the_readme_explain_themselves(
     device: str, frame: str, cells: list[str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    found = CommandLine(capsys, monkeypatch, SPECS)("decode", device, frame)
-    assert (found.code, found.err) == (0, "")
-    assert [cell for cell in cells if cell not in found.out] == []
+    result = CommandLine(capsys, monkeypatch, SPECS)("decode", device, frame)
+    assert (result.code, result.err) == (0, "")
+    assert [cell for cell in cells if cell not in result.out] == []
 
 
 @pytest.mark.parametrize("example", [e for e in EXAMPLES.values() if not e.refused], ids=lambda e: e.id)
 def test_every_good_example_is_explained_with_exit_code_0(run: CommandLine, example: Example) -> None:
     request = ["--request", EXAMPLES[example.reply_to].frame.hex()] if example.reply_to else []
-    found = run("decode", "widget", example.frame.hex(), "--direction", example.direction, *request)
-    assert (found.code, found.err) == (0, "")
-    assert example.message in found.lines[0]
+    result = run("decode", "widget", example.frame.hex(), "--direction", example.direction, *request)
+    assert (result.code, result.err) == (0, "")
+    assert example.message in result.lines[0]
     data = decoded(run, example.frame.hex(), "--direction", example.direction, *request)
     assert (data["link"], data["direction"], data["error"]) == (
         example.link,
@@ -75,10 +75,10 @@ def test_every_good_example_is_explained_with_exit_code_0(run: CommandLine, exam
 
 @pytest.mark.parametrize("example", [e for e in EXAMPLES.values() if e.refused], ids=lambda e: e.id)
 def test_every_example_that_is_refused_is_explained_with_exit_code_1(run: CommandLine, example: Example) -> None:
-    found = run("decode", "widget", example.frame.hex(), "--direction", example.direction)
-    assert found.code == 1
-    assert "this is no good frame of widget" in found.out
-    assert any(line.startswith("wrong: ") for line in found.lines)
+    result = run("decode", "widget", example.frame.hex(), "--direction", example.direction)
+    assert result.code == 1
+    assert "this is not a valid frame of widget" in result.out
+    assert any(line.startswith("wrong: ") for line in result.lines)
     assert example.refused in decoded(run, example.frame.hex(), "--direction", example.direction)["reasons"]
 
 
@@ -91,8 +91,8 @@ def test_the_table_has_every_byte_in_aligned_columns(run: CommandLine) -> None:
 
 
 def test_bytes_may_be_several_arguments_and_options_stand_between_them(run: CommandLine) -> None:
-    found = run("decode", "widget", *READ.split()[:3], "--link", "rtu", *READ.split()[3:])
-    assert found == run("decode", "widget", READ)
+    result = run("decode", "widget", *READ.split()[:3], "--link", "rtu", *READ.split()[3:])
+    assert result == run("decode", "widget", READ)
 
 
 @pytest.mark.parametrize(
@@ -115,19 +115,19 @@ def test_json_says_how_the_reading_was_found(
 
 
 def test_a_frame_that_is_equal_in_both_directions_is_ambiguous(run: CommandLine) -> None:
-    found = run("decode", "widget", WRITE)
-    assert found.code == 0
-    assert found.lines[1] == (
+    result = run("decode", "widget", WRITE)
+    assert result.code == 0
+    assert result.lines[1] == (
         "ambiguous: explained as the request of write_register, "
         "it may also be the response to write_register; --direction tells"
     )
 
 
 def test_a_response_that_does_not_say_what_it_answers_is_ambiguous(run: CommandLine) -> None:
-    found = run("decode", "widget", STOPPED, "--direction", "response")
-    assert found.lines[0] == "response, packet, Widget 2.0"
-    assert found.lines[1].startswith("ambiguous: explained as the response to stop, it may also be a response to one")
-    assert found.lines[1].endswith("; --request or --message tells")
+    result = run("decode", "widget", STOPPED, "--direction", "response")
+    assert result.lines[0] == "response, packet, Widget 2.0"
+    assert result.lines[1].startswith("ambiguous: explained as the response to stop, it may also be a response to one")
+    assert result.lines[1].endswith("; --request or --message tells")
     assert "ambiguous" not in run("decode", "widget", STOPPED, "--message", "stop").out
     assert run("decode", "widget", STOPPED, "--request", STOP).lines[0] == "stop response, packet, Widget 2.0: 停止"
 
@@ -135,48 +135,48 @@ def test_a_response_that_does_not_say_what_it_answers_is_ambiguous(run: CommandL
 def test_the_request_gives_a_response_its_registers(run: CommandLine) -> None:
     assert decoded(run, ANSWER)["registers"] == []
     data = decoded(run, ANSWER, "--request", READ)
-    assert [(held["address"], held["path"], held["raw"]) for held in data["registers"]] == [
+    assert [(register["address"], register["path"], register["raw"]) for register in data["registers"]] == [
         (0x1000, "status_word", "1234"),
         (0x1001, None, "FFFF"),
     ]
 
 
 @pytest.mark.parametrize(
-    ("frame", "request_frame", "said"),
+    ("frame", "request_frame", "message"),
     [
-        (ANSWER, "01 03 10 00 00 03 01 0B", "the request asks for 3 words, and the response has 2"),
-        (ANSWER, "02 03 10 00 00 02 C0 F8", "station is 1, and 2 in the request"),
+        (ANSWER, "01 03 10 00 00 03 01 0B", "the request asks for 3 words, but the response has 2"),
+        (ANSWER, "02 03 10 00 00 02 C0 F8", "station is 1, but 2 in the request"),
         ("01 06 20 00 00 06 02 08", WRITE, "value does not repeat the request: should be 5"),
     ],
 )
 def test_a_response_that_does_not_fit_its_request_is_wrong(
-    run: CommandLine, frame: str, request_frame: str, said: str
+    run: CommandLine, frame: str, request_frame: str, message: str
 ) -> None:
-    found = run("decode", "widget", frame, "--request", request_frame)
-    assert found.code == 1
-    assert said in found.lines
+    result = run("decode", "widget", frame, "--request", request_frame)
+    assert result.code == 1
+    assert message in result.lines
 
 
-def test_a_wrong_check_says_what_it_should_be(run: CommandLine) -> None:
+def test_a_wrong_checksum_is_shown_with_the_right_one(run: CommandLine) -> None:
     assert "wrong: crc at byte 6: should be C0 CB" in run("decode", "widget", "01 03 10 00 00 02 C0 CC").lines
 
 
 def test_a_value_beyond_the_manual_is_doubtful_and_not_wrong(run: CommandLine) -> None:
-    found = run("decode", "widget", "00 07 07 01 23 06 38", "--direction", "request")
-    assert found.code == 0
-    assert "doubtful: count at byte 5: should be 0..5" in found.lines
+    result = run("decode", "widget", "00 07 07 01 23 06 38", "--direction", "request")
+    assert result.code == 0
+    assert "doubtful: count at byte 5: should be 0..5" in result.lines
 
 
 def test_a_frame_of_characters_shows_them_beside_their_bytes(run: CommandLine) -> None:
-    found = run("decode", "widget", r":010310000002EA")
-    assert found.code == 0
-    assert "the text lacks CR LF at the end of the frame, which is taken as sent" in found.lines
-    assert any(line.split()[:4] == ["5", "1000", "10", "00"] for line in found.lines)
+    result = run("decode", "widget", r":010310000002EA")
+    assert result.code == 0
+    assert "CR LF is missing at the end of the text and is assumed to have been sent" in result.lines
+    assert any(line.split()[:4] == ["5", "1000", "10", "00"] for line in result.lines)
 
 
-def test_plain_elements_of_a_list_share_a_line(run: CommandLine) -> None:
-    found = run("decode", "widget", "00 0B 07 01 22 00 03 01 02 03 3E")
-    assert any("data[0..2]" in line and "1 2 3" in line for line in found.lines)
+def test_elements_of_a_list_without_labels_share_a_line(run: CommandLine) -> None:
+    result = run("decode", "widget", "00 0B 07 01 22 00 03 01 02 03 3E")
+    assert any("data[0..2]" in line and "1 2 3" in line for line in result.lines)
 
 
 def test_set_bits_have_a_line_each(run: CommandLine) -> None:
@@ -188,19 +188,19 @@ def test_set_bits_have_a_line_each(run: CommandLine) -> None:
 def test_a_misprint_of_the_manual_is_recognised(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    found = CommandLine(capsys, monkeypatch, SPECS)("decode", "esc11", "05 00 31 01 17")
-    assert found.code == 1
-    assert any("the manual prints this for 05 00 31 01 37" in line for line in found.lines)
+    result = CommandLine(capsys, monkeypatch, SPECS)("decode", "esc11", "05 00 31 01 17")
+    assert result.code == 1
+    assert any("the manual prints this for 05 00 31 01 37" in line for line in result.lines)
 
 
 @pytest.mark.parametrize(
-    ("arguments", "said"),
+    ("arguments", "message"),
     [
         (["decode", "widgett", READ], "there is no device widgett; did you mean widget?"),
         (["decode", "widget@9", READ], "there is no version of widget 9"),
         (["decode", "widget", "hello"], "this is no frame: there are no bytes in it"),
         (["decode", "widget", "01 0"], None),
-        (["decode", "widget", "01 06 xx"], "this is no frame: `xx` is no byte in hexadecimal digits"),
+        (["decode", "widget", "01 06 xx"], "this is no frame: `xx` is not a byte in hexadecimal digits"),
         (["decode", "widget", "# 01"], "this is no frame: there are no bytes in it"),
         (["decode", "widget", READ, "--link", "rto"], "there is no link rto; did you mean rtu?"),
         (["decode", "widget", READ, "--message", "stopp"], "there is no message stopp; did you mean stop?"),
@@ -212,17 +212,17 @@ def test_a_misprint_of_the_manual_is_recognised(
         (["decode"], "the following arguments are required: DEVICE[@VERSION]"),
     ],
 )
-def test_wrong_use_says_what_is_wrong(run: CommandLine, arguments: list[str], said: str | None) -> None:
-    found = run(*arguments)
-    if said is None:
-        assert found.code == 1
+def test_wrong_use_says_what_is_wrong(run: CommandLine, arguments: list[str], message: str | None) -> None:
+    result = run(*arguments)
+    if message is None:
+        assert result.code == 1
         return
-    assert (found.code, found.out) == (2, "")
-    assert found.err.startswith("fieldspec: ")
-    assert said in found.err
+    assert (result.code, result.out) == (2, "")
+    assert result.err.startswith("fieldspec: ")
+    assert message in result.err
 
 
-def test_a_version_is_decoded_by_what_holds_for_it(run: CommandLine) -> None:
+def test_a_version_is_decoded_by_its_own_facts(run: CommandLine) -> None:
     frame = "00 09 00 09 33 02 FF FF 45"
     assert run("decode", "widget@2.0", frame, "--direction", "request").code == 0
     old = run("decode", "widget@before-2.0", frame, "--direction", "request")
@@ -232,7 +232,7 @@ def test_a_version_is_decoded_by_what_holds_for_it(run: CommandLine) -> None:
 
 def test_json_has_every_key_of_every_row_and_null_for_what_is_absent(run: CommandLine) -> None:
     data = decoded(run, EXAMPLES["nest-request"].frame.hex())
-    assert {frozenset(held) for held in data["rows"]} == {frozenset(data["rows"][0])}
+    assert {frozenset(row_data) for row_data in data["rows"]} == {frozenset(data["rows"][0])}
     assert row(data, "nest.origin.x")["number"] == -1000
     assert row(data, "nest.origin.x")["value"] == "-100.0 mm"
     assert row(data, "nest.origin.x")["label"] is None
@@ -241,10 +241,10 @@ def test_json_has_every_key_of_every_row_and_null_for_what_is_absent(run: Comman
     assert meaning == {"name": "level=high", "label": None, "text": None, "bits": "4..5"}
 
 
-def test_json_holds_numbers_that_json_does_not_have_as_text(
+def test_json_writes_numbers_that_json_lacks_as_text(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    run = CommandLine(capsys, monkeypatch, MADE_UP)
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
     fields = ["station=1", "word=1", "wide=1", "ratio=nan", "turned=1", "values=1"]
     frame = run("encode", "gizmo", "mix", *fields).out
     assert row(run.json("decode", "gizmo", frame), "ratio")["number"] == "nan"
@@ -256,7 +256,7 @@ LAZY = {"construct", "jinja2", "rich", "shtab", "fieldspec.checks.table", "field
 def test_decoding_a_frame_imports_nothing_that_it_does_not_use() -> None:
     code = (
         "import sys; from fieldspec.cli import main; "
-        f"main(['decode', 'widget', '{READ}', '--specs', {str(MADE_UP)!r}]); print(*sys.modules)"
+        f"main(['decode', 'widget', '{READ}', '--specs', {str(TEST_SPECS)!r}]); print(*sys.modules)"
     )
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, encoding="utf-8")
     assert LAZY & set(ran.stdout.splitlines()[-1].split()) == set()
@@ -264,9 +264,15 @@ def test_decoding_a_frame_imports_nothing_that_it_does_not_use() -> None:
 
 @pytest.mark.parametrize("name", ["widget", "ck10", "esc11", "hiwin-e", "tc100"])
 def test_a_frame_of_an_example_is_explained_as_an_example(name: str) -> None:
-    layout = newest(MADE_UP if name == "widget" else SPECS, name)
+    layout = newest(TEST_SPECS if name == "widget" else SPECS, name)
     good = [example for example in layout.device.examples.values() if not example.refused]
     readings = {(e.frame, e.link, e.direction, e.message, e.exception_response) for e in good}
     for example in good:
-        held = read(layout, example.frame, FrameOptions()).explanation
-        assert (held.frame, held.link, held.direction, held.message, held.error) in readings, example.id
+        explanation = read(layout, example.frame, FrameOptions()).explanation
+        assert (
+            explanation.frame,
+            explanation.link,
+            explanation.direction,
+            explanation.message,
+            explanation.error,
+        ) in readings, example.id

@@ -1,4 +1,4 @@
-"""`fieldspec decode` explains logs line by line: a response with the request before it, and what it cannot read."""
+"""`fieldspec decode` explains each line of a log, a response with the request before it, and reports bad lines."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from typing import Any
 
 import pytest
 
-from command_line import MADE_UP, CommandLine
+from command_line import TEST_SPECS, CommandLine
 from fieldspec.commands.decode import LONGEST_LINE, FramePrinter, Log
 from fieldspec.explain.readings import FrameOptions
-from laid_out import newest
+from layouts import newest
 
 READ = "01 03 10 00 00 02 C0 CB"
 ANSWER = "01 03 04 12 34 FF FF BF 35"
@@ -34,13 +34,13 @@ REFUSED = "01 FF 01 A0 30"
 
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
-    return CommandLine(capsys, monkeypatch, MADE_UP)
+    return CommandLine(capsys, monkeypatch, TEST_SPECS)
 
 
 def explained(run: CommandLine, *lines: str) -> list[Any]:
     """The frames of a log as data."""
-    found = run("decode", "widget", "-", "--format", "json", stdin="\n".join(lines).encode())
-    return [json.loads(line) for line in found.lines]
+    result = run("decode", "widget", "-", "--format", "json", stdin="\n".join(lines).encode())
+    return [json.loads(line) for line in result.lines]
 
 
 @pytest.mark.parametrize(
@@ -102,11 +102,13 @@ def explained(run: CommandLine, *lines: str) -> list[Any]:
     ],
     ids=lambda case: " / ".join(case) if isinstance(case[0], str) else "",
 )
-def test_each_frame_is_read_by_what_stands_before_it(
+def test_each_frame_is_read_by_the_frames_before_it(
     run: CommandLine, log: list[str], expected: list[tuple[int, str, str, str]]
 ) -> None:
-    found = [(one["line"], one["direction"], one["message"], one["chosen"]) for one in explained(run, *log)]
-    assert found == expected
+    summaries = [
+        (frame["line"], frame["direction"], frame["message"], frame["chosen"]) for frame in explained(run, *log)
+    ]
+    assert summaries == expected
 
 
 @pytest.mark.parametrize(
@@ -127,39 +129,41 @@ def test_each_frame_is_read_by_what_stands_before_it(
         ),
     ],
 )
-def test_a_frame_without_a_code_answers_only_what_is_a_request_for_sure(
+def test_a_frame_without_a_code_answers_only_a_certain_request(
     run: CommandLine, log: list[str], expected: list[tuple[str, str, str]]
 ) -> None:
-    found = run("decode", "glider-x", "-", "--format", "json", stdin="\n".join(log).encode())
-    assert [(one["direction"], one["message"], one["chosen"]) for one in map(json.loads, found.lines)] == expected
+    result = run("decode", "glider-x", "-", "--format", "json", stdin="\n".join(log).encode())
+    assert [
+        (frame["direction"], frame["message"], frame["chosen"]) for frame in map(json.loads, result.lines)
+    ] == expected
 
 
 def test_a_response_names_the_line_of_its_request(run: CommandLine) -> None:
-    found = run("decode", "widget", stdin=f"\n{READ}\n# between\n{ANSWER}\n".encode())
-    assert found.code == 0
-    assert found.lines[0].startswith("line 2: read_registers request, rtu, Widget 2.0")
-    assert "this answers the request in line 2" in found.lines
+    result = run("decode", "widget", stdin=f"\n{READ}\n# between\n{ANSWER}\n".encode())
+    assert result.code == 0
+    assert result.lines[0].startswith("line 2: read_registers request, rtu, Widget 2.0")
+    assert "this answers the request in line 2" in result.lines
 
 
 def test_a_response_that_does_not_answer_says_so(run: CommandLine) -> None:
-    found = run("decode", "widget", stdin=f"{READ}\n{SHORT_ANSWER}\n".encode())
-    assert "this does not answer the request in line 1" in found.lines
+    result = run("decode", "widget", stdin=f"{READ}\n{SHORT_ANSWER}\n".encode())
+    assert "this does not answer the request in line 1" in result.lines
 
 
 def test_registers_of_a_response_are_those_of_the_request_before_it(run: CommandLine) -> None:
     _, answer, later = explained(run, READ, ANSWER, ANSWER)
-    assert [held["address"] for held in answer["registers"]] == [0x1000, 0x1001]
+    assert [register["address"] for register in answer["registers"]] == [0x1000, 0x1001]
     assert later["registers"] == []
 
 
 def test_lines_that_cannot_be_read_are_reported_and_do_not_stop_the_run(run: CommandLine) -> None:
-    found = run("decode", "widget", stdin=f"hello\n{READ}\n01 xx\n{READ}\n".encode())
-    assert found.code == 1
-    assert found.err.splitlines() == [
+    result = run("decode", "widget", stdin=f"hello\n{READ}\n01 xx\n{READ}\n".encode())
+    assert result.code == 1
+    assert result.err.splitlines() == [
         "fieldspec: line 1: there are no bytes in it",
-        "fieldspec: line 3: `xx` is no byte in hexadecimal digits",
+        "fieldspec: line 3: `xx` is not a byte in hexadecimal digits",
     ]
-    assert [line for line in found.lines if line.startswith("line ")] == [
+    assert [line for line in result.lines if line.startswith("line ")] == [
         f"line {number}: read_registers request, rtu, Widget 2.0: Read registers" for number in (2, 4)
     ]
 
@@ -173,39 +177,39 @@ def test_the_exit_code_tells_whether_anything_was_wrong(run: CommandLine, log: b
 
 
 def test_notes_and_errata_are_printed_once_in_a_log(run: CommandLine) -> None:
-    frame = newest(MADE_UP, "widget").device.examples["nest-request"].frame
-    found = run("decode", "widget", stdin=f"{frame.hex()}\n".encode() * 3)
-    assert found.out.count("note on nest.alarms[1]: alarm does not list 30583.") == 1
+    frame = newest(TEST_SPECS, "widget").device.examples["nest-request"].frame
+    result = run("decode", "widget", stdin=f"{frame.hex()}\n".encode() * 3)
+    assert result.out.count("note on nest.alarms[1]: alarm does not list 30583.") == 1
 
 
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le"])
 def test_logs_of_windows_shells_are_read(run: CommandLine, encoding: str) -> None:
-    found = run("decode", "widget", stdin=f"{READ}\r\n{ANSWER}\r\n".encode(encoding))
-    assert (found.code, found.err) == (0, "")
-    assert sum(line.startswith("line ") for line in found.lines) == 2
+    result = run("decode", "widget", stdin=f"{READ}\r\n{ANSWER}\r\n".encode(encoding))
+    assert (result.code, result.err) == (0, "")
+    assert sum(line.startswith("line ") for line in result.lines) == 2
 
 
-def test_bytes_that_are_no_text_are_reported(run: CommandLine) -> None:
-    found = run("decode", "widget", stdin=b"\x01\x06\xff\xfe\xe9\n" + READ.encode())
-    assert found.err.startswith("fieldspec: line 1: ")
-    assert "line 2: " in found.out
+def test_bytes_that_are_not_text_are_reported(run: CommandLine) -> None:
+    result = run("decode", "widget", stdin=b"\x01\x06\xff\xfe\xe9\n" + READ.encode())
+    assert result.err.startswith("fieldspec: line 1: ")
+    assert "line 2: " in result.out
 
 
-def test_a_line_without_end_is_reported_and_the_next_one_is_read(run: CommandLine) -> None:
-    found = run("decode", "widget", stdin=b"01 " * LONGEST_LINE + b"\n" + READ.encode())
-    assert found.err == f"fieldspec: line 1: it has {LONGEST_LINE} characters or more\n"
-    assert found.lines[0].startswith("line 2: ")
+def test_an_overlong_line_is_reported_and_the_next_one_is_read(run: CommandLine) -> None:
+    result = run("decode", "widget", stdin=b"01 " * LONGEST_LINE + b"\n" + READ.encode())
+    assert result.err == f"fieldspec: line 1: it has {LONGEST_LINE} characters or more\n"
+    assert result.lines[0].startswith("line 2: ")
 
 
 def test_a_named_request_answers_every_line(run: CommandLine) -> None:
     log = f"{ANSWER}\n{ANSWER}\n".encode()
-    found = run("decode", "widget", "-", "--request", READ, stdin=log)
-    assert found.code == 0
-    assert found.out.count("status_word") == 2
+    result = run("decode", "widget", "-", "--request", READ, stdin=log)
+    assert result.code == 0
+    assert result.out.count("status_word") == 2
 
 
 class Weighed(io.BytesIO):
-    """A log that weighs what is kept when two of its lines are asked for."""
+    """A log that measures the memory in use when two of its lines are read."""
 
     def __init__(self, log: bytes, lines: tuple[int, int]) -> None:
         super().__init__(log)
@@ -215,13 +219,13 @@ class Weighed(io.BytesIO):
     def readline(self, size: int | None = -1, /) -> bytes:
         self.number += 1
         if self.number in self.lines:
-            gc.collect()  # which empties the interpreter's own stores, too
+            gc.collect()  # this empties the caches of the interpreter, too
             self.weights.append(tracemalloc.get_traced_memory()[0])
         return super().readline(size)
 
 
 def test_memory_does_not_grow_with_the_log() -> None:
-    layout = newest(MADE_UP, "widget")
+    layout = newest(TEST_SPECS, "widget")
     log = Weighed(f"{READ}\n{ANSWER}\n".encode() * 60, (20, 120))
     with open(os.devnull, "w", encoding="utf-8") as nothing, redirect_stdout(nothing):
         tracemalloc.start()
@@ -232,7 +236,18 @@ def test_memory_does_not_grow_with_the_log() -> None:
 
 
 def test_each_frame_is_printed_as_soon_as_it_is_read() -> None:
-    command = [sys.executable, "-m", "fieldspec", "decode", "widget", "-", "--specs", str(MADE_UP), "--format", "json"]
+    command = [
+        sys.executable,
+        "-m",
+        "fieldspec",
+        "decode",
+        "widget",
+        "-",
+        "--specs",
+        str(TEST_SPECS),
+        "--format",
+        "json",
+    ]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         assert process.stdin is not None
         assert process.stdout is not None
@@ -244,10 +259,10 @@ def test_each_frame_is_printed_as_soon_as_it_is_read() -> None:
     assert process.returncode == 0
 
 
-def test_whoever_has_seen_enough_may_close_the_pipe(tmp_path: Path) -> None:
+def test_the_reader_of_the_output_may_close_the_pipe(tmp_path: Path) -> None:
     log = tmp_path / "log.txt"
     log.write_bytes(f"{READ}\n{ANSWER}\n".encode() * 2000)
-    command = [sys.executable, "-m", "fieldspec", "decode", "widget", "-", "--specs", str(MADE_UP)]
+    command = [sys.executable, "-m", "fieldspec", "decode", "widget", "-", "--specs", str(TEST_SPECS)]
     with log.open("rb") as stdin:
         process = subprocess.Popen(command, stdin=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     assert process.stdout is not None

@@ -10,9 +10,9 @@ from typing import Any
 import html5lib
 import pytest
 
-from command_line import MADE_UP, SPECS
+from command_line import SPECS, TEST_SPECS
+from external_tools import require_tool
 from fieldspec.cli import main
-from tools_available import require_tool
 
 DEVICE = f'''device:
   id: gadget
@@ -38,7 +38,7 @@ changes:
 
 
 class Run:
-    """Runs `fieldspec diff` and keeps what it has printed."""
+    """Runs `fieldspec diff` and keeps its output."""
 
     def __init__(self, capsys: pytest.CaptureFixture[str]) -> None:
         self.capsys = capsys
@@ -50,7 +50,7 @@ class Run:
         return code
 
     def json(self, *arguments: str) -> Any:
-        """The data that are printed as JSON."""
+        """The data of the JSON output."""
         assert self(*arguments, "--format", "json") == 0
         return json.loads(self.out)
 
@@ -93,11 +93,13 @@ def git(*arguments: str) -> None:
 
 
 def rules(data: Any) -> list[tuple[str, str, str]]:
-    return [(change["rule"], change["class"], change["path"]) for one in data for change in one["changes"]]
+    return [
+        (change["rule"], change["class"], change["path"]) for comparison in data for change in comparison["changes"]
+    ]
 
 
 @pytest.mark.parametrize(("fail_on", "code"), [("breaking", 0), ("behaviour", 1), ("any", 1), ("", 0)])
-def test_two_versions_fail_on_what_is_asked_for(run: Run, fail_on: str, code: int) -> None:
+def test_a_comparison_fails_on_the_class_of_change_that_is_asked_for(run: Run, fail_on: str, code: int) -> None:
     options = ["--fail-on", fail_on] if fail_on else []
     assert run("tc100@before-2.0", "tc100@2.0", "--specs", str(SPECS), *options) == code
     assert "reserved_changed: acceleration_time was reserved" in run.out
@@ -144,9 +146,9 @@ def test_texts_of_specs_are_escaped_in_html_and_markdown(run: Run, tmp_path: Pat
 
 
 def test_a_removed_device_is_breaking_and_a_new_one_is_not(run: Run, tmp_path: Path) -> None:
-    one, two = write(tmp_path / "one"), write(write(tmp_path / "two"), device="widget")
-    assert rules(run.json(str(one), str(two))) == [("fact_added", "behaviour", "widget")]
-    assert run(str(two), str(one), "--fail-on", "breaking") == 1
+    first, two = write(tmp_path / "one"), write(write(tmp_path / "two"), device="widget")
+    assert rules(run.json(str(first), str(two))) == [("fact_added", "behaviour", "widget")]
+    assert run(str(two), str(first), "--fail-on", "breaking") == 1
 
 
 def test_a_folder_may_be_that_of_one_device_and_may_name_a_version(run: Run, tmp_path: Path) -> None:
@@ -171,7 +173,7 @@ def test_a_revision_is_compared_with_a_version(run: Run, repository: Path) -> No
     assert rules(data) == [("register_moved", "wire", "registers/speed")]
 
 
-def test_files_of_a_revision_bear_its_name_except_in_reviews(run: Run, repository: Path) -> None:
+def test_paths_of_files_name_their_revision_except_in_reviews(run: Run, repository: Path) -> None:
     (change,) = run.json("released", "HEAD")[0]["changes"]
     assert change["before"]["file"] == "released:specs/gadget/registers.yaml"
     run("released", "HEAD", "--format", "github")
@@ -186,7 +188,7 @@ def test_a_new_version_is_compared_with_the_one_it_is_based_on(run: Run, reposit
     (repository / "specs/gadget/versions").mkdir()
     (repository / "specs/gadget/versions/2.1.yaml").write_text(OVERLAY, "utf-8")
     data = run.json("HEAD", ".")
-    assert [(one["old"], one["new"]) for one in data][1] == (". gadget@2.0", ". gadget@2.1")
+    assert [(comparison["old"], comparison["new"]) for comparison in data][1] == (". gadget@2.0", ". gadget@2.1")
     assert ("fact_added", "behaviour", "versions/firmware/2.1") in rules(data[:1])
     assert rules(data[1:]) == [("register_moved", "wire", "registers/speed")]
 
@@ -199,30 +201,30 @@ def test_an_accepted_change_hurts_nobody(run: Run, tmp_path: Path) -> None:
     assert run.out == ""
 
 
-def test_what_the_old_side_has_accepted_already_counts_no_more(run: Run, tmp_path: Path) -> None:
+def test_a_change_that_the_old_version_accepts_no_longer_counts(run: Run, tmp_path: Path) -> None:
     old = write(tmp_path / "old", REGISTERS + ACCEPTS)
     assert run(str(old), str(write(tmp_path / "new", MOVED + ACCEPTS)), "--fail-on", "breaking") == 1
     assert run(str(old), str(write(tmp_path / "same", REGISTERS + ACCEPTS)), "--fail-on", "any") == 0
 
 
 @pytest.mark.parametrize(
-    ("accepts", "said"),
+    ("accepts", "message"),
     [
         (ACCEPTS.replace("registers/speed", "registers/sped"), "finds no change at `registers/sped`"),
         (ACCEPTS.replace("register_moved", "scale_changed"), "`scale_changed` finds no change"),
-        (ACCEPTS.replace("register_moved", "register_move"), "there is no rule `register_move`"),
+        (ACCEPTS.replace("register_moved", "register_move"), "there is no rule of changes `register_move`"),
     ],
 )
-def test_accepting_what_has_not_happened_is_an_error(run: Run, tmp_path: Path, accepts: str, said: str) -> None:
+def test_accepting_what_has_not_happened_is_an_error(run: Run, tmp_path: Path, accepts: str, message: str) -> None:
     folders = str(write(tmp_path / "old")), str(write(tmp_path / "new", MOVED + accepts))
     assert run(*folders) == 1
     assert "accepts_used" in run.err
-    assert said in run.err
+    assert message in run.err
     assert run(*folders, "--format", "sarif") == 1
     assert "accepts_used" in run.out
 
 
-def test_an_overlay_accepts_what_its_version_brings(run: Run, tmp_path: Path) -> None:
+def test_an_overlay_accepts_the_changes_of_its_version(run: Run, tmp_path: Path) -> None:
     specs = write(tmp_path / "specs", f"registers:\n{SPEED}")
     (specs / "gadget/versions").mkdir()
     (specs / "gadget/versions/2.1.yaml").write_text(OVERLAY + ACCEPTS, "utf-8")
@@ -235,7 +237,7 @@ def test_an_overlay_accepts_what_its_version_brings(run: Run, tmp_path: Path) ->
 
 
 def refused(run: Run, *arguments: str) -> str:
-    """The one line that says why a comparison is not possible."""
+    """The one line of output that says why a comparison is not possible."""
     assert run(*arguments) == 2
     assert run.out == ""
     (line,) = run.err.splitlines()
@@ -244,7 +246,7 @@ def refused(run: Run, *arguments: str) -> str:
 
 
 @pytest.mark.parametrize(
-    ("old", "said"),
+    ("old", "message"),
     [
         ("tc100@9.9", "there is no version of tc100 9.9"),
         ("tc10@2.0", "did you mean tc100?"),
@@ -253,12 +255,12 @@ def refused(run: Run, *arguments: str) -> str:
         ("", "there is no device, no folder and no git revision"),
     ],
 )
-def test_what_cannot_be_compared_is_wrong_use(run: Run, repository: Path, old: str, said: str) -> None:
-    assert said in refused(run, old, "tc100@2.0", "--specs", str(SPECS)).replace(str(SPECS), "")
+def test_what_cannot_be_compared_is_wrong_use(run: Run, repository: Path, old: str, message: str) -> None:
+    assert message in refused(run, old, "tc100@2.0", "--specs", str(SPECS)).replace(str(SPECS), "")
 
 
 @pytest.mark.parametrize(
-    ("old", "said"),
+    ("old", "message"),
     [
         ("no-such-branch", "there is no device, no folder and no git revision no-such-branch"),
         ("HEAD~99", "no git revision HEAD~99"),
@@ -271,9 +273,9 @@ def test_what_cannot_be_compared_is_wrong_use(run: Run, repository: Path, old: s
     ],
 )
 def test_a_revision_that_is_not_there_or_holds_no_specs_is_wrong_use(
-    run: Run, repository: Path, old: str, said: str
+    run: Run, repository: Path, old: str, message: str
 ) -> None:
-    assert said in refused(run, old, "specs")
+    assert message in refused(run, old, "specs")
 
 
 def test_a_folder_that_holds_no_specs_is_wrong_use(run: Run, repository: Path) -> None:
@@ -303,7 +305,7 @@ def test_without_git_there_are_no_revisions(run: Run, repository: Path, monkeypa
 
 
 def test_the_made_up_devices_do_not_differ_from_themselves(run: Run) -> None:
-    assert run(str(MADE_UP), str(MADE_UP), "--fail-on", "any") == 0
+    assert run(str(TEST_SPECS), str(TEST_SPECS), "--fail-on", "any") == 0
 
 
 def test_a_rule_of_changes_is_explained(capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,14 +1,14 @@
-"""`fieldspec encode` writes the frame of a message, and says what keeps it from doing so."""
+"""`fieldspec encode` writes the frame of a message, or says why it cannot."""
 
 from __future__ import annotations
 
 import pytest
 
-from command_line import MADE_UP, SPECS, CommandLine
+from command_line import SPECS, TEST_SPECS, CommandLine
 from fieldspec.model.texts import Example
-from laid_out import newest
+from layouts import newest
 
-WIDGET = newest(MADE_UP, "widget")
+WIDGET = newest(TEST_SPECS, "widget")
 READ = ["read_registers", "station=1", "address=0x1000", "word_count=2"]
 WRITE = ["write_registers", "station=16", "address=0x2001"]
 PACKET = ["--link", "packet", "address=7", "sequence=1"]
@@ -16,7 +16,7 @@ PACKET = ["--link", "packet", "address=7", "sequence=1"]
 
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
-    return CommandLine(capsys, monkeypatch, MADE_UP)
+    return CommandLine(capsys, monkeypatch, TEST_SPECS)
 
 
 @pytest.fixture
@@ -24,7 +24,7 @@ def run_on_devices(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.Monke
     return CommandLine(capsys, monkeypatch, SPECS)
 
 
-def written(value: object, name: str = "") -> list[str]:
+def arguments_of(value: object, name: str = "") -> list[str]:
     """Values of the spec as arguments: `nest.corners.0.x=1`."""
     if isinstance(value, dict):
         pairs = list(value.items())
@@ -33,7 +33,7 @@ def written(value: object, name: str = "") -> list[str]:
     else:
         text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
         return [f"{name}={text}"]
-    return [argument for key, held in pairs for argument in written(held, f"{name}.{key}".lstrip("."))]
+    return [argument for key, member in pairs for argument in arguments_of(member, f"{name}.{key}".lstrip("."))]
 
 
 @pytest.mark.parametrize(
@@ -45,9 +45,9 @@ def test_every_example_is_written_from_its_values(run: CommandLine, example: Exa
     code = WIDGET.links[example.link].frame(example.direction).role("code")
     values = {name: value for name, value in example.values.items() if code is None or name != code.name}
     options = ["--link", example.link, "--direction", example.direction]
-    found = run("encode", "widget", example.message, *written(values), *options)
-    assert (found.code, found.err) == (0, "")
-    assert bytes.fromhex(found.lines[0]) == example.frame
+    result = run("encode", "widget", example.message, *arguments_of(values), *options)
+    assert (result.code, result.err) == (0, "")
+    assert bytes.fromhex(result.lines[0]) == example.frame
 
 
 @pytest.mark.parametrize(
@@ -65,13 +65,13 @@ def test_values_are_taken_in_every_spelling(run: CommandLine, arguments: list[st
     assert run("encode", "widget", *arguments).lines == [frame]
 
 
-def test_a_frame_of_characters_is_shown_as_both(run: CommandLine) -> None:
-    found = run("encode", "widget", *READ, "--link", "ascii")
-    assert found.lines == ["3A 30 31 30 33 31 30 30 30 30 30 30 32 45 41 0D 0A", r":010310000002EA\r\n"]
-    assert run("encode", "widget", *READ, "--link", "ascii", "--format", "hex").lines == found.lines[:1]
+def test_a_frame_of_characters_is_shown_as_text_and_bytes(run: CommandLine) -> None:
+    result = run("encode", "widget", *READ, "--link", "ascii")
+    assert result.lines == ["3A 30 31 30 33 31 30 30 30 30 30 30 32 45 41 0D 0A", r":010310000002EA\r\n"]
+    assert run("encode", "widget", *READ, "--link", "ascii", "--format", "hex").lines == result.lines[:1]
 
 
-def test_json_holds_the_frame_and_what_it_is(run: CommandLine) -> None:
+def test_json_has_the_frame_and_its_message(run: CommandLine) -> None:
     assert run.json("encode", "widget", *READ, "--link", "ascii") == {
         "device": "widget",
         "version": "2.0",
@@ -96,15 +96,15 @@ def test_what_is_encoded_can_be_decoded(run: CommandLine) -> None:
 
 
 @pytest.mark.parametrize(
-    ("arguments", "said"),
+    ("arguments", "message"),
     [
         (["read_registerz"], "there is no message read_registerz; did you mean read_registers?"),
         ([*READ, "--link", "tcp"], "there is no link tcp; there are ascii, packet, rtu"),
         (READ[:3], "missing_value: word_count is not given; the request has the fields station, address, word_count"),
         ([*READ, "adress=1"], "there is no field adress; did you mean address?"),
-        ([*READ, "station=2"], "station is given twice"),
-        ([*READ[:3], "word_count"], "word_count is no NAME=VALUE"),
-        ([*READ[:3], "=1"], "=1 is no NAME=VALUE"),
+        ([*READ, "station=2"], "station has two values"),
+        ([*READ[:3], "word_count"], "word_count is not of the form NAME=VALUE"),
+        ([*READ[:3], "=1"], "=1 is not of the form NAME=VALUE"),
         ([*READ[:3], "word_count=11"], "out_of_range: word_count is 11, not in 1..10"),
         ([*READ[:3], "word_count=two"], "word_count: `two` is no number; give a count"),
         (["read_registers", "station=99", *READ[2:]], "out_of_range: station is 99"),
@@ -115,40 +115,42 @@ def test_what_is_encoded_can_be_decoded(run: CommandLine) -> None:
         (["nest", *PACKET, "nest=4", "nest.color=1"], "nest.color: nest has a value of its own"),
         (["read_corners", *PACKET, "count=1", "corners.1.x=1"], "there is no field corners"),
         (["write_one", *PACKET, "number=1", "value=1", "--direction", "sideways"], "there is no direction sideways"),
-        ([], "nothing says which message it is; widget has "),
-        (["station=1"], "nothing says which message it is; widget has "),
-        (["--message", "stop", "stop"], "stop is no NAME=VALUE"),
+        ([], "name the message; widget has "),
+        (["station=1"], "name the message; widget has "),
+        (["--message", "stop", "stop"], "stop is not of the form NAME=VALUE"),
     ],
 )
-def test_wrong_use_says_what_is_wrong(run: CommandLine, arguments: list[str], said: str) -> None:
-    found = run("encode", "widget", *arguments)
-    assert (found.code, found.out) == (2, "")
-    assert said in found.err
+def test_wrong_use_says_what_is_wrong(run: CommandLine, arguments: list[str], message: str) -> None:
+    result = run("encode", "widget", *arguments)
+    assert (result.code, result.out) == (2, "")
+    assert message in result.err
 
 
 def test_a_message_of_a_later_version_is_unknown_to_an_earlier_one(run: CommandLine) -> None:
     values = [*PACKET, "number=2", "value=0xFFFF"]
     assert run("encode", "widget@2.0", "write_one", *values).code == 0
-    found = run("encode", "widget@before-2.0", "write_one", *values)
-    assert (found.code, found.err) == (2, "fieldspec: there is no message write_one; did you mean write_all?\n")
+    result = run("encode", "widget@before-2.0", "write_one", *values)
+    assert (result.code, result.err) == (2, "fieldspec: there is no message write_one; did you mean write_all?\n")
 
 
 @pytest.mark.parametrize(
-    ("arguments", "said"),
+    ("arguments", "message"),
     [
         (["write_one", *PACKET, "number=2", "value=0xFFFE"], "value (home) is -2: wrong: should be one of -1, 0, 1"),
         (["write_register", "station=1", "address=limit", "value=0"], "limit is 0: wrong: should be -10..-1, 1..10"),
         ([*WRITE, "values=0x000F 0xFFFF"], "target is 10485.75 mm: wrong: should be -9999.99..9999.99 mm"),
     ],
 )
-def test_a_value_beyond_its_parameter_or_register_is_refused(run: CommandLine, arguments: list[str], said: str) -> None:
-    found = run("encode", "widget", *arguments)
-    assert (found.code, found.out) == (2, "")
-    assert said in found.err
+def test_a_value_beyond_its_parameter_or_register_is_refused(
+    run: CommandLine, arguments: list[str], message: str
+) -> None:
+    result = run("encode", "widget", *arguments)
+    assert (result.code, result.out) == (2, "")
+    assert message in result.err
 
 
 @pytest.mark.parametrize(
-    ("arguments", "said"),
+    ("arguments", "message"),
     [
         (["write_register", "address=0x4E26", "value=1"], "flash_points[0].acceleration_time at 0x4E26 can only be"),
         (["write_registers", "address=0x4E26", "values=1,2"], "flash_points[0].acceleration_time at 0x4E26 can only"),
@@ -156,21 +158,23 @@ def test_a_value_beyond_its_parameter_or_register_is_refused(run: CommandLine, a
         (["write_register", "address=model_id", "value=1"], "model_id at 0x0834 can only be read"),
     ],
 )
-def test_what_can_only_be_read_is_not_written(run_on_devices: CommandLine, arguments: list[str], said: str) -> None:
-    found = run_on_devices("encode", "ck10", *arguments, "station=1")
-    assert (found.code, found.out) == (2, "")
-    assert said in found.err
+def test_a_value_that_is_read_only_is_not_written(
+    run_on_devices: CommandLine, arguments: list[str], message: str
+) -> None:
+    result = run_on_devices("encode", "ck10", *arguments, "station=1")
+    assert (result.code, result.out) == (2, "")
+    assert message in result.err
 
 
 def test_a_sentinel_may_be_written_to_a_register(run: CommandLine) -> None:
-    found = run("encode", "widget", "write_register", "station=1", "address=limit", "value=0x7FFF")
-    assert found.lines == ["01 06 20 03 7F FF 12 7A"]
+    result = run("encode", "widget", "write_register", "station=1", "address=limit", "value=0x7FFF")
+    assert result.lines == ["01 06 20 03 7F FF 12 7A"]
 
 
 def test_a_quantity_whose_count_is_a_sentinel_is_refused(run: CommandLine) -> None:
-    found = run("encode", "widget", "set_everything", "station=3", "everything.half=655.35mm")
-    assert (found.code, found.out) == (2, "")
-    assert "everything.half: `655.35mm` would be the count 65535, which stands for ignored" in found.err
+    result = run("encode", "widget", "set_everything", "station=3", "everything.half=655.35mm")
+    assert (result.code, result.out) == (2, "")
+    assert "everything.half: `655.35mm` would be the count 65535, which stands for ignored" in result.err
 
 
 @pytest.mark.parametrize(
@@ -186,7 +190,7 @@ def test_registers_are_written_in_their_units_and_by_name(run: CommandLine, argu
 
 
 @pytest.mark.parametrize(
-    ("arguments", "said"),
+    ("arguments", "message"),
     [
         (
             ["write_register", "station=16", "address=target", "value=1mm"],
@@ -196,22 +200,28 @@ def test_registers_are_written_in_their_units_and_by_name(run: CommandLine, argu
         (["write_registers", "station=16", "address=0x4000", "values=1mm"], "no register or field of words begins at"),
     ],
 )
-def test_a_quantity_that_no_register_takes_is_refused(run: CommandLine, arguments: list[str], said: str) -> None:
-    found = run("encode", "widget", *arguments)
-    assert (found.code, found.out) == (2, "")
-    assert said in found.err
+def test_a_quantity_that_no_register_takes_is_refused(run: CommandLine, arguments: list[str], message: str) -> None:
+    result = run("encode", "widget", *arguments)
+    assert (result.code, result.out) == (2, "")
+    assert message in result.err
 
 
 def test_a_register_of_another_space_is_refused(run: CommandLine) -> None:
-    found = run("encode", "meter", "read_holding_registers", "station=1", "address=voltage", "word_count=1")
-    assert (found.code, found.out) == (2, "")
-    assert "voltage lies in input_registers, and read_holding_registers reads holding_registers" in found.err
-    found = run("encode", "meter", "read_input_registers", "station=1", "address=voltage", "word_count=1")
-    assert found.lines == ["01 04 00 00 00 01 31 CA"]
+    result = run("encode", "meter", "read_holding_registers", "station=1", "address=voltage", "word_count=1")
+    assert (result.code, result.out) == (2, "")
+    assert "voltage lies in input_registers, and read_holding_registers reads holding_registers" in result.err
+    result = run("encode", "meter", "read_input_registers", "station=1", "address=voltage", "word_count=1")
+    assert result.lines == ["01 04 00 00 00 01 31 CA"]
 
 
-def test_what_can_only_be_read_is_read_and_echoed(run_on_devices: CommandLine) -> None:
+def test_a_value_that_is_read_only_may_be_requested_and_returned(run_on_devices: CommandLine) -> None:
     run = run_on_devices
     assert run("encode", "ck10", "read_registers", "station=1", "address=0x4E26", "word_count=3").code == 0
     echo = ["write_register", "station=1", "address=0x4E26", "value=1", "--direction", "response"]
     assert run("encode", "ck10", *echo).code == 0
+
+
+def test_a_count_of_a_register_has_no_leading_zeros(run: CommandLine) -> None:
+    ran = run("encode", "widget", *WRITE, "values=-1.00 mm, 007")
+    assert (ran.code, ran.out) == (2, "")
+    assert "`007` is no number" in ran.err

@@ -13,12 +13,12 @@ from pathlib import Path
 import openpyxl
 import pytest
 
-from command_line import MADE_UP, SPECS, CommandLine
+from command_line import SPECS, TEST_SPECS, CommandLine
 from fieldspec.lists.export import COLUMNS, as_csv, as_json, as_xlsx
 from fieldspec.lists.item import Item, items
 from fieldspec.lists.text_sheet import text_sheet
 from fieldspec.lists.workbook import workbook_sheet
-from laid_out import newest
+from layouts import newest
 
 DEVICES = sorted(path.parent.name for path in SPECS.glob("*/device.yaml"))
 FORMS = ("csv", "xlsx", "json")
@@ -32,7 +32,7 @@ def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> 
 
 
 def hostile_items() -> list[Item]:
-    """Registers whose words are what spreadsheets, CSV and YAML take for something else."""
+    """Registers with texts that spreadsheets, CSV and YAML interpret."""
     return [
         Item(
             space="registers",
@@ -65,7 +65,7 @@ def test_an_export_does_not_differ_from_its_device(device: str, form: str, run: 
 def test_an_export_of_a_made_up_device_does_not_differ_from_it(
     device: str, form: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    run = CommandLine(capsys, monkeypatch, MADE_UP)
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
     path = tmp_path / f"list.{form}"
     assert run("export", device, "--to", form, "--out", str(path)).code == 0
     ran = run("compare", device, str(path))
@@ -79,9 +79,9 @@ def test_documentation_describes_every_column_in_order() -> None:
 
 
 def test_the_same_device_gives_the_same_workbook_without_times_and_versions() -> None:
-    held = items(newest(SPECS, "tc100"))
-    first = as_xlsx(held, "tc100")
-    assert first == as_xlsx(held, "tc100")
+    sheet_items = items(newest(SPECS, "tc100"))
+    first = as_xlsx(sheet_items, "tc100")
+    assert first == as_xlsx(sheet_items, "tc100")
     with zipfile.ZipFile(io.BytesIO(first)) as packed:
         assert {part.date_time for part in packed.infolist()} == {(1980, 1, 1, 0, 0, 0)}
         texts = b"".join(packed.read(name) for name in packed.namelist() if name.startswith("docProps/"))
@@ -102,14 +102,14 @@ def test_no_cell_of_a_workbook_is_a_formula() -> None:
     assert all(cell.quotePrefix for cell in cells if str(cell.value).startswith(("=", "+", "-", "@")))
 
 
-def test_hostile_texts_come_back_as_they_were_but_for_control_characters() -> None:
-    held = hostile_items()
+def test_hostile_texts_come_back_unchanged_except_for_control_characters() -> None:
+    sheet_items = hostile_items()
     column = COLUMNS.index("printed_name")
     wanted = [" ".join(text.split()) for text in HOSTILE]
     for sheet in (
-        text_sheet(as_csv(held).encode()),
-        workbook_sheet(as_xlsx(held, "x")),
-        text_sheet(as_json(held).encode()),
+        text_sheet(as_csv(sheet_items).encode()),
+        workbook_sheet(as_xlsx(sheet_items, "x")),
+        text_sheet(as_json(sheet_items).encode()),
     ):
         assert [row.cell(column) for row in sheet.rows[1:]] == wanted
 
@@ -135,7 +135,7 @@ def test_a_long_number_keeps_its_digits_in_a_workbook() -> None:
         ("full_count_limit", {"address": 0x108, "unit": "pulse", "max": 100000, "printed_name": "FullCountValue"}),
     ],
 )
-def test_a_row_says_where_and_what(name: str, cells: dict[str, object], run: CommandLine) -> None:
+def test_a_row_has_the_facts_of_its_register(name: str, cells: dict[str, object], run: CommandLine) -> None:
     (row,) = (row for row in json.loads(run("export", "tc100", "--to", "json").out) if row["name"] == name)
     assert {key: row[key] for key in cells} == cells
 

@@ -35,14 +35,16 @@ def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp
 
 
 def rows(text: str) -> list[dict[str, object]]:
-    """The registers of a spec that is made from a list, which passes the check with warnings at most."""
-    made = skeleton("gadget", ORIGIN, listing(text_sheet(text.encode()), {}).rows("hex"))
-    found = checked(load({"gadget/device.yaml": made.encode()}))
-    assert [(one.code, one.severity) for one in found] == [("facts_verified", Severity.WARNING)], found[0].message
-    (group,) = yaml.safe_load(made)["registers"]
+    """The registers of a spec that is created from a list; it passes the check, with warnings at most."""
+    spec = skeleton("gadget", ORIGIN, listing(text_sheet(text.encode()), {}).rows("hex"))
+    findings = checked(load({"gadget/device.yaml": spec.encode()}))
+    assert [(finding.code, finding.severity) for finding in findings] == [("facts_verified", Severity.WARNING)], (
+        findings[0].message
+    )
+    (group,) = yaml.safe_load(spec)["registers"]
     assert all(isinstance(row["name"], str) for row in group["rows"])
-    held: list[dict[str, object]] = group["rows"]
-    return held
+    group_rows: list[dict[str, object]] = group["rows"]
+    return group_rows
 
 
 def test_a_pasted_table_becomes_a_spec_that_passes_with_a_warning(run: CommandLine) -> None:
@@ -67,7 +69,7 @@ def test_a_pasted_table_becomes_a_spec_that_passes_with_a_warning(run: CommandLi
 
 
 @pytest.mark.parametrize("device", ["ck10", "tc100"])
-def test_what_is_imported_from_an_export_does_not_differ_from_it(
+def test_an_imported_export_does_not_differ_from_its_device(
     device: str, run: CommandLine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "list.xlsx"
@@ -82,12 +84,12 @@ def test_what_is_imported_from_an_export_does_not_differ_from_it(
 
 def test_the_list_is_the_source_of_every_fact(run: CommandLine) -> None:
     ran = run("import", "-", "--to", "-", stdin=TABLE.encode())
-    made = yaml.safe_load(ran.out)
-    manual = made["device"]["manual"]
+    spec = yaml.safe_load(ran.out)
+    manual = spec["device"]["manual"]
     assert manual["sha256"] == hashlib.sha256(TABLE.encode()).hexdigest()
     assert manual["lines"] == 6
-    assert [row["source"] for row in made["registers"][0]["rows"]] == ["L4", "L5", "L6"]
-    assert all(row["unverified"] for row in made["registers"][0]["rows"])
+    assert [row["source"] for row in spec["registers"][0]["rows"]] == ["L4", "L5", "L6"]
+    assert all(row["unverified"] for row in spec["registers"][0]["rows"])
 
 
 @pytest.mark.parametrize(
@@ -137,16 +139,16 @@ def test_a_name_is_made_of_english_words(text: str, name: str) -> None:
 
 
 def test_equal_names_are_told_apart_by_the_address() -> None:
-    held = rows("Address,Name\n0x10,Speed\n0x11,Speed\n0x12,speed 0012\n0x13,Speed\n")
-    assert [row["name"] for row in held] == ["speed", "speed_0011", "speed_0012", "speed_0013"]
+    group_rows = rows("Address,Name\n0x10,Speed\n0x11,Speed\n0x12,speed 0012\n0x13,Speed\n")
+    assert [row["name"] for row in group_rows] == ["speed", "speed_0011", "speed_0012", "speed_0013"]
 
 
-def test_rows_out_of_order_stay_as_they_are_listed() -> None:
+def test_rows_out_of_order_keep_their_order() -> None:
     assert [row["at"] for row in rows("Address,Name\n0x20,a b\n0x10,c d\n")] == [0x20, 0x10]
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "message"),
     [
         ("Address,Words\n0x10,2\n0x11,1\n", "has two rows about the same word: rows 2 and 3 hold 0x0011"),
         ("Address\n0x10\n0x10\n", "rows 2 and 3 hold 0x0010"),
@@ -155,15 +157,15 @@ def test_rows_out_of_order_stay_as_they_are_listed() -> None:
         ("Address\n0x10000\n", "contradicts itself"),
     ],
 )
-def test_a_list_that_contradicts_itself_is_refused(text: str, said: str, run: CommandLine) -> None:
+def test_a_list_that_contradicts_itself_is_refused(text: str, message: str, run: CommandLine) -> None:
     path = run.folder / "lifter" / "device.yaml"
     ran = run("import", "-", "--to", str(path), stdin=text.encode())
     assert (ran.code, ran.out) == (2, "")
-    assert said in ran.err
+    assert message in ran.err
     assert not path.parent.exists()
 
 
-def test_an_import_writes_over_nothing(run: CommandLine) -> None:
+def test_an_import_overwrites_nothing(run: CommandLine) -> None:
     path = run.folder / "lifter.yaml"
     path.write_text("mine", "utf-8")
     ran = run("import", "-", "--to", str(path), stdin=TABLE.encode())
@@ -180,7 +182,7 @@ def test_an_import_writes_over_nothing(run: CommandLine) -> None:
         (("--base", "decimal", "--offset", "40000"), [1, 2]),
     ],
 )
-def test_references_are_read_as_such_unless_an_option_says_otherwise(
+def test_modbus_references_are_read_as_such_unless_an_option_says_otherwise(
     options: tuple[str, ...], addresses: list[int], run: CommandLine
 ) -> None:
     ran = run("import", "-", "--to", "-", *options, stdin=b"Address,Name\n40001,a b\n40002,c d\n")
@@ -190,19 +192,23 @@ def test_references_are_read_as_such_unless_an_option_says_otherwise(
 CELLS = st.text(alphabet=st.characters(exclude_characters="\r\n\0", exclude_categories=("Cs",)), max_size=12)
 
 
-@given(held=st.lists(st.tuples(st.integers(0, 0xFFFE), *[CELLS] * 9), min_size=1, max_size=6))
+@given(cells=st.lists(st.tuples(st.integers(0, 0xFFFE), *[CELLS] * 9), min_size=1, max_size=6))
 @settings(max_examples=60, deadline=None)
-def test_any_cells_give_a_spec_that_passes_or_a_refusal(held: list[tuple[object, ...]]) -> None:
+def test_any_cells_give_a_spec_that_passes_or_a_refusal(cells: list[tuple[object, ...]]) -> None:
     heads = "Address\tName\tLabel\tType\tWords\tAccess\tUnit\tMin\tMax\tDefault\n"
-    lines = ["\t".join(str(cell).replace("\t", " ").replace('"', "'") for cell in row) for row in held]
+    lines = ["\t".join(str(cell).replace("\t", " ").replace('"', "'") for cell in row) for row in cells]
     try:
-        found = listing(text_sheet((heads + "\n".join(lines)).encode()), {}, "decimal")
-        made = skeleton("gadget", ORIGIN, found.rows("decimal"))
+        register_list = listing(text_sheet((heads + "\n".join(lines)).encode()), {}, "decimal")
+        spec = skeleton("gadget", ORIGIN, register_list.rows("decimal"))
     except ListError:
         return
-    wrong = [one for one in checked(load({"gadget/device.yaml": made.encode()})) if one.severity is Severity.ERROR]
-    assert [one.code for one in wrong if one.code != "addresses_within_space"] == []
+    wrong = [
+        finding
+        for finding in checked(load({"gadget/device.yaml": spec.encode()}))
+        if finding.severity is Severity.ERROR
+    ]
+    assert [finding.code for finding in wrong if finding.code != "addresses_within_space"] == []
 
 
-def test_a_name_is_none_where_there_is_no_word() -> None:
+def test_a_text_without_a_word_gives_no_name() -> None:
     assert snake("…") == ""

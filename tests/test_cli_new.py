@@ -1,4 +1,4 @@
-"""What `fieldspec new` writes passes the check, and it writes over nothing."""
+"""The files of `fieldspec new` pass the check, and it overwrites nothing."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ import pytest
 
 from command_line import SPECS
 from fieldspec.cli import main
-from fieldspec.commands.compiled import layout
+from fieldspec.commands.layout_cache import layout
 
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """The protocols and one device with versions."""
-    held = tmp_path / "specs"
+    """A folder with the protocols and one device that has versions."""
+    specs = tmp_path / "specs"
     for name in ("protocols", "tc100"):
-        shutil.copytree(SPECS / name, held / name)
-    return held
+        shutil.copytree(SPECS / name, specs / name)
+    return specs
 
 
 def run(folder: Path, *words: str) -> int:
@@ -46,12 +46,12 @@ def test_a_new_version_passes_the_check_and_changes_nothing(folder: Path) -> Non
     assert old.identity == new.identity
 
 
-def test_a_new_version_is_based_on_the_newest_where_nothing_is_said(folder: Path) -> None:
+def test_a_new_version_is_based_on_the_newest_by_default(folder: Path) -> None:
     assert run(folder, "new", "version", "tc100", "2.1") == 0
     assert 'based_on: "2.0"' in (folder / "tc100/versions/2.1.yaml").read_text("utf-8")
 
 
-def test_a_version_of_another_line_stands_behind_the_last_one_of_it(folder: Path) -> None:
+def test_a_version_of_another_line_follows_the_last_one_of_that_line(folder: Path) -> None:
     assert run(folder, "new", "version", "tc100", "V3", "--based-on", "2.0", "--line", "hardware") == 0
     assert 'after: "V2"' in (folder / "tc100/versions/V3.yaml").read_text("utf-8")
     assert run(folder, "check", "tc100") == 0
@@ -63,14 +63,14 @@ def test_a_version_of_another_line_stands_behind_the_last_one_of_it(folder: Path
         (("device", "tc100", "--protocol", "modbus"), "there is a file"),
         (("device", "x", "--protocol", "modbuss"), "there is no protocol modbuss; did you mean modbus?"),
         (("device", "x"), "there is no protocol"),
-        (("device", "My Drive", "--protocol", "packet"), "My Drive is no name of a device"),
-        (("device", "../x", "--protocol", "packet"), "../x is no name of a device"),
+        (("device", "My Drive", "--protocol", "packet"), "My Drive is not a valid name of a device"),
+        (("device", "../x", "--protocol", "packet"), "../x is not a valid name of a device"),
         (("device", "x", "1.0", "--protocol", "packet"), "a new device has no version yet"),
         (("version", "tc100"), "name the version"),
         (("version", "tc100", "2.0"), "tc100 has a version 2.0 already"),
         (("version", "tc100", "2.1", "--based-on", "1.9"), "there is no version of tc100 1.9"),
         (("version", "tc100", "2.1", "--line", "software"), "there is no line of versions of tc100 software"),
-        (("version", "tc100", "../2.1"), "../2.1 is no name of a version"),
+        (("version", "tc100", "../2.1"), "../2.1 is not a valid name of a version"),
         (("version", "nothing", "2.1"), "there is no device nothing"),
     ],
 )

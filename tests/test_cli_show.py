@@ -1,19 +1,19 @@
-"""`fieldspec show` shows a device, or every item that a text means, with its bits drawn."""
+"""`fieldspec show` shows a device, or every item that a text may mean, with a drawing of its bits."""
 
 from __future__ import annotations
 
 import pytest
 
-from command_line import MADE_UP, CommandLine
+from command_line import TEST_SPECS, CommandLine
 from fieldspec.render.blocks import drawn
 from fieldspec.render.item import handles, items
-from laid_out import newest
+from layouts import newest
 
-WIDGET = newest(MADE_UP, "widget")
+WIDGET = newest(TEST_SPECS, "widget")
 HANDLES = [
     (device, handle)
     for device in ("widget", "glider-x")
-    for handle in sorted({handle for item in items(newest(MADE_UP, device)) for handle in handles(item) if handle})
+    for handle in sorted({handle for item in items(newest(TEST_SPECS, device)) for handle in handles(item) if handle})
 ]
 
 STATUS = """\
@@ -43,27 +43,27 @@ WIDE = """\
 
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
-    return CommandLine(capsys, monkeypatch, MADE_UP)
+    return CommandLine(capsys, monkeypatch, TEST_SPECS)
 
 
 @pytest.mark.parametrize(("name", "drawing"), [("status", STATUS), ("wide_status", WIDE)])
-def test_a_word_is_drawn_with_a_box_a_bit(name: str, drawing: str) -> None:
+def test_a_word_is_drawn_with_a_box_for_each_bit(name: str, drawing: str) -> None:
     assert list(drawn(WIDGET.device.flags[name])) == drawing.split("\n")
 
 
-def test_a_device_is_shown_with_all_that_it_has(run: CommandLine) -> None:
-    found = run("show", "widget")
-    assert (found.code, found.err) == (0, "")
-    assert found.lines[0].startswith("Widget (Nobody), version 2.0, identity ")
+def test_a_device_is_shown_with_all_its_items(run: CommandLine) -> None:
+    result = run("show", "widget")
+    assert (result.code, result.err) == (0, "")
+    assert result.lines[0].startswith("Widget (Nobody), version 2.0, identity ")
     for cell in ("0x1010   position", "0x9010   points  1..5", "0x20  stop", "enums: exception_code, color, direction"):
-        assert cell in found.out
+        assert cell in result.out
 
 
 @pytest.mark.parametrize(("device", "text"), HANDLES)
 def test_everything_that_has_a_name_can_be_shown(run: CommandLine, device: str, text: str) -> None:
-    found = run("show", device, text)
-    assert (found.code, found.err) == (0, "")
-    assert text in found.lines[0]
+    result = run("show", device, text)
+    assert (result.code, result.err) == (0, "")
+    assert text in result.lines[0]
 
 
 @pytest.mark.parametrize(
@@ -99,10 +99,10 @@ def test_everything_that_has_a_name_can_be_shown(run: CommandLine, device: str, 
     ],
 )
 def test_an_item_is_shown_by_name_print_label_address_or_code(run: CommandLine, text: str, lines: list[str]) -> None:
-    found = run("show", "widget", text)
-    assert found.code == 0
-    shown = [" ".join(line.split()) for line in found.lines]
-    assert [line for line in lines if line not in shown] == []
+    result = run("show", "widget", text)
+    assert result.code == 0
+    visible = [" ".join(line.split()) for line in result.lines]
+    assert [line for line in lines if line not in visible] == []
 
 
 @pytest.mark.parametrize(
@@ -150,15 +150,15 @@ def test_an_item_is_shown_by_name_print_label_address_or_code(run: CommandLine, 
         ("read_parameter", ["+2 bool8 x 1..8 values, format boolean", "u16 x 1..8 values, format unsigned16 or word"]),
     ],
 )
-def test_what_telegrams_and_parameters_are_called_means_them(run: CommandLine, text: str, lines: list[str]) -> None:
-    found = run("show", "glider-x", text)
-    assert found.code == 0
-    shown = [" ".join(line.split()) for line in found.lines]
-    assert [line for line in lines if line not in shown] == []
+def test_telegrams_and_parameters_are_found_by_their_names(run: CommandLine, text: str, lines: list[str]) -> None:
+    result = run("show", "glider-x", text)
+    assert result.code == 0
+    visible = [" ".join(line.split()) for line in result.lines]
+    assert [line for line in lines if line not in visible] == []
 
 
-def test_the_overview_has_the_words_of_the_device(run: CommandLine) -> None:
-    shown = [" ".join(line.split()) for line in run("show", "glider-x").lines]
+def test_the_overview_uses_the_terms_of_the_device(run: CommandLine) -> None:
+    lines = [" ".join(line.split()) for line in run("show", "glider-x").lines]
     for line in (
         "cyclic Process data telegram received / sent",
         "channel Parameter channel message request / response",
@@ -168,19 +168,19 @@ def test_the_overview_has_the_words_of_the_device(run: CommandLine) -> None:
         "Ut100..Ut104 0x4100..0x4104 unused u16 ?",
         "conversions: commanded_speed, output_torque, short_speed",
     ):
-        assert line in shown
+        assert line in lines
 
 
 def test_a_text_that_means_several_items_shows_all(run: CommandLine) -> None:
-    found = run("show", "widget", "nest")
-    assert found.lines[0] == "nest"
-    assert found.lines.count("nest") == 2
-    assert "  code      0x24" in found.lines
-    assert any(line.startswith("  size      ") for line in found.lines)
+    result = run("show", "widget", "nest")
+    assert result.lines[0] == "nest"
+    assert result.lines.count("nest") == 2
+    assert "  code      0x24" in result.lines
+    assert any(line.startswith("  size      ") for line in result.lines)
 
 
 @pytest.mark.parametrize(
-    ("arguments", "said"),
+    ("arguments", "message"),
     [
         (["show", "widget", "positon"], "there is no item of widget positon; did you mean position?"),
         (["show", "widget", "0x7000"], "there is no item of widget 0x7000; "),
@@ -192,7 +192,7 @@ def test_a_text_that_means_several_items_shows_all(run: CommandLine) -> None:
         (["show"], "the following arguments are required"),
     ],
 )
-def test_what_there_is_not_is_wrong_use(run: CommandLine, arguments: list[str], said: str) -> None:
-    found = run(*arguments)
-    assert (found.code, found.out) == (2, "")
-    assert said in found.err
+def test_an_unknown_item_or_device_is_wrong_use(run: CommandLine, arguments: list[str], message: str) -> None:
+    result = run(*arguments)
+    assert (result.code, result.out) == (2, "")
+    assert message in result.err

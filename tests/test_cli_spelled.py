@@ -1,4 +1,4 @@
-"""Bytes are read in every common spelling, and out of the lines of logs."""
+"""Bytes are read in every common notation, also within lines of logs."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ import pytest
 
 from fieldspec.commands.decode import LONGEST_LINE
 from fieldspec.explain.log import LogLine, Unreadable, log_line
-from laid_out import MADE_UP, newest
+from layouts import TEST_SPECS, newest
 
-LINKS = [laid.link for laid in newest(MADE_UP, "widget").links.values()]
+LINKS = [link.link for link in newest(TEST_SPECS, "widget").links.values()]
 BYTES = bytes.fromhex("01 06 20 1E 00 03 A2 0D")
 CHARACTERS = b":010310000002EA\r\n"
 
-SPELLED = [
+SPELLINGS = [
     "01 06 20 1E 00 03 A2 0D",
     "0106201E0003A20D",
     "0106 201E 0003 A20D",
@@ -89,12 +89,12 @@ RESPONSES = [
 @pytest.mark.parametrize(
     ("text", "direction"),
     [
-        *((text, "") for text in SPELLED),
+        *((text, "") for text in SPELLINGS),
         *((text, "request") for text in REQUESTS),
         *((text, "response") for text in RESPONSES),
     ],
 )
-def test_bytes_are_read_however_they_are_spelled(text: str, direction: str) -> None:
+def test_bytes_are_read_in_every_notation(text: str, direction: str) -> None:
     assert log_line(text, LINKS) == LogLine(BYTES, direction)
 
 
@@ -115,9 +115,9 @@ def test_bytes_are_read_however_they_are_spelled(text: str, direction: str) -> N
     ],
 )
 def test_a_frame_of_characters_is_read_as_it_stands(text: str) -> None:
-    found = log_line(text, LINKS)
-    assert found is not None
-    assert (found.frame, found.remarks) == (CHARACTERS, ())
+    line = log_line(text, LINKS)
+    assert line is not None
+    assert (line.frame, line.remarks) == (CHARACTERS, ())
 
 
 @pytest.mark.parametrize(
@@ -129,10 +129,10 @@ def test_a_frame_of_characters_is_read_as_it_stands(text: str) -> None:
         (": 0103100000 02EA", "CR LF"),
     ],
 )
-def test_an_end_mark_that_the_text_lacks_is_added_and_said(text: str, lacks: str) -> None:
-    found = log_line(text, LINKS)
-    assert found == LogLine(
-        CHARACTERS, "", (f"the text lacks {lacks} at the end of the frame, which is taken as sent",)
+def test_a_missing_end_delimiter_is_added_and_reported(text: str, lacks: str) -> None:
+    line = log_line(text, LINKS)
+    assert line == LogLine(
+        CHARACTERS, "", (f"{lacks} is missing at the end of the text and is assumed to have been sent",)
     )
 
 
@@ -145,7 +145,7 @@ def test_blank_lines_and_comments_hold_no_frame(text: str) -> None:
     ("text", "direction"),
     [("RX:", "response"), ("> 2026/01/31 12:00:01.000123  length=8 from=0 to=7", "request")],
 )
-def test_a_line_may_say_only_which_way_the_next_one_goes(text: str, direction: str) -> None:
+def test_a_line_may_state_only_the_direction_of_the_next_one(text: str, direction: str) -> None:
     assert log_line(text, LINKS) == LogLine(b"", direction)
 
 
@@ -153,14 +153,14 @@ def test_a_line_may_say_only_which_way_the_next_one_goes(text: str, direction: s
     ("text", "why"),
     [
         ("hello", "there are no bytes in it"),
-        ("01 06 ?? 1E", "`??` is no byte in hexadecimal digits"),
-        ("01 06 1G", "`1G` is no byte in hexadecimal digits"),
+        ("01 06 ?? 1E", "`??` is not a byte in hexadecimal digits"),
+        ("01 06 1G", "`1G` is not a byte in hexadecimal digits"),
         ("0106201", "`0106201` has an odd number of digits"),
-        ("TX: 01 0xx", "`0xx` is no byte in hexadecimal digits"),
+        ("TX: 01 0xx", "`0xx` is not a byte in hexadecimal digits"),
         ("0x", "there are no bytes in it"),
     ],
 )
-def test_what_cannot_be_read_is_said(text: str, why: str) -> None:
+def test_an_unreadable_line_is_reported(text: str, why: str) -> None:
     with pytest.raises(Unreadable) as refused:
         log_line(text, LINKS)
     assert str(refused.value) == why
@@ -169,7 +169,7 @@ def test_what_cannot_be_read_is_said(text: str, why: str) -> None:
 @pytest.mark.parametrize(
     "piece", ["tx ", "[ ", "01 ", " ", "\\r", "(", ":", "01:", "<01>", "> ", "12:00:01 ", "0", "#", "=", "x:"]
 )
-def test_no_line_takes_long(piece: str) -> None:
+def test_every_line_is_read_quickly(piece: str) -> None:
     line = (piece * LONGEST_LINE)[: LONGEST_LINE - 1]
     start = time.process_time()
     for text in (line, f"{line}!", f":{line}", f"01 {line}?"):

@@ -1,4 +1,4 @@
-"""The verbs that look at versions: which there are, what one of them says and from where, and how they differ."""
+"""The verbs about versions: which there are, what one of them states and which file says so, and how they differ."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from typing import NamedTuple
 
 import pytest
 
-from command_line import MADE_UP, SPECS
+from command_line import SPECS, TEST_SPECS
 from fieldspec.cli import main
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import device_layout
 from fieldspec.reading.project import read
-from laid_out import layouts
+from layouts import layouts
 
 OVERLAY = """
 overlay: {id: "1.2", line: firmware, based_on: "1.1", doc: Turns faster.}
@@ -27,7 +27,7 @@ adds:
 
 
 class Done(NamedTuple):
-    """What a run has left."""
+    """The exit code and the output of a run."""
 
     code: int
     out: str
@@ -43,14 +43,14 @@ def ran(capsys: pytest.CaptureFixture[str], folder: Path, *words: str) -> Done:
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """The made-up devices, one of them with a version that is a file."""
-    held = tmp_path / "specs"
-    shutil.copytree(MADE_UP, held)
-    (held / "glider-x/versions").mkdir()
-    (held / "glider-x/versions/1.2.yaml").write_text(OVERLAY, "utf-8")
-    return held
+    specs = tmp_path / "specs"
+    shutil.copytree(TEST_SPECS, specs)
+    (specs / "glider-x/versions").mkdir()
+    (specs / "glider-x/versions/1.2.yaml").write_text(OVERLAY, "utf-8")
+    return specs
 
 
-def test_versions_are_listed_by_line_with_what_depends_on_them(
+def test_versions_are_listed_by_line_with_the_facts_that_depend_on_them(
     capsys: pytest.CaptureFixture[str], folder: Path
 ) -> None:
     done = ran(capsys, folder, "versions", "glider-x")
@@ -63,22 +63,22 @@ def test_versions_are_listed_by_line_with_what_depends_on_them(
 
 
 def test_a_device_without_versions_has_one(capsys: pytest.CaptureFixture[str]) -> None:
-    assert ran(capsys, MADE_UP, "versions", "gadget").out.startswith("Gadget has one version, 1: ")
+    assert ran(capsys, TEST_SPECS, "versions", "gadget").out.startswith("Gadget has one version, 1: ")
 
 
-@pytest.mark.parametrize("root", [MADE_UP, SPECS], ids=["made up", "real"])
+@pytest.mark.parametrize("root", [TEST_SPECS, SPECS], ids=["made up", "real"])
 def test_a_resolved_spec_is_the_device_at_that_version(
     capsys: pytest.CaptureFixture[str], root: Path, tmp_path: Path
 ) -> None:
     for name, versions in layouts(root).items():
-        for laid in versions:
-            done = ran(capsys, root, "resolve", f"{name}@{laid.device.version}")
+        for layout in versions:
+            done = ran(capsys, root, "resolve", f"{name}@{layout.device.version}")
             assert done.code == 0
             project = read({f"{name}/device.yaml": done.out.encode()})
             assert not has_errors(project.findings), (name, project.findings[0].message)
-            device, found = project.devices[name].at(laid.device.version)
-            assert not has_errors(found)
-            assert device_layout(device).identity == laid.identity
+            device, findings = project.devices[name].at(layout.device.version)
+            assert not has_errors(findings)
+            assert device_layout(device).identity == layout.identity
 
 
 def test_each_value_of_a_resolved_spec_has_its_place(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
@@ -124,8 +124,8 @@ def test_a_matrix_of_everything_has_the_facts_that_are_the_same(
     assert "registers/resolution," in done.out
 
 
-def test_a_matrix_as_a_page_has_hostile_texts_escaped(capsys: pytest.CaptureFixture[str]) -> None:
-    page = ran(capsys, MADE_UP, "matrix", "hostile", "--all", "--format", "html").out
+def test_the_html_matrix_escapes_hostile_texts(capsys: pytest.CaptureFixture[str]) -> None:
+    page = ran(capsys, TEST_SPECS, "matrix", "hostile", "--all", "--format", "html").out
     assert page.startswith("<!doctype html>")
     assert "</script>" not in page
 
@@ -138,10 +138,12 @@ def test_a_matrix_as_a_page_has_hostile_texts_escaped(capsys: pytest.CaptureFixt
         (("resolve", "glider-x@1.0+9"), "there is no version of glider-x 9"),
         (("blame", "glider-x", "registers/nothing"), "glider-x has no fact registers/nothing at 1.1"),
         (("blame", "glider-x", "registers"), "glider-x has no fact registers at 1.1, only a list"),
-        (("matrix", "glider-x@1.0"), "the matrix is of all versions; leave out @1.0"),
+        (("matrix", "glider-x@1.0"), "the matrix shows all versions; leave out @1.0"),
     ],
 )
-def test_what_is_not_there_is_wrong_use(capsys: pytest.CaptureFixture[str], words: tuple[str, ...], text: str) -> None:
-    done = ran(capsys, MADE_UP, *words)
+def test_an_unknown_device_or_version_is_wrong_use(
+    capsys: pytest.CaptureFixture[str], words: tuple[str, ...], text: str
+) -> None:
+    done = ran(capsys, TEST_SPECS, *words)
     assert done.code == 2
     assert text in done.err

@@ -1,4 +1,4 @@
-"""Compiled devices are kept from one call to the next, and are what the specs say."""
+"""Compiled devices are cached from one call to the next, and agree with the specs."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from typing import Any
 
 import pytest
 
-from command_line import MADE_UP, SPECS
+from command_line import SPECS, TEST_SPECS
 from fieldspec.checks.layout_conditions import LAYOUT_CONDITIONS
 from fieldspec.classes import attributes, replace
 from fieldspec.cli import main
-from fieldspec.commands import caching, compiled, layout_json, sources
+from fieldspec.commands import cache_folder, layout_cache, spec_files
 from fieldspec.commands.specs import layout_of
 from fieldspec.model.fact import Citation, Claim, Place
 from fieldspec.reading import project
@@ -30,134 +30,134 @@ BROKEN = sorted(
     for check in LAYOUT_CONDITIONS
     for file in Path(__file__).parent.joinpath("cases", check).glob("failing*/device.yaml")
 )
-DEVICES = [(folder, device) for folder in (SPECS, MADE_UP) for device in sources.devices(folder)]
+DEVICES = [(folder, device) for folder in (SPECS, TEST_SPECS) for device in spec_files.devices(folder)]
 
 
 @pytest.fixture
 def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The folder of compiled devices."""
     monkeypatch.setenv("FIELDSPEC_CACHE", str(tmp_path / "cache"))
-    return tmp_path / "cache" / compiled.KIND
+    return tmp_path / "cache" / layout_cache.KIND
 
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """Specs that a test may change."""
-    shutil.copytree(MADE_UP, tmp_path / "specs")
+    shutil.copytree(TEST_SPECS, tmp_path / "specs")
     return tmp_path / "specs"
 
 
-def shown(folder: Path, *options: str) -> int:
+def show(folder: Path, *options: str) -> int:
     return main(["show", "widget", "--specs", str(folder), *options])
 
 
 def unread(monkeypatch: pytest.MonkeyPatch) -> None:
     """From here on, no spec can be read."""
 
-    def read(*given: object) -> None:
+    def read(*arguments: object) -> None:
         raise AssertionError("a spec is read")
 
     monkeypatch.setattr(project, "read", read)
 
 
-def alike(one: Any, other: Any, met: set[tuple[int, int]]) -> bool:
-    """Whether two objects are of the same class and hold the same, through everything that they hold."""
-    if one is other or (id(one), id(other)) in met:
+def alike(left: Any, other: Any, met: set[tuple[int, int]]) -> bool:
+    """Whether two objects are of the same class and have equal contents, at any depth."""
+    if left is other or (id(left), id(other)) in met:
         return True
-    met.add((id(one), id(other)))
-    if isinstance(one, (tuple, list)) and type(one) is type(other):
-        return len(one) == len(other) and all(alike(*pair, met) for pair in zip(one, other, strict=True))
-    if isinstance(one, dict):
-        return list(one) == list(other) and all(alike(one[key], other[key], met) for key in one)
-    if isinstance(one, SourceFile):
-        return (one.path, one.text) == (other.path, other.text)
-    if isinstance(one, Place) and isinstance(other, Place):  # of what was read, it is told where it stands
-        return alike((one.path, one.whole, one.spans), (other.path, other.whole, other.spans), set())
-    if hasattr(type(one), "_fields") and not isinstance(one, Enum):
-        values = [(getattr(one, name), getattr(other, name)) for name in attributes(type(one))]
-        return type(one) is type(other) and all(alike(*pair, met) for pair in values)
-    return type(one) is type(other) and bool(one == other)
+    met.add((id(left), id(other)))
+    if isinstance(left, (tuple, list)) and type(left) is type(other):
+        return len(left) == len(other) and all(alike(*pair, met) for pair in zip(left, other, strict=True))
+    if isinstance(left, dict):
+        return list(left) == list(other) and all(alike(left[key], other[key], met) for key in left)
+    if isinstance(left, SourceFile):
+        return (left.path, left.text) == (other.path, other.text)
+    if isinstance(left, Place) and isinstance(other, Place):  # of what was read, it is told where it stands
+        return alike((left.path, left.whole, left.spans), (other.path, other.whole, other.spans), set())
+    if hasattr(type(left), "_fields") and not isinstance(left, Enum):
+        values = [(getattr(left, name), getattr(other, name)) for name in attributes(type(left))]
+        return type(left) is type(other) and all(alike(*pair, met) for pair in values)
+    return type(left) is type(other) and bool(left == other)
 
 
 @pytest.mark.parametrize(("folder", "device"), DEVICES, ids=[device for _, device in DEVICES])
-def test_a_thawed_layout_holds_all_that_was_frozen(folder: Path, device: str) -> None:
-    files = sources.files(folder, frozenset([device]))
+def test_a_layout_read_from_the_cache_is_equal_to_the_original(folder: Path, device: str) -> None:
+    files = spec_files.files(folder, frozenset([device]))
     spec = project.read(files, frozenset([device])).devices[device]
     for version in {spec.versions()[0], spec.versions()[-1]}:
         layout = layout_of(spec, version)
-        thawed = layout_json.from_json(layout_json.to_json(layout), lambda path: SourceFile(path, files[path].decode()))
+        thawed = layout_cache.from_json(
+            layout_cache.to_json(layout), lambda path: SourceFile(path, files[path].decode())
+        )
         assert alike(thawed, layout, set())
 
 
-def test_an_object_that_nobody_has_looked_at_is_equal_to_another_and_hashed_alike() -> None:
+def test_an_object_that_is_not_yet_unpacked_is_equal_to_another_and_has_the_same_hash() -> None:
     citations = [(3, 17), (4, 20)]
-    held = [Citation("8.2", (lines,)) for lines in citations]
-    content = layout_json.to_json(Claim(Place("x", NOWHERE, {}), tuple(held), {}))
+    original = [Citation("8.2", (lines,)) for lines in citations]
+    content = layout_cache.to_json(Claim(Place("x", NOWHERE, {}), tuple(original), {}))
 
     def new() -> tuple[Citation, ...]:
-        found: tuple[Citation, ...] = layout_json.from_json(content, lambda path: NOWHERE.file).sources
-        return found
+        citations: tuple[Citation, ...] = layout_cache.from_json(content, lambda path: NOWHERE.file).sources
+        return citations
 
-    assert new()[0] == held[0]
-    assert held[0] == new()[0]
+    assert new()[0] == original[0]
+    assert original[0] == new()[0]
     assert new()[0] == new()[0] != new()[1]
-    assert [*map(hash, new())] == [*map(hash, held)]
+    assert [*map(hash, new())] == [*map(hash, original)]
     assert replace(new()[0], section="9") == Citation("9", ((3, 17),))
-    assert repr(new()[0]) == repr(held[0])
+    assert repr(new()[0]) == repr(original[0])
     with pytest.raises(AttributeError, match="Citation has no attribute colour"):
         _ = new()[0].colour  # type: ignore[attr-defined]
 
 
 def test_the_second_call_reads_no_spec(cache: Path, monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
-    assert shown(MADE_UP) == 0
+    assert show(TEST_SPECS) == 0
     first = capsys.readouterr().out
     unread(monkeypatch)
-    assert shown(MADE_UP) == 0
+    assert show(TEST_SPECS) == 0
     assert capsys.readouterr().out == first
     assert len(list(cache.iterdir())) == 1
 
 
 def test_a_spec_that_has_changed_is_read_again(cache: Path, folder: Path, capsys: Any) -> None:
-    assert shown(folder) == 0
+    assert show(folder) == 0
     before = capsys.readouterr().out
     file = folder / "widget" / "device.yaml"
     text = file.read_text("utf-8").replace("vendor: Nobody", "vendor: Someone")
     file.write_text(text, "utf-8", newline="\n")
-    assert shown(folder) == 0
+    assert show(folder) == 0
     assert capsys.readouterr().out == before.replace("Nobody", "Someone")
 
 
 def test_with_another_compiler_a_spec_is_read_again(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert shown(MADE_UP) == 0
-    monkeypatch.setattr(caching, "state", lambda: "another")
+    assert show(TEST_SPECS) == 0
+    monkeypatch.setattr(cache_folder, "state", lambda: "another")
     unread(monkeypatch)
     with pytest.raises(AssertionError, match="a spec is read"):
-        shown(MADE_UP)
+        show(TEST_SPECS)
 
 
 def test_the_state_of_the_compiler_changes_with_each_of_its_files(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     package = tmp_path / "fieldspec"
-    shutil.copytree(caching._PACKAGE, package)
-    monkeypatch.setattr(caching, "_PACKAGE", str(package))
-    states = {caching.state()}
+    shutil.copytree(cache_folder._PACKAGE, package)
+    monkeypatch.setattr(cache_folder, "_PACKAGE", str(package))
+    states = {cache_folder.state()}
     for name in ("layout/record.py", "schema/spec.schema.json", "source.py"):
         with (package / name).open("a", encoding="utf-8") as file:
             file.write("\n")
-        states.add(caching.state())
+        states.add(cache_folder.state())
     assert len(states) == 4
 
 
-def test_without_the_cache_nothing_is_looked_at_and_nothing_is_kept(
-    cache: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    assert shown(MADE_UP, "--no-cache") == 0
+def test_without_the_cache_nothing_is_read_from_it_or_stored(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert show(TEST_SPECS, "--no-cache") == 0
     assert not cache.exists()
-    assert shown(MADE_UP) == 0
+    assert show(TEST_SPECS) == 0
     unread(monkeypatch)
     with pytest.raises(AssertionError, match="a spec is read"):
-        shown(MADE_UP, "--no-cache")
+        show(TEST_SPECS, "--no-cache")
 
 
 @pytest.mark.parametrize(
@@ -167,52 +167,52 @@ def test_without_the_cache_nothing_is_looked_at_and_nothing_is_kept(
         lambda text: text[: len(text) // 2],
         lambda text: text.replace(b"Widget", b"Gadget"),
         lambda text: b"\xff\xfe" + text,
-        lambda text: b"%s\n%s" % (caching.checksum(b"\xff").encode(), b"\xff"),
-        lambda text: b"%s\n%s" % (caching.checksum(b'[["os:system"],[]]\n[1]').encode(), b'[["os:system"],[]]\n[1]'),
+        lambda text: b"%s\n%s" % (cache_folder.checksum(b"\xff").encode(), b"\xff"),
+        lambda text: (
+            b"%s\n%s" % (cache_folder.checksum(b'[["os:system"],[]]\n[1]').encode(), b'[["os:system"],[]]\n[1]')
+        ),
     ],
     ids=["empty", "half written", "changed by hand", "not text", "no lines", "naming what it must not"],
 )
-def test_a_compiled_device_that_is_not_whole_is_as_none(
-    cache: Path, capsys: Any, spoilt: Callable[[bytes], bytes]
-) -> None:
-    assert shown(MADE_UP) == 0
+def test_an_incomplete_compiled_device_is_ignored(cache: Path, capsys: Any, spoilt: Callable[[bytes], bytes]) -> None:
+    assert show(TEST_SPECS) == 0
     before = capsys.readouterr().out
     (file,) = cache.iterdir()
     whole = file.read_bytes()
     file.write_bytes(spoilt(whole))
-    assert shown(MADE_UP) == 0
+    assert show(TEST_SPECS) == 0
     assert capsys.readouterr().out == before
     assert file.read_bytes() == whole
 
 
 @pytest.mark.skipif(os.name != "posix", reason="this system has no such rights")
 @pytest.mark.parametrize("mode", [0o620, 0o602])
-def test_a_compiled_device_that_others_can_write_to_is_as_none(
+def test_a_compiled_device_that_others_can_write_to_is_ignored(
     cache: Path, monkeypatch: pytest.MonkeyPatch, mode: int
 ) -> None:
-    assert shown(MADE_UP) == 0
+    assert show(TEST_SPECS) == 0
     (file,) = cache.iterdir()
     assert file.stat().st_mode & 0o777 == 0o600
     assert cache.stat().st_mode & 0o777 == 0o700
     file.chmod(mode)
     unread(monkeypatch)
     with pytest.raises(AssertionError, match="a spec is read"):
-        shown(MADE_UP)
+        show(TEST_SPECS)
 
 
-def test_findings_are_kept_of_no_device(cache: Path, folder: Path) -> None:
+def test_a_device_with_findings_is_not_cached(cache: Path, folder: Path) -> None:
     for path in folder.glob("widget/*.yaml"):
         path.write_text(path.read_text("utf-8").replace("type: u16", "type: u17"), "utf-8", newline="\n")
-    assert shown(folder) == 2
+    assert show(folder) == 2
     assert not cache.exists()
 
 
-def test_places_are_shown_as_they_are_found_from_here(
+def test_paths_are_shown_relative_to_the_current_folder(
     cache: Path, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def path() -> str:
-        held = compiled.layout(str(folder), "widget").device
-        return next(iter(held.records.values())).place.whole.file.path
+        device = layout_cache.layout(str(folder), "widget").device
+        return next(iter(device.records.values())).place.whole.file.path
 
     monkeypatch.chdir(folder.parent)
     near = path()
@@ -220,24 +220,24 @@ def test_places_are_shown_as_they_are_found_from_here(
     assert near == f"specs/{path()}"
 
 
-def test_a_compiled_device_is_taken_without_what_reads_specs(cache: Path) -> None:
+def test_a_compiled_device_is_loaded_without_the_modules_that_read_specs(cache: Path) -> None:
     code = (
         "import sys; from fieldspec.cli import main; main(sys.argv[1:]); "
         "print({'yaml', 'jsonschema_rs', 'construct', 'fieldspec.commands.specs'} & {*sys.modules})"
     )
-    command = [sys.executable, "-c", code, "show", "widget", "--specs", str(MADE_UP)]
+    command = [sys.executable, "-c", code, "show", "widget", "--specs", str(TEST_SPECS)]
     first, second = (subprocess.run(command, capture_output=True, encoding="utf-8", check=True) for _ in range(2))
     assert "yaml" in first.stdout.splitlines()[-1]
     assert second.stdout.splitlines()[-1] == "set()"
 
 
 @pytest.mark.parametrize("case", BROKEN, ids=[f"{case.parent.name}/{case.name}" for case in BROKEN])
-def test_a_device_that_cannot_be_laid_out_is_wrong_use(cache: Path, tmp_path: Path, case: Path, capsys: Any) -> None:
-    found = re.search(r"^ *(?:device: \{)? *id: ([a-z0-9_-]+)", (case / "device.yaml").read_text("utf-8"), re.MULTILINE)
-    assert found is not None
-    shutil.copytree(case, tmp_path / "specs" / found[1])
+def test_a_device_without_a_valid_layout_is_wrong_use(cache: Path, tmp_path: Path, case: Path, capsys: Any) -> None:
+    match = re.search(r"^ *(?:device: \{)? *id: ([a-z0-9_-]+)", (case / "device.yaml").read_text("utf-8"), re.MULTILINE)
+    assert match is not None
+    shutil.copytree(case, tmp_path / "specs" / match[1])
     for more in (["show"], ["decode"]):
         frame = ["01 02 03"] if more == ["decode"] else []
-        assert main([*more, found[1], *frame, "--specs", str(tmp_path / "specs")]) == 2
-        assert f"the spec of {found[1]} has findings" in capsys.readouterr().err
+        assert main([*more, match[1], *frame, "--specs", str(tmp_path / "specs")]) == 2
+        assert f"the spec of {match[1]} has findings" in capsys.readouterr().err
     assert not cache.exists()

@@ -46,7 +46,7 @@ sys.exit(main())
 
 
 def built(folder: Path, setting: Mapping[str, str]) -> dict[str, bytes]:
-    """All outputs of a device, built in a folder of its own."""
+    """All outputs of a device, built in their own folder."""
     for device in DEVICES:
         shutil.copytree(SPECS / device, folder / "specs" / device)
     environment = {**os.environ, "FIELDSPEC_CACHE": str(folder / "cache"), **setting}
@@ -65,6 +65,6 @@ def expected(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
 
 @pytest.mark.parametrize("name", SETTINGS)
 def test_outputs_are_the_same_bytes(name: str, expected: dict[str, bytes], tmp_path: Path) -> None:
-    found = built(tmp_path / "a longer name with blanks, ä", SETTINGS[name])
-    assert sorted(found) == sorted(expected)
-    assert [path for path in found if found[path] != expected[path]] == []
+    outputs = built(tmp_path / "a longer name with blanks, ä", SETTINGS[name])
+    assert sorted(outputs) == sorted(expected)
+    assert [path for path in outputs if outputs[path] != expected[path]] == []

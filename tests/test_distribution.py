@@ -16,7 +16,7 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 PARTS = ("codegen", "specs", "generated/python", "pyproject.toml", "README.md", "LICENSE", ".gitignore")
 FREE = ("MIT", "BSD", "Apache", "PSF", "Python Software Foundation", "MPL-2.0")
-"""Words of licences under which a program of any licence may use a library as it is."""
+"""Terms for licences under which a program of any licence may use an unmodified library."""
 
 
 def packed(folder: Path, mask: int, zone: str, stamp: int) -> dict[str, bytes]:
@@ -30,7 +30,7 @@ def packed(folder: Path, mask: int, zone: str, stamp: int) -> dict[str, bytes]:
             shutil.copyfile(ROOT / part, copy / part)
     for path in copy.rglob("*"):
         os.utime(path, (stamp, stamp))
-    environment = {name: held for name, held in os.environ.items() if name != "SOURCE_DATE_EPOCH"}
+    environment = {name: value for name, value in os.environ.items() if name != "SOURCE_DATE_EPOCH"}
     command = [sys.executable, "-m", "hatchling", "build", "-d", str(folder / "dist")]
     subprocess.run(command, cwd=copy, env={**environment, "TZ": zone}, umask=mask, check=True, capture_output=True)
     return {path.name: path.read_bytes() for path in sorted((folder / "dist").iterdir())}
@@ -64,7 +64,7 @@ def test_a_wheel_holds_the_compiler_the_specs_and_their_package_alone(
 
 
 def test_an_installed_wheel_works_in_an_empty_folder(distributions: dict[str, bytes], tmp_path: Path) -> None:
-    """Its libraries are those of this environment, so that nothing is fetched; fieldspec is that of the wheel."""
+    """The libraries come from this environment, so that nothing is downloaded; fieldspec comes from the wheel."""
     home, here = tmp_path / "venv", tmp_path / "here"
     here.mkdir()
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", str(home)], check=True)
@@ -86,9 +86,9 @@ def test_an_installed_wheel_works_in_an_empty_folder(distributions: dict[str, by
     assert (refused.returncode, "are not changed" in refused.stderr) == (2, True)
     protocols = sorted(path.stem for path in (ROOT / "specs/protocols").glob("*.yaml"))
     for number, protocol in enumerate(["packet", *protocols]):
-        made = run("new", "device", f"pump{number}", "--protocol", protocol)
-        assert (made.returncode, made.stderr) == (0, "")
-        assert f"specs/pump{number}/device.yaml" in made.stdout
+        created = run("new", "device", f"pump{number}", "--protocol", protocol)
+        assert (created.returncode, created.stderr) == (0, "")
+        assert f"specs/pump{number}/device.yaml" in created.stdout
     checked = run("check")
     assert (checked.returncode, checked.stdout) == (0, checked.stdout.strip() + "\n")
     assert run("build").returncode == 0
@@ -97,7 +97,7 @@ def test_an_installed_wheel_works_in_an_empty_folder(distributions: dict[str, by
 
 
 def present(name: str) -> bool:
-    """Whether a distribution is installed; some are for other versions of Python."""
+    """Whether a distribution is installed; some are needed by other versions of Python only."""
     try:
         importlib.metadata.distribution(name)
     except importlib.metadata.PackageNotFoundError:
@@ -106,13 +106,13 @@ def present(name: str) -> bool:
 
 
 def licence(name: str) -> str:
-    """What a distribution says of its licence."""
+    """The licence that a distribution states."""
     data = importlib.metadata.metadata(name)
     classifiers = [text for text in data.get_all("Classifier") or () if text.startswith("License ::")]
     return " ".join([data.get("License-Expression") or "", (data.get("License") or "")[:100], *classifiers])
 
 
-def test_what_an_installation_needs_may_be_used_by_programs_of_any_licence() -> None:
+def test_dependencies_may_be_used_by_programs_of_any_licence() -> None:
     waiting, seen = ["fieldspec"], set[str]()
     for name in waiting:
         for text in importlib.metadata.requires(name) or ():

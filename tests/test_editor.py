@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from external_tools import require_tool
 from fieldspec.schema import described, schema
 from language_server import LanguageServer
-from tools_available import require_tool
 
 ROOT = Path(__file__).parent.parent
 SPECS = sorted([*(ROOT / "specs").rglob("*.yaml"), *(ROOT / "tests" / "specs").rglob("*.yaml")])
@@ -18,9 +18,9 @@ REAL = [path for path in SPECS if path.is_relative_to(ROOT / "specs")]
 MODELINE = re.compile(r"# yaml-language-server: \$schema=(\S+)\n")
 CURSOR = "¦"
 PROPERTY = 10
-"""The kind of a completion that is a key."""
+"""The kind of completion for a key."""
 
-# Where the cursor is, whose keys are completed there, and which of them are there already.
+# The cursor, the definition whose keys are completed there, and those of them that are already present.
 KEYS = {
     "file": (f"{CURSOR}\n", "", ()),
     "device": (f"device:\n  {CURSOR}\n", "device", ()),
@@ -70,13 +70,13 @@ def test_every_spec_file_names_the_schema(spec: Path) -> None:
 
 
 def test_real_specs_have_no_finding_in_the_editor(server: LanguageServer) -> None:
-    found = {spec.name: server.opened(spec, spec.read_text("utf-8")) for spec in REAL}
-    assert {name: diagnostics for name, diagnostics in found.items() if diagnostics} == {}
+    findings = {spec.name: server.opened(spec, spec.read_text("utf-8")) for spec in REAL}
+    assert {name: diagnostics for name, diagnostics in findings.items() if diagnostics} == {}
 
 
-@pytest.mark.parametrize(("text", "definition", "given"), KEYS.values(), ids=KEYS)
+@pytest.mark.parametrize(("text", "definition", "expected"), KEYS.values(), ids=KEYS)
 def test_keys_are_completed_with_their_descriptions(
-    server: LanguageServer, path: Path, text: str, definition: str, given: tuple[str, ...]
+    server: LanguageServer, path: Path, text: str, definition: str, expected: tuple[str, ...]
 ) -> None:
     text, line, column = typed(text)
     server.opened(path, text)
@@ -87,7 +87,7 @@ def test_keys_are_completed_with_their_descriptions(
     }
     part = schema()["$defs"].get(definition) or schema()["properties"].get(definition) or schema()
     legal = {key: described(inner) for key, inner in part["properties"].items()}
-    assert offered == {key: description for key, description in legal.items() if key not in given}
+    assert offered == {key: description for key, description in legal.items() if key not in expected}
 
 
 @pytest.mark.parametrize(("text", "definition"), VALUES.values(), ids=VALUES)
@@ -122,6 +122,6 @@ def test_hovering_over_a_shared_key_shows_its_description(server: LanguageServer
 )
 def test_a_slip_is_marked_where_it_is(server: LanguageServer, path: Path, line: str, message: str) -> None:
     text, row, _ = typed(f"registers:\n  - group: a\n    rows:\n      - name: b\n        {line}{CURSOR}\n")
-    (found,) = server.opened(path, text)
-    assert found["range"]["start"]["line"] == row
-    assert message in found["message"]
+    (finding,) = server.opened(path, text)
+    assert finding["range"]["start"]["line"] == row
+    assert message in finding["message"]

@@ -1,4 +1,4 @@
-"""Every erratum of the devices is proven by the check that it names, or said to be a judgement."""
+"""Every erratum of the devices is proven by the rule that it names, or marked as a judgement."""
 
 from __future__ import annotations
 
@@ -26,20 +26,20 @@ def test_a_device_has_several_dozen_errata_and_many_of_them_are_proven(spec: Dev
 
 
 @pytest.mark.parametrize("spec", DEVICES.values(), ids=list(DEVICES))
-def test_a_judgement_is_one_that_no_check_can_make(spec: DeviceSpec) -> None:
+def test_an_erratum_is_a_judgement_only_if_no_rule_can_prove_it(spec: DeviceSpec) -> None:
     version = spec.versions()[-1]
     device, _ = spec.at(version)
-    clean = {found.message for found in checks.run(device)}
+    clean = {finding.message for finding in checks.run(device)}
     provable = {}
     for erratum in device.errata:
         if erratum.proof == JUDGEMENT and erratum.printed and None not in erratum.printed.values():
             wrong, broken = put_back(spec, spec.tree_at(version), version, device, erratum)
-            found = [*broken, *checks.run(wrong)]
-            provable[erratum.id] = {finding.code for finding in found if finding.message not in clean}
+            findings = [*broken, *checks.run(wrong)]
+            provable[erratum.id] = {finding.code for finding in findings if finding.message not in clean}
     assert {id: codes for id, codes in provable.items() if codes} == {}
 
 
-def test_an_erratum_whose_print_passes_its_check_is_a_finding() -> None:
+def test_an_erratum_whose_printed_value_keeps_its_rule_is_a_finding() -> None:
     text = FILES["esc11/errata.yaml"].decode()
     wrong = text.replace("proof: restatements_agree", "proof: bits_unique", 1)
     assert wrong != text
@@ -47,7 +47,7 @@ def test_an_erratum_whose_print_passes_its_check_is_a_finding() -> None:
     assert _faults(changed) == ["errata_proven"]
 
 
-def test_an_erratum_whose_print_is_what_the_spec_says_is_a_finding() -> None:
+def test_an_erratum_whose_printed_value_is_that_of_the_spec_is_a_finding() -> None:
     text = FILES["tc100/errata-registers.yaml"].decode()
     wrong = text.replace("printed: {at: 0x080A}", "printed: {at: 0x070A}", 1)
     assert wrong != text
@@ -64,5 +64,5 @@ def test_an_erratum_about_no_fact_is_a_finding() -> None:
 
 
 def _faults(spec: DeviceSpec) -> list[str]:
-    """What is wrong with the errata of a device."""
+    """The findings about the errata of a device."""
     return [fault.code for proof in errata_proofs(spec) for fault in proof.faults]

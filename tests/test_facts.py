@@ -1,4 +1,4 @@
-"""The table of facts lists every fact once, with its line, in the columns that its documentation describes."""
+"""The table of facts lists every fact once, with its line in the manual, in the documented columns."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from fieldspec.reading.project import read
 
 ROOT = Path(__file__).resolve().parent.parent
 SPECS = ROOT / "specs"
-MADE_UP = ROOT / "tests" / "specs"
+TEST_SPECS = ROOT / "tests" / "specs"
 PAGE = (ROOT / "docs" / "facts.md").read_text("utf-8")
 DEVICES = sorted(path.parent.name for path in SPECS.glob("*/device.yaml"))
 
@@ -29,8 +29,8 @@ def facts(folder: Path, device: str) -> tuple[FactRow, ...]:
 
 def fact(path: str) -> FactRow:
     """The row of the made-up device that has a path."""
-    (found,) = (row for row in facts(MADE_UP, "glider-x") if row["path"] == path)
-    return found
+    (match,) = (row for row in facts(TEST_SPECS, "glider-x") if row["path"] == path)
+    return match
 
 
 def test_documentation_describes_every_column_in_order() -> None:
@@ -40,7 +40,7 @@ def test_documentation_describes_every_column_in_order() -> None:
 
 
 @pytest.mark.parametrize("device", DEVICES)
-def test_a_path_is_that_of_one_fact(device: str) -> None:
+def test_a_path_belongs_to_one_fact(device: str) -> None:
     paths = [str(row["path"]) for row in facts(SPECS, device)]
     assert sorted(set(paths)) == sorted(paths)
 
@@ -49,12 +49,14 @@ def test_a_path_is_that_of_one_fact(device: str) -> None:
 def test_every_printed_fact_has_its_line(device: str) -> None:
     free = ("example", "note", "version", "register_group", "task")
     elsewhere = ("standard", "computed", "reported")
-    given = [row for row in facts(SPECS, device) if row["provenance"] not in elsewhere and row["kind"] not in free]
-    assert [row["path"] for row in given if row["line"] is None] == []
+    printed_facts = [
+        row for row in facts(SPECS, device) if row["provenance"] not in elsewhere and row["kind"] not in free
+    ]
+    assert [row["path"] for row in printed_facts if row["line"] is None] == []
 
 
 @pytest.mark.parametrize("device", DEVICES)
-def test_nothing_that_is_computed_or_given_elsewhere_cites_the_manual(device: str) -> None:
+def test_standard_computed_and_reported_facts_do_not_cite_the_manual(device: str) -> None:
     elsewhere = ("standard", "computed", "reported")
     cited = [row["path"] for row in facts(SPECS, device) if row["provenance"] in elsewhere and row["sources"]]
     assert cited == []
@@ -97,6 +99,6 @@ def test_nothing_that_is_computed_or_given_elsewhere_cites_the_manual(device: st
         ("parameters/monitor/unused/260", {"kind": "parameter", "code": 0x104, "number": 0x4104, "line": 72}),
     ],
 )
-def test_what_the_language_can_say_has_a_row(path: str, cells: dict[str, object]) -> None:
+def test_every_kind_of_fact_has_a_row(path: str, cells: dict[str, object]) -> None:
     row = fact(path)
     assert {key: row[key] for key in cells} == cells

@@ -1,4 +1,4 @@
-"""Whatever happens at whichever operation on files: outputs are the old or the new ones, and the next run repairs."""
+"""After any fault at any operation on files, the outputs are all old or all new, and the next run repairs them."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ import pytest
 
 from faults import FAULTS, Fault, struck
 from fieldspec.cli import main
-from fieldspec.commands import fresh, working
-from fieldspec.commands.placing import Beside
-from fieldspec.commands.storing import BESIDE
+from fieldspec.commands import freshness, workers
+from fieldspec.commands.placement import Staging
+from fieldspec.commands.storage import BESIDE
 from fieldspec.commands.usage import UsageError
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs fork")
@@ -22,13 +22,13 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs fork")
 SPECS = Path(__file__).resolve().parent / "specs"
 MOST = 2000
 STEP = int(os.environ.get("FAULT_STEP", "7"))
-"""A whole build is struck at each so many operations; `make soak` strikes at each."""
+"""A whole build is tested with a fault at every n-th operation; `make soak` tests every operation."""
 
 State = dict[str, bytes]
 
 
 def state(folder: Path) -> State:
-    """The files of a folder, and its empty folders, but for what is there only while something is written."""
+    """The files and empty folders of a folder, without those that exist only while something is written."""
     return {
         path.relative_to(folder).as_posix(): path.read_bytes() if path.is_file() else b""
         for path in sorted(folder.rglob("*"))
@@ -42,7 +42,7 @@ def left_over(folder: Path) -> list[str]:
 
 
 class Work:
-    """Something that changes a folder from an old state to a new one, as often as a test wants it."""
+    """A change of a folder from an old state to a new one, which a test can repeat."""
 
     def __init__(self, folder: Path, old: Path, work: Callable[[Path], object]) -> None:
         self.folder, self.before, self.work = folder / "place", old, work
@@ -58,7 +58,7 @@ class Work:
         shutil.copytree(self.before, self.folder, symlinks=True)
 
     def faulty(self, fault: Fault, step: int = 1) -> Iterator[int]:
-        """Strikes at each operation, one after the other, or at each so many."""
+        """Puts a fault at each operation in turn, or at every n-th one."""
         for number in range(1, MOST, step):
             self.reset()
             if not struck(lambda: self.work(self.folder), fault, number):
@@ -73,7 +73,7 @@ GONE = ["a/two", "gone/four"]
 
 
 def placed(folder: Path) -> None:
-    with Beside(folder) as beside:
+    with Staging(folder) as beside:
         for path, content in NEW.items():
             beside.write(path, content)
         beside.place([*NEW], GONE)
@@ -94,7 +94,7 @@ def test_files_are_placed_all_or_none_whatever_happens(fault: Fault, files: Work
     for number in files.faulty(fault):
         if fault.error is not None and not fault.lasts:
             assert state(files.folder) in (files.old, files.new), f"at operation {number}"
-        with Beside(files.folder):
+        with Staging(files.folder):
             pass
         now = state(files.folder)
         assert now in (files.old, files.new), f"at operation {number}"
@@ -121,7 +121,7 @@ def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:
                 shutil.copytree(broken, files.folder, symlinks=True)
 
                 def repaired() -> None:
-                    with Beside(files.folder):
+                    with Staging(files.folder):
                         pass
 
                 if not struck(repaired, fault, second):
@@ -134,7 +134,7 @@ def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:
 
 
 def built(folder: Path, *more: str) -> int:
-    fresh._at_start.clear()
+    freshness._at_start.clear()
     words = ["build", "--specs", str(folder / "specs"), "--out", str(folder / "out"), "--to", "vectors,c"]
     return main([*words, *more])
 
@@ -142,7 +142,7 @@ def built(folder: Path, *more: str) -> int:
 @pytest.fixture
 def outputs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Work:
     """A build after which a device has changed, one is new, and one has gone."""
-    monkeypatch.setattr(working, "WORTH_IT", 10**9)  # in one process, which is the one with the fault
+    monkeypatch.setattr(workers, "WORTH_IT", 10**9)  # in one process: the one with the fault
     monkeypatch.setenv("FIELDSPEC_CACHE", str(tmp_path / "place/cache"))
     old = tmp_path / "old"
     for name in ("gadget", "gizmo"):
@@ -172,10 +172,10 @@ def test_a_build_leaves_the_old_outputs_or_the_new_ones(
         unfinished = bool(left_over(out))
         capsys.readouterr()
         code = built(outputs.folder, "--check")
-        said = capsys.readouterr().out
-        assert unfinished == ("unfinished: " in said or "left over: " in said), f"at operation {number}"
-        assert code == (1 if unfinished or "not fresh" in said else 0)
-        with Beside(out):
+        output = capsys.readouterr().out
+        assert unfinished == ("unfinished: " in output or "left over: " in output), f"at operation {number}"
+        assert code == (1 if unfinished or "not fresh" in output else 0)
+        with Staging(out):
             pass
         now = of_outputs(state(outputs.folder))
         assert now in (of_outputs(outputs.old), of_outputs(outputs.new)), f"at operation {number}"
@@ -229,14 +229,14 @@ def test_a_verb_that_writes_a_file_writes_it_whole_or_not_at_all(
         if now == before:
             assert VERBS[verb](work.folder) == 0
         elif verb in ("import", "new"):
-            assert VERBS[verb](work.folder) == 2  # there is one already
+            assert VERBS[verb](work.folder) == 2  # such a file exists already
         else:
             assert VERBS[verb](work.folder) == 0
         assert left_over(work.folder) == [], f"at operation {number}"
     assert count >= 3
 
 
-def test_what_lies_in_a_journal_of_somebody_else_leads_nowhere(tmp_path: Path) -> None:
+def test_a_journal_that_somebody_else_wrote_has_no_effect(tmp_path: Path) -> None:
     out = tmp_path / "out"
     folder = out / f"{BESIDE}{'0' * 16}"
     (folder / "new/c").mkdir(parents=True)
@@ -245,11 +245,11 @@ def test_what_lies_in_a_journal_of_somebody_else_leads_nowhere(tmp_path: Path) -
     (out / "c").symlink_to(tmp_path / "home")
     for path in ("c/x", "../home/x", "/etc/passwd"):
         (folder / "journal").write_text(f'{{"place": ["{path}"], "remove": [], "absent": [], "folders": []}}', "utf-8")
-        with pytest.raises(UsageError, match="leads out of"), Beside(out):
+        with pytest.raises(UsageError, match="leads out of"), Staging(out):
             pass
         assert os.listdir(tmp_path / "home") == []
     (folder / "journal").write_text("[]", "utf-8")
-    with pytest.raises(UsageError, match="is no journal of a build"), Beside(out):
+    with pytest.raises(UsageError, match="is no journal of a build"), Staging(out):
         pass
 
 
@@ -257,7 +257,7 @@ def test_nothing_is_placed_through_a_link_that_leads_out(tmp_path: Path) -> None
     (tmp_path / "home").mkdir()
     (tmp_path / "out").mkdir()
     (tmp_path / "out/c").symlink_to(tmp_path / "home")
-    with Beside(tmp_path / "out") as beside:
+    with Staging(tmp_path / "out") as beside:
         beside.write("c/x", b"evil")
         with pytest.raises(UsageError, match="leads out of"):
             beside.place(["c/x"], [])

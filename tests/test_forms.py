@@ -1,4 +1,4 @@
-"""Findings in every form, and the verbs of the command line with their exit codes."""
+"""Findings in every format, and the verbs of the command line with their exit codes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from fieldspec.source import SourceFile, Span
 
 SPECS = str(Path(__file__).resolve().parent.parent / "specs")
 FILE = SourceFile("device/points.yaml", "label: 伺服, name: servo\nhostile: ]]> </x> %0A, :: \n")
-FOUND = [
+FINDINGS = [
     Diagnostic(
         "some_rule",
         "the name is taken\nby 100% of ::x",
@@ -30,33 +30,33 @@ FOUND = [
 BARE = [Diagnostic("other_rule", 'a </script> & \x00 "quoted"', Span(FILE, 33, 36))]
 
 
-def test_a_caret_stands_under_the_culprit_behind_wide_characters() -> None:
-    shown = text.rendered(FOUND).splitlines()
-    line, marks = shown[1], shown[2]
+def test_the_caret_is_under_the_culprit_after_wide_characters() -> None:
+    rendered = text.rendered(FINDINGS).splitlines()
+    line, marks = rendered[1], rendered[2]
     before = line.split("servo")[0]
     assert text.width(marks.split("^")[0]) == text.width(before)
     assert marks.count("^") == len("servo")
 
 
 def test_the_text_names_rule_place_label_and_help() -> None:
-    shown = text.rendered(FOUND)
+    rendered = text.rendered(FINDINGS)
     for part in ("device/points.yaml:1:18: error[some_rule]", "device/points.yaml:1:8: here", "help: rename it"):
-        assert part in shown
+        assert part in rendered
 
 
-def test_plain_text_has_no_escape_sequences_and_coloured_text_has() -> None:
-    assert "\x1b" not in text.rendered([*FOUND, *BARE])
-    assert "\x1b" in text.rendered(FOUND, coloured=True)
+def test_only_coloured_text_has_escape_sequences() -> None:
+    assert "\x1b" not in text.rendered([*FINDINGS, *BARE])
+    assert "\x1b" in text.rendered(FINDINGS, coloured=True)
 
 
 def test_json_has_every_place() -> None:
-    (finding,) = json.loads(import_module("fieldspec.render.json").rendered(FOUND))
+    (finding,) = json.loads(import_module("fieldspec.render.json").rendered(FINDINGS))
     assert (finding["code"], finding["line"], finding["column"], finding["end_column"]) == ("some_rule", 1, 18, 23)
     assert finding["labels"][0]["column"] == 8
 
 
 def test_sarif_has_a_rule_and_a_region_for_every_result() -> None:
-    run = json.loads(import_module("fieldspec.render.sarif").rendered([*FOUND, *BARE]))["runs"][0]
+    run = json.loads(import_module("fieldspec.render.sarif").rendered([*FINDINGS, *BARE]))["runs"][0]
     assert [rule["id"] for rule in run["tool"]["driver"]["rules"]] == ["other_rule", "some_rule"]
     for result in run["results"]:
         assert run["tool"]["driver"]["rules"][result["ruleIndex"]]["id"] == result["ruleId"]
@@ -65,17 +65,17 @@ def test_sarif_has_a_rule_and_a_region_for_every_result() -> None:
 
 
 def test_github_commands_are_one_line_each_and_escaped() -> None:
-    lines = import_module("fieldspec.render.github").rendered(FOUND).splitlines()
+    lines = import_module("fieldspec.render.github").rendered(FINDINGS).splitlines()
     assert len(lines) == 1
     assert lines[0].startswith("::error file=device/points.yaml,line=1,col=18,")
     assert "the name is taken%0Aby 100%25 of ::x" in lines[0]
 
 
-@pytest.mark.parametrize("found", [[], FOUND, BARE], ids=["none", "one", "hostile"])
-def test_junit_is_xml_with_a_case_for_every_finding(found: list[Diagnostic]) -> None:
-    suite = ElementTree.fromstring(import_module("fieldspec.render.junit").rendered(found))
-    assert suite.get("failures") == str(len(found))
-    assert len(suite.findall("testcase")) == max(1, len(found))
+@pytest.mark.parametrize("findings", [[], FINDINGS, BARE], ids=["none", "one", "hostile"])
+def test_junit_is_xml_with_a_case_for_every_finding(findings: list[Diagnostic]) -> None:
+    suite = ElementTree.fromstring(import_module("fieldspec.render.junit").rendered(findings))
+    assert suite.get("failures") == str(len(findings))
+    assert len(suite.findall("testcase")) == max(1, len(findings))
 
 
 @pytest.mark.parametrize(
@@ -120,13 +120,13 @@ def test_a_verb_exits_with_its_code(arguments: list[str], code: int, capsys: pyt
 
 
 @pytest.mark.parametrize("arguments", [["--version"], ["--help"], ["decode", "--help"]], ids=" ".join)
-def test_help_and_version_are_fine(arguments: list[str]) -> None:
+def test_help_and_version_exit_with_code_0(arguments: list[str]) -> None:
     result = subprocess.run([sys.executable, "-m", "fieldspec", *arguments], capture_output=True, check=False)
     assert (result.returncode, result.stderr) == (0, b"")
     assert result.stdout
 
 
-def test_no_verb_and_an_unknown_one_are_wrong_use(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_missing_and_an_unknown_verb_are_wrong_use(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([]) == 2
     assert main(["no-such-verb"]) == 2
     assert capsys.readouterr().out == ""

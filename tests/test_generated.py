@@ -1,4 +1,4 @@
-"""What is committed under generated/ is what the specs give."""
+"""The committed files under generated/ are the outputs of the specs."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ def test_the_specs_of_all_devices_have_no_findings(capsys: pytest.CaptureFixture
 
 def test_no_file_lies_under_generated_that_the_manifest_does_not_list() -> None:
     manifest = json.loads((ROOT / "generated" / "manifest.json").read_text("utf-8"))
-    found = {
+    paths = {
         path.relative_to(ROOT / "generated").as_posix() for path in (ROOT / "generated").rglob("*") if path.is_file()
     }
-    extra = {path for path in found if not path.endswith(".pyc")} - set(manifest["files"]) - {"manifest.json"}
+    extra = {path for path in paths if not path.endswith(".pyc")} - set(manifest["files"]) - {"manifest.json"}
     assert not extra

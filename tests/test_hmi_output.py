@@ -17,14 +17,14 @@ from fieldspec.model.enums import Enum
 from fieldspec.names import Name, stem
 from fieldspec.plc.enums import KINDS
 from fieldspec.spreadsheet import Workbook
-from laid_out import MADE_UP, SPECS, laid_at, layouts, newest
-from reading import gadget
+from layouts import SPECS, TEST_SPECS, layout_at, layouts, newest
+from spec_files import gadget
 
 Rows = list[dict[str, str]]
 
 VERSIONS = [
     pytest.param(layout, id=f"{layout.device.id}-{layout.device.version}")
-    for root in (SPECS, MADE_UP)
+    for root in (SPECS, TEST_SPECS)
     for versions in layouts(root).values()
     for layout in versions
     if any(enum.kind in KINDS for enum in layout.device.enums.values())
@@ -34,7 +34,7 @@ REAL = [param for param in VERSIONS if param.values[0].device.id in layouts(SPEC
 
 @cache
 def made(device: str) -> dict[str, str | Workbook]:
-    root = SPECS if device in layouts(SPECS) else MADE_UP
+    root = SPECS if device in layouts(SPECS) else TEST_SPECS
     return files(layouts(root)[device])
 
 
@@ -182,7 +182,7 @@ enums:
 
 
 def test_a_text_that_is_a_formula_to_a_spreadsheet_is_a_text() -> None:
-    made = files([laid_at(gadget(HOSTILE), "1")])
+    made = files([layout_at(gadget(HOSTILE), "1")])
     rows = plain(made["gadget_v1_codes.csv"])
     assert [row["label"] for row in rows] == ['\'=HYPERLINK("http://x","y")', "+1", "</t><t>&amp; 🤖"]
     assert [row["text"] for row in rows] == ["One: =1+1", "Two", 'Three: <field ref="0" /> bell']
@@ -190,7 +190,7 @@ def test_a_text_that_is_a_formula_to_a_spreadsheet_is_a_text() -> None:
 
 
 def test_a_workbook_holds_hostile_texts_as_texts_and_no_field() -> None:
-    made = files([laid_at(gadget(HOSTILE), "1")])
+    made = files([layout_at(gadget(HOSTILE), "1")])
     book = made["gadget_v1_tia_panel_en_us.xlsx"]
     entries = sheets(book)["TextListEntry"]
     texts = {(row["Parent"], row["Value"]): row["Text [en-US]"] for row in entries}
@@ -201,7 +201,7 @@ def test_a_workbook_holds_hostile_texts_as_texts_and_no_field() -> None:
 
 
 def test_a_device_without_codes_has_no_files() -> None:
-    assert files([laid_at(gadget(""), "1")]) == {}
+    assert files([layout_at(gadget(""), "1")]) == {}
 
 
 def test_a_cause_keeps_the_number_of_its_remedy() -> None:

@@ -1,4 +1,4 @@
-"""The compiler keeps the rules of its house: what imports what, and what is absent. See docs/architecture.md."""
+"""The compiler keeps its own rules: which module imports which, and what is absent. See docs/architecture.md."""
 
 from __future__ import annotations
 
@@ -32,6 +32,7 @@ BACK_ENDS_IMPORT = {
         "changes",
         "diagnostics",
         "explain",
+        "html_text",
         "layout",
         "model",
         "names",
@@ -41,7 +42,7 @@ BACK_ENDS_IMPORT = {
     ),
 }
 
-# Where alone a library is imported: folders end with a slash.
+# The only places where a library is imported: folders end with a slash.
 HOMES = {
     "yaml": ("reading/",),
     "jsonschema_rs": ("reading/",),
@@ -60,9 +61,9 @@ HOMES = {
     "platform": (),
     "getpass": (),
     "datetime": ("lists/packing.py",),  # workbooks have one that is the same in all of them
-    "time": ("commands/build.py", "commands/signing.py"),  # a review has the day on which it is recorded
+    "time": ("commands/build.py", "commands/audit_files.py"),  # a review records the date of the day
     "random": (),
-    "uuid": ("backends/twincat/",),  # identifiers made of names: the same in every build
+    "uuid": ("backends/twincat/",),  # identifiers are computed from names and equal in every build
     "pickle": (),
     "jsonschema": (),
     "dataclasses": ("classes.py",),
@@ -111,7 +112,7 @@ def imported(path: Path) -> Iterator[str]:
 
 
 def layer(name: str) -> str:
-    """The part of the house that a module of the compiler belongs to: `reading` for `fieldspec.reading.nodes`."""
+    """The part of the compiler that a module belongs to: `reading` for `fieldspec.reading.nodes`."""
     return name.split(".")[1]
 
 
@@ -127,7 +128,7 @@ def order() -> list[list[set[str]]]:
 
 
 def above(name: str) -> set[str]:
-    """What a part of the house may import: itself, what a comma joins it with, and every level above."""
+    """What a part of the compiler may import: itself, those joined with it by a comma, and every level above."""
     levels = order()
     (at,) = (number for number, level in enumerate(levels) for sibling in level if name in sibling)
     (own,) = (sibling for sibling in levels[at] if name in sibling)
@@ -138,13 +139,13 @@ def named(node: ast.Call) -> str:
     return node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
 
 
-def test_every_part_of_the_house_is_in_the_order_of_imports() -> None:
+def test_every_part_of_the_compiler_is_in_the_order_of_imports() -> None:
     parts = {path.name.removesuffix(".py") for path in PACKAGE.iterdir() if path.suffix == ".py" or path.is_dir()}
-    listed = [name for level in order() for sibling in level for name in sibling]
-    assert sorted(listed) == sorted(parts - {"__init__", "__main__", "__pycache__"})
+    levels = [name for level in order() for sibling in level for name in sibling]
+    assert sorted(levels) == sorted(parts - {"__init__", "__main__", "__pycache__"})
 
 
-def test_places_that_the_documentation_names_are_there() -> None:
+def test_paths_that_the_documentation_names_exist() -> None:
     named = re.findall(r"`([\w.]+/[\w./-]*|[\w-]+\.(?:py|md))`", ARCHITECTURE.read_text("utf-8"))
     assert len(named) > 40
     homes = (ROOT, PACKAGE, ROOT / "docs")
@@ -170,13 +171,13 @@ def test_a_back_end_imports_layouts_and_no_other_back_end(path: Path) -> None:
 
 
 @pytest.mark.parametrize("library", HOMES)
-def test_a_library_is_imported_at_home_only(library: str) -> None:
+def test_a_library_is_imported_only_where_it_belongs(library: str) -> None:
     users = {inside(path) for path in MODULES if library in {name.partition(".")[0] for name in imported(path)}}
     assert {user for user in users if not user.startswith(HOMES[library])} == set()
 
 
 def test_only_the_command_line_touches_the_world() -> None:
-    found = {
+    uses = {
         f"{inside(path)}:{node.lineno}: {named(node)}"
         for path in MODULES
         if not inside(path).startswith(("cli.py", "commands/"))
@@ -184,11 +185,11 @@ def test_only_the_command_line_touches_the_world() -> None:
         if isinstance(node, ast.Call) and named(node) in TOUCHES_THE_WORLD
         if (inside(path), named(node)) not in NOT_THE_WORLD
     }
-    assert found == set()
+    assert uses == set()
 
 
 def test_texts_are_read_and_written_as_utf8() -> None:
-    found = {
+    uses = {
         f"{path.name}:{node.lineno}: {named(node)}"
         for path in [*MODULES, *TESTS]
         for node in ast.walk(tree(path))
@@ -196,7 +197,7 @@ def test_texts_are_read_and_written_as_utf8() -> None:
         and named(node) in ("read_text", "write_text")
         and "utf-8" not in [part.value for part in ast.walk(node) if isinstance(part, ast.Constant)]
     }
-    assert found == set()
+    assert uses == set()
 
 
 def test_the_compiler_knows_no_device_and_no_protocol() -> None:
@@ -205,12 +206,12 @@ def test_the_compiler_knows_no_device_and_no_protocol() -> None:
         {path.name for path in folders} | {path.stem for path in (ROOT / "specs" / "protocols").iterdir()} | {*MAKERS}
     )
     assert len(names) > 6
-    found = {}
+    names_by_file = {}
     for path in [*TEXTS, *PACKAGE.rglob("*.json")]:
         text = ALGORITHMS.sub("", path.read_text("utf-8")).lower()
-        if held := [name for name in names if name in text]:
-            found[inside(path)] = held
-    assert found == {}
+        if present := [name for name in names if name in text]:
+            names_by_file[inside(path)] = present
+    assert names_by_file == {}
 
 
 def test_files_are_small() -> None:
@@ -232,9 +233,9 @@ def public(body: list[ast.stmt], within: str = "") -> Iterator[tuple[str, ast.Fu
 
 
 @pytest.mark.parametrize("path", MODULES, ids=inside)
-def test_public_things_have_docstrings(path: Path) -> None:
+def test_public_names_have_docstrings(path: Path) -> None:
     assert ast.get_docstring(tree(path)) or path.name == "__main__.py"
-    # What a module is named after is documented by the module.
+    # The docstring of a module documents what the module is named after.
     assert [name for name, node in public(tree(path).body) if not ast.get_docstring(node) and name != path.stem] == []
 
 
@@ -270,8 +271,8 @@ def built(seed: str) -> list[dict[str, str]]:
     """The findings and the hashes of all outputs of the made-up devices, in their order."""
     environment = {**os.environ, "PYTHONHASHSEED": seed}
     ran = subprocess.run([sys.executable, "-c", BUILD], cwd=ROOT, env=environment, capture_output=True, check=True)
-    found: list[dict[str, str]] = json.loads(ran.stdout)
-    return found
+    report: list[dict[str, str]] = json.loads(ran.stdout)
+    return report
 
 
 def test_outputs_are_the_same_whatever_the_hashes_of_strings() -> None:

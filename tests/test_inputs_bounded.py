@@ -1,4 +1,4 @@
-"""Files that are made to take all memory or to wait for ever are refused in seconds, in bounded memory."""
+"""Files designed to exhaust memory or to block for ever are refused in seconds, in bounded memory."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ import pytest
 SPECS = Path(__file__).resolve().parent.parent / "specs"
 DEVICE = (SPECS.parent / "tests/cases/file_regular/passing/gadget/device.yaml").read_bytes()
 MEMORY = 1 << 30
-"""Bytes of address space that a run may have."""
+"""Bytes of address space for a run."""
 SECONDS = 60
-"""Far above what it takes, which is one to five."""
+"""Far above the usual one to five seconds."""
 
 BOOK = '<workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"/>'
 SHEET = '<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main">'
@@ -31,7 +31,7 @@ def limited() -> None:
 
 
 def run(*arguments: str, timeout: float = SECONDS) -> subprocess.CompletedProcess[str]:
-    """Runs the command line in bounded memory and time; whatever it says is no traceback."""
+    """Runs the command line in bounded memory and time, and checks that it prints no traceback."""
     ran = subprocess.run(
         [sys.executable, "-m", "fieldspec", *arguments],
         preexec_fn=limited,
@@ -46,7 +46,7 @@ def run(*arguments: str, timeout: float = SECONDS) -> subprocess.CompletedProces
 
 
 def workbook(sheet: str, times: int = 1, repeated: str = "", end: str = "", level: int = 1) -> bytes:
-    """A workbook whose sheet begins with a text and has another one many times, packed without ever being whole."""
+    """A workbook whose sheet begins with a text and repeats another one, written in parts to save memory."""
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED, compresslevel=level) as file:
         file.writestr("xl/workbook.xml", BOOK)
@@ -164,10 +164,10 @@ def sparse(path: Path) -> None:
 
 
 def bound(path: Path) -> None:
-    with socket.socket(socket.AF_UNIX) as one:
+    with socket.socket(socket.AF_UNIX) as listener:
         here = os.getcwd()
         os.chdir(path.parent)
-        one.bind(path.name)
+        listener.bind(path.name)
         os.chdir(here)
 
 
@@ -191,7 +191,7 @@ IRREGULAR: dict[str, tuple[Callable[[Path], object], str]] = {
     "place", ["gadget/device.yaml", "gadget/more.yaml", "protocols/wire.yaml", "gadget/versions/2.yaml"]
 )
 @pytest.mark.parametrize("kind", IRREGULAR)
-def test_what_is_no_regular_file_is_refused_and_not_quoted(kind: str, place: str, tmp_path: Path) -> None:
+def test_a_spec_that_is_no_regular_file_is_refused_and_not_quoted(kind: str, place: str, tmp_path: Path) -> None:
     make, text = IRREGULAR[kind]
     (tmp_path / "secret.txt").write_text("root:secret:0", encoding="utf-8")
     specs = tmp_path / "specs"

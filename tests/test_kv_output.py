@@ -20,13 +20,13 @@ from fieldspec.backends.vectors.backend import vector
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout
 from fieldspec.reference.records import value_construct
-from laid_out import MADE_UP, SPECS, laid_at, layouts, newest
-from reading import gadget
+from layouts import SPECS, TEST_SPECS, layout_at, layouts, newest
+from spec_files import gadget
 from word_memory import ROOTS, Row, comments, memory, number, signed, texts, word_map
 
 VERSIONS = [
     pytest.param(layout, id=f"{layout.device.id}-{layout.device.version}")
-    for root in (SPECS, MADE_UP)
+    for root in (SPECS, TEST_SPECS)
     for versions in layouts(root).values()
     for layout in versions
 ]
@@ -54,7 +54,7 @@ def at_path(values: Any, name: str) -> Any:
 
 EXAMPLES = [
     pytest.param(layout, example.id, id=f"{layout.device.id}-{layout.device.version}-{example.id}")
-    for root in (SPECS, MADE_UP)
+    for root in (SPECS, TEST_SPECS)
     for versions in layouts(root).values()
     for layout in versions
     for example in layout.device.examples.values()
@@ -71,7 +71,7 @@ def test_the_bits_of_the_map_hold_the_values_of_every_example(layout: DeviceLayo
     values = vector(layout, example)["values"]
     assert isinstance(values, dict)
     marks = len(link.link.start), len(example.frame) - len(link.link.end)
-    unit = 1 if link.frame(example.direction).check else 2
+    unit = 1 if link.frame(example.direction).checksum else 2
     words = memory(example.frame[slice(*marks)], unit)
     ends = (f"{example.message} {example.direction}", f"{example.message} on {link.name} {example.direction}")
     compared = 0
@@ -232,7 +232,7 @@ registers:
       - {at: 3, name: fourth, type: u16, access: rw, label: "-A1", source: L4}
 """,
     )
-    made = files([laid_at(spec, "1")])
+    made = files([layout_at(spec, "1")])
     text = next(text for path, text in made.items() if path.endswith("_words.csv"))
     labels = [row["label"] for row in csv.DictReader(io.StringIO(text[1:], newline=""))][1:]
     assert labels == ['\'=HYPERLINK("http://x","y")', '\'+1, "quoted" line', "'@SUM(1)", "'-A1"]

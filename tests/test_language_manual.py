@@ -50,7 +50,7 @@ def test_links_lead_to_headings() -> None:
     assert set(re.findall(r"\]\(#([^)]*)\)", manual())) <= anchors
 
 
-def test_keys_that_are_needed_are_marked() -> None:
+def test_required_keys_are_marked() -> None:
     section = manual().partition("\n### erratum\n")[2].partition("\n#")[0]
     marked = re.findall(r"^\| `(\w+)` \|[^|]*\| yes \|", section, re.MULTILINE)
     assert sorted(marked) == sorted(schema()["$defs"]["erratum"]["required"])
@@ -58,8 +58,8 @@ def test_keys_that_are_needed_are_marked() -> None:
 
 @pytest.mark.parametrize("block", BLOCKS)
 def test_examples_of_the_manual_are_legal(block: str) -> None:
-    file, found = decoded("language.md", block.encode())
-    assert not found
-    node, found = parsed(file)
-    assert not found
+    file, findings = decoded("language.md", block.encode())
+    assert not findings
+    node, findings = parsed(file)
+    assert not findings
     assert node is None or typed(node)[1] == []

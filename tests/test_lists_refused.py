@@ -1,4 +1,4 @@
-"""A file that is no list is refused with one line that says what to do, exit code 2, and nothing is written."""
+"""A file that is no list is refused with one line that says what to do and exit code 2; nothing is written."""
 
 from __future__ import annotations
 
@@ -24,30 +24,30 @@ LIST = "地址,名称\n0x2000,位置\n"
 
 def book(change: Callable[[openpyxl.Workbook], object]) -> bytes:
     """A workbook with a small list, and a change."""
-    made = openpyxl.Workbook()
+    workbook = openpyxl.Workbook()
     for row in (["Address", "Name", "Note"], ["0x2000", "a", 1], ["0x2001", "b", 2], ["0x2002", "c", 3]):
-        made.worksheets[0].append(row)
-    change(made)
-    kept = io.BytesIO()
-    made.save(kept)
-    return kept.getvalue()
+        workbook.worksheets[0].append(row)
+    change(workbook)
+    buffer = io.BytesIO()
+    workbook.save(buffer)
+    return buffer.getvalue()
 
 
 def cell(place: str, value: object) -> Callable[[openpyxl.Workbook], object]:
-    return lambda made: made.worksheets[0].__setitem__(place, value)
+    return lambda workbook: workbook.worksheets[0].__setitem__(place, value)
 
 
 def merged(area: str) -> Callable[[openpyxl.Workbook], object]:
-    return lambda made: made.worksheets[0].merge_cells(area)
+    return lambda workbook: workbook.worksheets[0].merge_cells(area)
 
 
 def packed(**parts: str) -> bytes:
     """A zip file with parts; `__` stands for a slash, `_` for a point."""
-    kept = io.BytesIO()
-    with zipfile.ZipFile(kept, "w", zipfile.ZIP_DEFLATED) as file:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as file:
         for name, text in parts.items():
             file.writestr(name.replace("__", "/").replace("_", "."), text)
-    return kept.getvalue()
+    return buffer.getvalue()
 
 
 BAD: dict[str, tuple[bytes, str]] = {
@@ -81,7 +81,7 @@ BAD: dict[str, tuple[bytes, str]] = {
     "merged rows": (book(merged("B2:B3")), "has merged cells B2:B3; undo the merge and fill each cell"),
     "scientific": (book(cell("A2", 2e10)), "has no address under Address: `20000000000`"),
     "dates": (book(cell("A2", "2024-01-01")), "has no address under Address"),
-    "an empty workbook": (book(lambda made: made.worksheets[0].delete_rows(1, 9)), "is empty"),
+    "an empty workbook": (book(lambda workbook: workbook.worksheets[0].delete_rows(1, 9)), "is empty"),
     "a workbook cut off": (book(cell("A1", "Address"))[:2000], "is a workbook that is cut off or protected"),
     "a zip file": (packed(readme_txt="x"), "is packed, and no workbook"),
     "entities": (packed(xl__workbook_xml="<!DOCTYPE x [<!ENTITY a 'b'>]><x>&a;</x>"), "declares entities"),
@@ -108,7 +108,7 @@ def test_a_bad_file_is_refused_in_one_line(
     assert ran.err.startswith(f"fieldspec: {path} ")
     assert text in ran.err
     assert ran.err.count("\n") == 1
-    assert [one.name for one in tmp_path.iterdir()] == ["list.dat"]
+    assert [path.name for path in tmp_path.iterdir()] == ["list.dat"]
 
 
 @pytest.mark.parametrize(
@@ -120,7 +120,7 @@ def test_a_bad_file_is_refused_in_one_line(
         (("--address", "Wo"), "has no column Wo; there are 地址, 名称, or give a letter or a number"),
         (("--address", "Z"), "has no column Z"),
         (("--name", "Wo"), "has no column Wo"),
-        (("--sheet", "1"), "is no workbook, so there is no sheet to choose"),
+        (("--sheet", "1"), "is not a workbook, so --sheet has no effect"),
     ],
 )
 def test_an_option_that_does_not_fit_the_file_is_refused(options: tuple[str, ...], text: str, run: CommandLine) -> None:
@@ -157,7 +157,7 @@ def test_a_huge_file_is_refused_before_it_is_read_whole(run: CommandLine, tmp_pa
 def test_too_many_rows_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(text_sheet, "MOST_ROWS", 2)
     monkeypatch.setattr(workbook_size, "MOST_ROWS", 2)
-    for content in (b"Address\n1\n2\n3\n", book(lambda made: None)):
+    for content in (b"Address\n1\n2\n3\n", book(lambda _workbook: None)):
         with pytest.raises(ListError, match="has more than 2 rows"):
             sheet(content, "", "")
 
@@ -165,14 +165,14 @@ def test_too_many_rows_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_workbook_that_unpacks_to_too_much_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workbook_size, "_MOST_UNPACKED", 1000)
     with pytest.raises(ListError, match="unpacks to more"):
-        sheet(book(lambda made: None), "", "")
+        sheet(book(lambda _workbook: None), "", "")
 
 
 def test_formulas_and_merged_cells_that_are_not_used_do_no_harm(run: CommandLine, tmp_path: Path) -> None:
-    def change(made: openpyxl.Workbook) -> None:
-        made.worksheets[0]["D1"] = "Sum"
-        made.worksheets[0]["D2"] = "=1+1"
-        made.worksheets[0].merge_cells("D3:D4")
+    def change(workbook: openpyxl.Workbook) -> None:
+        workbook.worksheets[0]["D1"] = "Sum"
+        workbook.worksheets[0]["D2"] = "=1+1"
+        workbook.worksheets[0].merge_cells("D3:D4")
 
     path = tmp_path / "list.xlsx"
     path.write_bytes(book(change))
@@ -186,7 +186,7 @@ LIKELY = st.text(alphabet="Adres,;|\t\n\"'0x12hH=-~[]{}:地址", max_size=80).ma
 @settings(max_examples=300, deadline=None)
 def test_any_bytes_are_a_list_or_are_refused(content: bytes) -> None:
     try:
-        found = listing(sheet(content, "", ""), {})
+        register_list = listing(sheet(content, "", ""), {})
     except ListError:
         return
-    assert all(row.address >= 0 for base in found.bases for row in found.rows(base))
+    assert all(row.address >= 0 for base in register_list.bases for row in register_list.rows(base))

@@ -1,4 +1,4 @@
-"""Workbooks that programs import: openpyxl reads what was packed, and parsers of XML take every part."""
+"""Workbooks that programs import: openpyxl reads the packed values, and XML parsers accept every part."""
 
 from __future__ import annotations
 
@@ -37,43 +37,43 @@ BOOK = Workbook(
 )
 
 
-@pytest.mark.parametrize(("number", "shown"), list(enumerate(shown for _, shown in CELLS)))
-def test_a_cell_shows_its_text_or_its_number_and_is_no_formula(number: int, shown: str | int) -> None:
+@pytest.mark.parametrize(("number", "content"), list(enumerate(content for _, content in CELLS)))
+def test_a_cell_shows_its_text_or_its_number_and_is_no_formula(number: int, content: str | int) -> None:
     cell = openpyxl.load_workbook(io.BytesIO(packed(BOOK)))["First"].cell(number + 1, 2)
-    assert (cell.value or "", cell.data_type) == (shown, "n" if isinstance(shown, int) else "s")
-    assert bool(cell.quotePrefix) is (isinstance(shown, str) and shown.startswith(("=", "+", "-", "@")))
+    assert (cell.value or "", cell.data_type) == (content, "n" if isinstance(content, int) else "s")
+    assert bool(cell.quotePrefix) is (isinstance(content, str) and content.startswith(("=", "+", "-", "@")))
 
 
-def test_all_sheets_and_columns_are_there() -> None:
-    held = openpyxl.load_workbook(io.BytesIO(packed(BOOK)))
-    assert held.sheetnames == ["First", "Second sheet"]
-    assert held["First"].dimensions == f"A1:B{len(CELLS)}"
-    assert held["Second sheet"].dimensions == "A1:AD1"
-    assert held["Second sheet"]["AD1"].value == "column 29"
+def test_all_sheets_and_columns_are_present() -> None:
+    workbook = openpyxl.load_workbook(io.BytesIO(packed(BOOK)))
+    assert workbook.sheetnames == ["First", "Second sheet"]
+    assert workbook["First"].dimensions == f"A1:B{len(CELLS)}"
+    assert workbook["Second sheet"].dimensions == "A1:AD1"
+    assert workbook["Second sheet"]["AD1"].value == "column 29"
 
 
-def test_a_workbook_says_its_properties() -> None:
-    held = openpyxl.load_workbook(io.BytesIO(packed(BOOK))).custom_doc_props  # type: ignore[attr-defined]
-    assert {name: held[name].value for name in held.names} == BOOK.properties
+def test_a_workbook_has_its_properties() -> None:
+    properties = openpyxl.load_workbook(io.BytesIO(packed(BOOK))).custom_doc_props  # type: ignore[attr-defined]
+    assert {name: properties[name].value for name in properties.names} == BOOK.properties
 
 
 @pytest.mark.parametrize("book", [BOOK, Workbook(BOOK.sheets[1:])])
-def test_every_part_is_xml_and_every_part_that_is_named_is_there(book: Workbook) -> None:
-    with zipfile.ZipFile(io.BytesIO(packed(book))) as held:
-        parts = {name: ElementTree.fromstring(held.read(name)) for name in held.namelist()}
-    listed = {one.get("PartName", "").lstrip("/") for one in parts["[Content_Types].xml"]} - {""}
-    assert listed == {name for name in parts if not name.endswith(".rels")} - {"[Content_Types].xml"}
-    assert {f"xl/{one.get('Target', '').removeprefix('/xl/')}" for one in parts["xl/_rels/workbook.xml.rels"]} == {
-        name for name in listed if name.startswith("xl/") and name != "xl/workbook.xml"
-    }
-    assert {one.get("Target") for one in parts["_rels/.rels"]} == {
-        name for name in listed if name.startswith("docProps/")
+def test_every_part_is_xml_and_every_named_part_exists(book: Workbook) -> None:
+    with zipfile.ZipFile(io.BytesIO(packed(book))) as archive:
+        parts = {name: ElementTree.fromstring(archive.read(name)) for name in archive.namelist()}
+    declared_parts = {element.get("PartName", "").lstrip("/") for element in parts["[Content_Types].xml"]} - {""}
+    assert declared_parts == {name for name in parts if not name.endswith(".rels")} - {"[Content_Types].xml"}
+    assert {
+        f"xl/{element.get('Target', '').removeprefix('/xl/')}" for element in parts["xl/_rels/workbook.xml.rels"]
+    } == {name for name in declared_parts if name.startswith("xl/") and name != "xl/workbook.xml"}
+    assert {element.get("Target") for element in parts["_rels/.rels"]} == {
+        name for name in declared_parts if name.startswith("docProps/")
     } | {"xl/workbook.xml"}
 
 
-def test_a_text_is_kept_once_however_often_it_is_used() -> None:
+def test_a_text_is_stored_once_however_often_it_is_used() -> None:
     book = Workbook((Worksheet("Sheet", (("same", "same"), ("same", "other"))),))
-    with zipfile.ZipFile(io.BytesIO(packed(book))) as held:
-        texts = held.read("xl/sharedStrings.xml").decode()
+    with zipfile.ZipFile(io.BytesIO(packed(book))) as archive:
+        texts = archive.read("xl/sharedStrings.xml").decode()
     assert 'count="4" uniqueCount="2"' in texts
     assert texts.count("same") == 1

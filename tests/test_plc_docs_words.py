@@ -15,7 +15,7 @@ import pytest
 from fieldspec.backends.kv.dialect import KV
 from fieldspec.backends.kv.word_map import COLUMNS
 from fieldspec.pipeline import layouts, load, outputs
-from laid_out import SPECS, newest
+from layouts import SPECS, newest
 
 ROOT = Path(__file__).resolve().parent.parent
 TEXT = (ROOT / "docs" / "plc.md").read_text("utf-8")

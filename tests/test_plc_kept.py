@@ -9,8 +9,8 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.plc.cache import cached
 from fieldspec.plc.dialects import DIALECTS, STRUCTURED
 from fieldspec.plc.structured.program import program, refusals
-from laid_out import MADE_UP, laid_at, newest
-from reading import gadget
+from layouts import TEST_SPECS, layout_at, newest
+from spec_files import gadget
 
 CLASH = """
 enums:
@@ -27,7 +27,7 @@ def test_what_is_kept_is_of_the_layout_that_was_asked_for_last() -> None:
         asked.append(layout)
         return len(asked)
 
-    first = newest(MADE_UP, "widget")
+    first = newest(TEST_SPECS, "widget")
     second = replace(first)
     assert first == second
     assert [number(one) for one in (first, first, second, second, first)] == [1, 1, 2, 2, 3]
@@ -42,11 +42,11 @@ def test_dialects_that_share_a_program_differ_in_what_people_are_told_alone(name
 
 @pytest.mark.parametrize("name", ["st", "twincat", "plcopen"])
 def test_what_all_of_them_refuse_is_said_of_each_by_its_title(name: str) -> None:
-    (found,) = refusals(laid_at(gadget(CLASH), "1"), DIALECTS[name])
+    (found,) = refusals(layout_at(gadget(CLASH), "1"), DIALECTS[name])
     assert DIALECTS[name].title in found.message
 
 
 def test_a_program_has_the_text_of_each_routine_among_its_objects() -> None:
-    made = program(newest(MADE_UP, "widget"))
+    made = program(newest(TEST_SPECS, "widget"))
     assert [one.name for one in made.functions] == [one.name for one in made.routines]
     assert made.items[-len(made.functions) - 1 :] == (made.sizes, *made.functions)

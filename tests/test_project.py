@@ -1,4 +1,4 @@
-"""The project's own files are in order."""
+"""The files of the project itself: pins, documentation, package."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 import fieldspec
-from tools_available import require_tool
+from external_tools import require_tool
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -34,10 +34,10 @@ IN_WHEEL = {
 
 
 def normalised(requirement: str) -> str:
-    """The name of the package that a requirement asks for, in the one spelling that registries compare."""
-    found = re.match(r"[\w.-]+", requirement)
-    assert found, requirement
-    return re.sub(r"[-_.]+", "-", found[0]).lower()
+    """The name of the package in a requirement, normalized as registries do."""
+    match = re.match(r"[\w.-]+", requirement)
+    assert match, requirement
+    return re.sub(r"[-_.]+", "-", match[0]).lower()
 
 
 @pytest.fixture(scope="module")
@@ -56,8 +56,8 @@ def pins() -> list[str]:
 
 def test_no_tracked_file_names_a_path_of_one_machine() -> None:
     git = require_tool("git")
-    listed = subprocess.run([git, "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True)
-    files = [ROOT / name for name in listed.stdout.split("\0") if name]
+    listing = subprocess.run([git, "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True)
+    files = [ROOT / name for name in listing.stdout.split("\0") if name]
     assert files
     assert [file for file in files if file.is_file() and MACHINE_PATH.search(file.read_bytes())] == []
 
@@ -91,13 +91,13 @@ def test_version_is_written_once() -> None:
     assert version("fieldspec") == fieldspec.__version__
 
 
-def test_wheel_holds_the_compiler_the_specs_and_the_codecs(tmp_path: Path) -> None:
+def test_wheel_contains_the_compiler_the_specs_and_the_codecs(tmp_path: Path) -> None:
     build = [sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", str(tmp_path)]
     subprocess.run(build, cwd=ROOT, check=True, capture_output=True)
     (wheel,) = tmp_path.glob("*.whl")
-    held = set(zipfile.ZipFile(wheel).namelist())
+    names = set(zipfile.ZipFile(wheel).namelist())
     for folder, inside in IN_WHEEL.items():
         files = [path.relative_to(ROOT / folder) for path in (ROOT / folder).rglob("*") if path.is_file()]
         wanted = {f"{inside}/{file.as_posix()}" for file in files if "__pycache__" not in file.parts}
         assert wanted, f"{folder} is empty"
-        assert wanted - held == set()
+        assert wanted - names == set()

@@ -10,14 +10,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from drive_variants import drive_variant
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.reference.records import decoded, encoded
-from laid_out import MADE_UP, newest
-from made_python import built, codec_error, made, only_stored, outcome, raws, record_class
+from layouts import TEST_SPECS, newest
+from python_package import built, codec_error, module_of, only_stored, outcome, raws, record_class
 from random_values import bytes_of, values_of
-from varied import varied
 
-GLIDER = made(newest(MADE_UP, "glider-x"))
+GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
 CodecError = codec_error()
 LITTLE = ("byte_order: big\n    word_order: big", "byte_order: little\n    word_order: little")
 WORDS = ("byte_order: big\n    word_order: big", "byte_order: big\n    word_order: little")
@@ -28,7 +28,7 @@ WIDE = ("{name: format, type: u8, enum: format}", "{name: format, type: u16, enu
 TEXT = ("{name: boolean, when: [boolean], type: bool8}", "{name: boolean, when: [boolean], type: text, length: 3}")
 CODES = ("{name: integer8, when: [integer8], type: i8}", "{name: path, when: [integer8], type: u8, enum: path}")
 FLAGS = ("{name: integer32, when: [integer32], type: i32}", "{name: bits, when: [integer32], type: u32, flags: inputs}")
-MADE: dict[str, tuple[tuple[str, str], ...]] = {
+CHANGES: dict[str, tuple[tuple[str, str], ...]] = {
     "as_it_is": (),
     "least_significant_byte_first": (LITTLE, BYTES),
     "least_significant_word_first": (WORDS, WIDE),
@@ -40,9 +40,9 @@ MADE: dict[str, tuple[tuple[str, str], ...]] = {
 
 
 @cache
-def made_of(name: str) -> tuple[DeviceLayout, ModuleType]:
-    """The made-up drive with another channel."""
-    return varied(name, MADE[name])
+def built_from(name: str) -> tuple[DeviceLayout, ModuleType]:
+    """The made-up drive with a varied channel."""
+    return drive_variant(name, CHANGES[name])
 
 
 def messages(layout: DeviceLayout) -> list[Any]:
@@ -51,11 +51,11 @@ def messages(layout: DeviceLayout) -> list[Any]:
     return [side for side in data if side.selector is not None]
 
 
-@pytest.mark.parametrize("name", MADE)
+@pytest.mark.parametrize("name", CHANGES)
 @settings(max_examples=80, deadline=None)
 @given(data=st.data())
 def test_values_of_any_type_become_the_bytes_of_the_reference(name: str, data: st.DataObject) -> None:
-    layout, module = made_of(name)
+    layout, module = built_from(name)
     record = data.draw(st.sampled_from(messages(layout)))
     values = data.draw(values_of(layout, record))
     instance = built(module, layout, record, values)
@@ -65,16 +65,16 @@ def test_values_of_any_type_become_the_bytes_of_the_reference(name: str, data: s
         assert type(instance).decode(instance.encode()).encode() == instance.encode()
 
 
-@pytest.mark.parametrize("name", MADE)
+@pytest.mark.parametrize("name", CHANGES)
 @settings(max_examples=80, deadline=None)
 @given(data=st.data())
 def test_bytes_become_the_values_of_the_type_that_the_reference_finds(name: str, data: st.DataObject) -> None:
-    layout, module = made_of(name)
+    layout, module = built_from(name)
     record = data.draw(st.sampled_from(messages(layout)))
-    given_bytes = data.draw(bytes_of(record))
+    drawn_bytes = data.draw(bytes_of(record))
     cls = record_class(module, record)
-    expected = outcome(lambda: only_stored(record, decoded(record, given_bytes, layout.device)))
-    assert outcome(lambda: raws(cls.decode(given_bytes), record)) == expected
+    expected = outcome(lambda: only_stored(record, decoded(record, drawn_bytes, layout.device)))
+    assert outcome(lambda: raws(cls.decode(drawn_bytes), record)) == expected
 
 
 @pytest.mark.parametrize(
@@ -91,7 +91,7 @@ def test_bytes_become_the_values_of_the_type_that_the_reference_finds(name: str,
 def test_the_format_says_of_what_type_the_values_are(data: str, format_: str, values: tuple[Any, ...]) -> None:
     response = GLIDER.ReadParameterResponse.decode(bytes.fromhex(data))
     assert response == GLIDER.ReadParameterResponse(GLIDER.Format[format_], values)
-    assert [type(held) for held in response.values] == [type(held) for held in values]
+    assert [type(value) for value in response.values] == [type(value) for value in values]
     assert response.encode() == bytes.fromhex(data)
 
 
@@ -135,7 +135,7 @@ def test_values_must_be_of_the_type_that_the_format_says(format_: str, values: A
 
 
 def test_a_format_that_there_is_not_is_refused_before_the_values() -> None:
-    for held, reason in ((7, "unknown_value"), ("6", "wrong_type"), (None, "wrong_type")):
+    for number, reason in ((7, "unknown_value"), ("6", "wrong_type"), (None, "wrong_type")):
         with pytest.raises(CodecError) as caught:
-            GLIDER.WriteParameterRequest(0x2317, held, ("what",)).encode()
+            GLIDER.WriteParameterRequest(0x2317, number, ("what",)).encode()
         assert caught.value.reason == reason

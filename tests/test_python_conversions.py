@@ -12,15 +12,15 @@ from hypothesis import strategies as st
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.value import Conversion
-from laid_out import MADE_UP, all_layouts, newest
-from made_python import codec_error, made
+from layouts import TEST_SPECS, all_layouts, newest
+from python_package import codec_error, module_of
 
-GLIDER = made(newest(MADE_UP, "glider-x"))
+GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
 CodecError = codec_error()
 CONVERSIONS = [
-    pytest.param(layout, held, id=f"{layout.device.id}-{layout.device.version}-{held.name}")
+    pytest.param(layout, conversion, id=f"{layout.device.id}-{layout.device.version}-{conversion.name}")
     for layout in all_layouts()
-    for held in layout.device.conversions.values()
+    for conversion in layout.device.conversions.values()
 ]
 REFERENCES = st.one_of(
     st.integers(-(2**31), 2**31),
@@ -33,8 +33,8 @@ REFERENCES = st.one_of(
 
 def ranges_of(layout: DeviceLayout, conversion: Conversion) -> list[tuple[int, int]]:
     """The counts that the signals of a conversion may have."""
-    found = {layout.device.signals[name].value.ranges for name in conversion.signals}
-    ranges = found.pop() if len(found) == 1 else None
+    signal_ranges = {layout.device.signals[name].value.ranges for name in conversion.signals}
+    ranges = signal_ranges.pop() if len(signal_ranges) == 1 else None
     return list(ranges.intervals) if ranges else [(conversion.type.low, conversion.type.high)]
 
 
@@ -48,7 +48,7 @@ def counts_of(layout: DeviceLayout, conversion: Conversion) -> st.SearchStrategy
 def test_a_count_comes_back_from_its_quantity(
     layout: DeviceLayout, conversion: Conversion, data: st.DataObject
 ) -> None:
-    module = made(layout)
+    module = module_of(layout)
     raw, reference = data.draw(counts_of(layout, conversion)), data.draw(REFERENCES.filter(bool))
     quantity = getattr(module, conversion.name)(raw, reference)
     exact = conversion.quantity(raw, Fraction(reference))
@@ -64,7 +64,7 @@ def ends_of(layout: DeviceLayout, conversion: Conversion) -> list[int]:
 
 @pytest.mark.parametrize(("layout", "conversion"), CONVERSIONS)
 def test_a_quantity_that_no_count_stands_for_is_refused(layout: DeviceLayout, conversion: Conversion) -> None:
-    back = getattr(made(layout), f"{conversion.name}_to_raw")
+    back = getattr(module_of(layout), f"{conversion.name}_to_raw")
     for beyond in (min(ends_of(layout, conversion)) - 1, max(ends_of(layout, conversion)) + 1):
         with pytest.raises(CodecError) as caught:
             back(conversion.quantity(beyond, Fraction(3000)), 3000)
@@ -117,8 +117,8 @@ def test_the_docstring_gives_the_formula_and_what_holds_the_reference() -> None:
 def telegram(**changes: Any) -> Any:
     """A telegram with normalised values."""
     message = GLIDER.Telegram11Request(GLIDER.ControlWordPositioning(), 0, 0, 0)
-    for name, held in changes.items():
-        setattr(message, name, held)
+    for name, value in changes.items():
+        setattr(message, name, value)
     return message
 
 

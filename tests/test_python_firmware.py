@@ -1,4 +1,4 @@
-"""The package of a device picks a version's module by the firmware that the device says it has."""
+"""The package of a device selects the module of a version by the firmware that the device reports."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ import pytest
 from fieldspec import pipeline
 from fieldspec.backends.python.backend import files, shared
 from fieldspec.reading.project import read
-from laid_out import SPECS, laid_at, layouts
-from made_python import NAME, package, write
+from layouts import SPECS, layout_at, layouts
+from python_package import NAME, package, write
 
 MILL = """
 device: {id: mill, name: Mill, vendor: Making, manual: {title: T, language: en, file: f, sha256: "%s", lines: 9}}
@@ -40,9 +40,9 @@ registers:
 def mill(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """A device with two lines of firmware, in a package of its own."""
     spec = read({"mill/device.yaml": MILL.encode()}).devices["mill"]
-    made = {**shared(), **files([laid_at(spec, version) for version in spec.versions()])}
+    texts = {**shared(), **files([layout_at(spec, version) for version in spec.versions()])}
     folder = tmp_path_factory.mktemp("mill")
-    write(folder, {path.replace("fieldspec_devices", "mill_devices", 1): text for path, text in made.items()})
+    write(folder, {path.replace("fieldspec_devices", "mill_devices", 1): text for path, text in texts.items()})
     sys.path.insert(0, str(folder))
     try:
         return importlib.import_module("mill_devices.mill")
@@ -56,8 +56,8 @@ def alike() -> str:
     files_of_specs = {path.relative_to(SPECS).as_posix(): path.read_bytes() for path in SPECS.rglob("*.yaml")}
     spec = read(files_of_specs, frozenset(["hiwin-e"])).devices["hiwin-e"]
     folder = Path(tempfile.mkdtemp(prefix="fieldspec-alike-"))
-    made = {**shared(), **files(pipeline.layouts(spec))}
-    write(folder, {path.replace("fieldspec_devices", "alike_devices", 1): text for path, text in made.items()})
+    texts = {**shared(), **files(pipeline.layouts(spec))}
+    write(folder, {path.replace("fieldspec_devices", "alike_devices", 1): text for path, text in texts.items()})
     sys.path.insert(0, str(folder))
     return "alike_devices"
 
@@ -109,8 +109,8 @@ def test_the_exception_can_be_passed_between_processes() -> None:
 
 def test_the_text_that_a_device_sends_is_taken_as_it_comes() -> None:
     device = importlib.import_module(f"{NAME}.esc11")
-    (laid,) = (laid for laid in layouts(SPECS)["esc11"] if laid.device.version == "1.17")
-    assert laid.identity == device.for_firmware(" 1.17 ").IDENTITY
+    (layout,) = (layout for layout in layouts(SPECS)["esc11"] if layout.device.version == "1.17")
+    assert layout.identity == device.for_firmware(" 1.17 ").IDENTITY
     assert device.for_firmware(" 0.01 ").VERSION == "before-1.17"
 
 

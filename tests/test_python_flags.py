@@ -1,13 +1,13 @@
-"""Words of flags in the generated package: their bits, snapshots, and the words that records hold."""
+"""Words of flags in the generated package: their bits, snapshots, and the words in records."""
 
 from __future__ import annotations
 
 import pytest
 
-from laid_out import MADE_UP, newest
-from made_python import codec_error, made
+from layouts import TEST_SPECS, newest
+from python_package import codec_error, module_of
 
-WIDGET = made(newest(MADE_UP, "widget"))
+WIDGET = module_of(newest(TEST_SPECS, "widget"))
 CodecError = codec_error()
 
 
@@ -32,8 +32,8 @@ def test_flags_are_made_from_keywords() -> None:
 
 
 def test_a_snapshot_of_flags_has_every_name() -> None:
-    held = WIDGET.Status(0x8021).flags()
-    assert held == {"ready": True, "start": False, "brake": False, "level": 2, "lap": 0, "overlay": False}
+    bits = WIDGET.Status(0x8021).flags()
+    assert bits == {"ready": True, "start": False, "brake": False, "level": 2, "lap": 0, "overlay": False}
 
 
 def test_flags_show_which_are_set() -> None:

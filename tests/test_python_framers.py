@@ -8,22 +8,22 @@ from typing import Any
 import pytest
 
 from fieldspec.layout.frame import CHECKSUMS
-from laid_out import MADE_UP, SPECS, newest
-from made_python import link_of, made
+from layouts import SPECS, TEST_SPECS, newest
+from python_package import link_of, module_of
 
-TC100, ESC11, WIDGET = newest(SPECS, "tc100"), newest(SPECS, "esc11"), newest(MADE_UP, "widget")
-GIZMO = newest(MADE_UP, "gizmo")
+TC100, ESC11, WIDGET = newest(SPECS, "tc100"), newest(SPECS, "esc11"), newest(TEST_SPECS, "widget")
+GIZMO = newest(TEST_SPECS, "gizmo")
 
 
 def frames_of(layout: Any, link: str, direction: str) -> list[bytes]:
-    """The example frames of a link in a direction that are not to be refused; or those of another link in its form."""
+    """The valid example frames of a link in a direction, or those of another link in its form."""
     examples = [e for e in layout.device.examples.values() if e.direction == direction and not e.refused]
     own = [example.frame for example in examples if example.link == link]
     return own or [_in_form(layout, example, link) for example in examples]
 
 
 def _in_form(layout: Any, example: Any, link: str) -> bytes:
-    module = made(layout)
+    module = module_of(layout)
     decoded = getattr(link_of(module, example.link), f"decode_{example.direction}")(example.frame)
     spoken = link_of(module, link)
     if example.exception_response:
@@ -36,7 +36,7 @@ def _in_form(layout: Any, example: Any, link: str) -> bytes:
 
 def framer_of(layout: Any, link: str, direction: str) -> Any:
     """A new framer."""
-    return getattr(link_of(made(layout), link), f"{direction}_framer")()
+    return getattr(link_of(module_of(layout), link), f"{direction}_framer")()
 
 
 LINKS = (
@@ -86,11 +86,11 @@ def test_frames_are_found_behind_garbage(layout: Any, link: str, direction: str)
     frames = frames_of(layout, link, direction)
     for _ in range(5):
         for frame in frames:
-            found = framer.feed(chance.randbytes(chance.randint(1, 12)))
-            found += framer.feed(frame)
+            received = framer.feed(chance.randbytes(chance.randint(1, 12)))
+            received += framer.feed(frame)
             # What looked like the beginning of a longer frame is given up when the line is silent.
-            found += framer.idle()
-            assert frame in found
+            received += framer.idle()
+            assert frame in received
 
 
 @EACH
@@ -101,9 +101,9 @@ def test_a_spoiled_frame_is_dropped_and_the_next_one_found(layout: Any, link: st
             spoiled = bytearray(frame)
             spoiled[at] ^= 0x55
             framer = framer_of(layout, link, direction)
-            found = framer.feed(bytes(spoiled) + frame) + framer.idle()
-            assert frame in found
-            assert bytes(spoiled) not in found
+            received = framer.feed(bytes(spoiled) + frame) + framer.idle()
+            assert frame in received
+            assert bytes(spoiled) not in received
 
 
 @EACH
@@ -118,8 +118,8 @@ def test_garbage_without_end_takes_no_memory(layout: Any, link: str, direction: 
 
 
 def test_a_reply_that_does_not_say_its_length_ends_with_the_silence() -> None:
-    link = made(WIDGET).rtu
-    frame = link.encode_response(3, made(WIDGET).NestResponse([0, 1, 5]))
+    link = module_of(WIDGET).rtu
+    frame = link.encode_response(3, module_of(WIDGET).NestResponse([0, 1, 5]))
     framer = link.response_framer()
     assert framer.feed(frame) == []
     assert framer.idle() == [frame]
@@ -127,13 +127,13 @@ def test_a_reply_that_does_not_say_its_length_ends_with_the_silence() -> None:
 
 
 def test_an_error_reply_to_any_code_is_a_frame() -> None:
-    link, exception = made(WIDGET).rtu, made(WIDGET).ExceptionRecord(1)
+    link, exception = module_of(WIDGET).rtu, module_of(WIDGET).ExceptionRecord(1)
     frames = [link.encode_error(2, code, exception) for code in (0x03, 0x10, 0x2B, 0x7F)]
     assert link.response_framer().feed(b"".join(frames)) == frames
 
 
 def test_a_frame_for_a_station_that_there_is_not_is_garbage() -> None:
-    link, request = made(WIDGET).rtu, made(WIDGET).StopRequest()
+    link, request = module_of(WIDGET).rtu, module_of(WIDGET).StopRequest()
     frame = link.encode_request(16, request)
     other = _with_station(frame, 17)
     framer = link.request_framer()
@@ -147,14 +147,14 @@ def _with_station(frame: bytes, station: int) -> bytes:
 
 
 def test_a_broadcast_is_a_request_and_no_response() -> None:
-    link = made(WIDGET).rtu
-    frame = link.encode_request(0, made(WIDGET).WriteRegisterRequest(0x2000, 5))
+    link = module_of(WIDGET).rtu
+    frame = link.encode_request(0, module_of(WIDGET).WriteRegisterRequest(0x2000, 5))
     assert link.request_framer().feed(frame) == [frame]
     assert link.response_framer().feed(frame) == []
 
 
 def test_marks_around_a_length_are_part_of_the_frame() -> None:
-    module = made(GIZMO)
+    module = module_of(GIZMO)
     frames = [module.packet.encode_request(0x0203, module.ReadRequest(number)) for number in (0x0403, 0x0302)]
     framer = module.packet.request_framer()
     assert framer.feed(b"\x02\x03" + frames[0] + b"\x04" + frames[1]) == frames
@@ -163,7 +163,7 @@ def test_marks_around_a_length_are_part_of_the_frame() -> None:
 
 def test_a_framer_looks_at_each_byte_no_more_often_than_a_frame_is_long() -> None:
     # Every byte of this stream looks like the beginning of the longest frame that there is.
-    framer = made(TC100).rtu.response_framer()
+    framer = module_of(TC100).rtu.response_framer()
     calls = 0
 
     class Counting(type(framer)):  # type: ignore[misc]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import pytest
@@ -14,22 +14,33 @@ from fieldspec.layout.frame import CHECKSUMS, PartLayout
 from fieldspec.layout.values import body_of, raw_values
 from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, DeviceCodec, codec
-from laid_out import all_layouts
-from made_python import built, class_of, codec_error, link_of, made, only_stored, outcome, raw, raws, record_class
+from layouts import all_layouts
+from python_package import (
+    built,
+    class_of,
+    codec_error,
+    link_of,
+    module_of,
+    only_stored,
+    outcome,
+    raw,
+    raws,
+    record_class,
+)
 from random_values import values_of
 
 EXAMPLE_COUNT = 150
-LAID_OUT = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts()}
+LAYOUTS = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts()}
 EXAMPLES = [
     pytest.param(layout, example, id=f"{name}-{example.id}")
-    for name, layout in LAID_OUT.items()
+    for name, layout in LAYOUTS.items()
     for example in layout.device.examples.values()
 ]
 
 
 @cache
 def _reference(name: str) -> DeviceCodec:
-    return codec(LAID_OUT[name])
+    return codec(LAYOUTS[name])
 
 
 def reference_of(layout: DeviceLayout) -> DeviceCodec:
@@ -38,8 +49,8 @@ def reference_of(layout: DeviceLayout) -> DeviceCodec:
 
 
 def decode(layout: DeviceLayout, link: str, direction: str, message: str, frame: bytes) -> Any:
-    """What the generated codec makes of a frame; `message` says what a frame without a code is, or must be."""
-    module = made(layout)
+    """The result of the generated codec for a frame; `message` identifies a frame without a code."""
+    module = module_of(layout)
     spoken = link_of(module, link)
     coded = layout.links[link].frame(direction).role("code") is not None
     if direction == "request":
@@ -54,8 +65,8 @@ def decode(layout: DeviceLayout, link: str, direction: str, message: str, frame:
 
 
 def encode(layout: DeviceLayout, example: Example, values: dict[str, Any], code: int) -> bytes:
-    """The frame that the generated codec makes of an example's meaning; `code` is that of a refused request."""
-    module = made(layout)
+    """The frame that the generated codec encodes from the values of an example; `code` is that of the request."""
+    module = module_of(layout)
     spoken, frame = link_of(module, example.link), layout.links[example.link].frame(example.direction)
     body = built(
         module,
@@ -65,39 +76,39 @@ def encode(layout: DeviceLayout, example: Example, values: dict[str, Any], code:
     )
     station = frame.role("unit_address")
     first = [values[station.name]] if station else []
-    plain = {part.name: head_value(module, part, values[part.name]) for part in frame.head if given_part(part)}
-    named = {name if name not in KEYWORDS else f"{name}_": held for name, held in plain.items()}
+    parts = {part.name: head_value(module, part, values[part.name]) for part in frame.head if is_argument(part)}
+    named = {name if name not in KEYWORDS else f"{name}_": value for name, value in parts.items()}
     if example.exception_response:
-        made_frame = spoken.encode_error(*first, code, body, **named)
+        encoded = spoken.encode_error(*first, code, body, **named)
     else:
-        made_frame = getattr(spoken, f"encode_{example.direction}")(*first, body, **named)
-    assert isinstance(made_frame, bytes)
-    return made_frame
+        encoded = getattr(spoken, f"encode_{example.direction}")(*first, body, **named)
+    assert isinstance(encoded, bytes)
+    return encoded
 
 
 KEYWORDS = {"return"}
 
 
-def given_part(part: PartLayout) -> bool:
-    """Whether a part of the head is neither of a special kind nor always the same."""
+def is_argument(part: PartLayout) -> bool:
+    """Whether a header part is an argument besides the unit address."""
     return part.role == "plain" and part.is_argument
 
 
-def head_value(module: Any, part: Any, held: int) -> Any:
-    """What a part of the head is given as."""
-    return class_of(module, part.value.flags, "Flags")(held) if part.value.flags else held
+def head_value(module: Any, part: Any, number: int) -> Any:
+    """The argument for a header part."""
+    return class_of(module, part.value.flags, "Flags")(number) if part.value.flags else number
 
 
 def head_of(layout: DeviceLayout, link: str, direction: str, decoded: Any) -> dict[str, Any]:
-    """The parts of the head of what was decoded, by the names of the spec, but for the code."""
-    found = {}
+    """The header parts of a decoded frame by the names of the spec, without the code."""
+    parts = {}
     for part in layout.links[link].frame(direction).head:
         if part.role == "unit_address":
-            found[part.name] = decoded.station
-        elif given_part(part):
+            parts[part.name] = decoded.station
+        elif is_argument(part):
             name = part.name if hasattr(decoded, part.name) else f"{part.name}_"
-            found[part.name] = raw(getattr(decoded, name))
-    return found
+            parts[part.name] = raw(getattr(decoded, name))
+    return parts
 
 
 @pytest.mark.parametrize(("layout", "example"), EXAMPLES)
@@ -108,28 +119,28 @@ def test_an_example_frame_means_what_the_spec_says_and_is_made_of_it(layout: Dev
         assert caught.value.reason == example.refused
         return
     asked = (layout, example.link, example.direction, example.message, example.frame)
-    error, code, head, body = made_of(*asked)
-    assert (error, code, head, body) == meant_by(*asked)
-    written = raw_values(layout, example)
-    assert all(head.get(name, held) == held for name, held in written.items())
-    assert all(holds(body.get(name, held), held) for name, held in written.items())
-    assert encode(layout, example, {**head, **body, **written}, code) == example.frame
+    error, code, head, body = decoded_by_codec(*asked)
+    assert (error, code, head, body) == decoded_by_reference(*asked)
+    expected = raw_values(layout, example)
+    assert all(head.get(name, value) == value for name, value in expected.items())
+    assert all(holds(body.get(name, value), value) for name, value in expected.items())
+    assert encode(layout, example, {**head, **body, **expected}, code) == example.frame
 
 
-def holds(actual: Any, written: Any) -> bool:
-    """Whether a value is what the spec says of it; reserved fields and constants of records are not compared."""
+def holds(actual: Any, expected: Any) -> bool:
+    """Whether a value is the expected one; reserved fields and constants of records are not compared."""
     if isinstance(actual, dict):
-        return all(holds(held, written[name]) for name, held in actual.items() if name in written)
+        return all(holds(value, expected[name]) for name, value in actual.items() if name in expected)
     if isinstance(actual, list):
-        return len(actual) == len(written) and all(map(holds, actual, written))
-    return bool(actual == written)
+        return len(actual) == len(expected) and all(map(holds, actual, expected))
+    return bool(actual == expected)
 
 
-@pytest.mark.parametrize("name", LAID_OUT)
+@pytest.mark.parametrize("name", LAYOUTS)
 @settings(max_examples=EXAMPLE_COUNT, deadline=None)
 @given(data=st.data())
 def test_a_frame_is_read_or_refused_as_the_reference_does(name: str, data: st.DataObject) -> None:
-    layout = LAID_OUT[name]
+    layout = LAYOUTS[name]
     link = data.draw(st.sampled_from(sorted(layout.links)))
     direction = data.draw(st.sampled_from(["request", "response"]))
     coded = layout.links[link].frame(direction).role("code") is not None
@@ -156,14 +167,17 @@ def test_a_frame_is_read_or_refused_as_the_reference_does(name: str, data: st.Da
     asked = message if not coded or (direction == "response" and data.draw(st.booleans())) else ""
     if data.draw(st.booleans()):
         frame = _with_right_check(layout, link, direction, frame)
-    actual = outcome(lambda: made_of(layout, link, direction, asked, frame))
-    assert actual == outcome(lambda: meant_by(layout, link, direction, asked, frame))
+    actual = outcome(lambda: decoded_by_codec(layout, link, direction, asked, frame))
+    assert actual == outcome(lambda: decoded_by_reference(layout, link, direction, asked, frame))
 
 
-@pytest.mark.parametrize("name", LAID_OUT)
+@pytest.mark.parametrize("name", LAYOUTS)
 def test_an_example_with_one_wrong_byte_is_refused_as_the_reference_does(name: str) -> None:
-    layout = LAID_OUT[name]
-    shapes = {(one.link, one.direction, one.message, len(one.frame)): one for one in layout.device.examples.values()}
+    layout = LAYOUTS[name]
+    shapes = {
+        (example.link, example.direction, example.message, len(example.frame)): example
+        for example in layout.device.examples.values()
+    }
     for example in shapes.values():
         coded = layout.links[example.link].frame(example.direction).role("code") is not None
         message = "" if coded and example.direction == "request" else example.message
@@ -171,36 +185,37 @@ def test_an_example_with_one_wrong_byte_is_refused_as_the_reference_does(name: s
             for other in (byte ^ 1, byte ^ 0x80, 7):
                 frame = example.frame[:at] + bytes([other]) + example.frame[at + 1 :]
                 asked = (layout, example.link, example.direction, message, frame)
-                assert outcome(lambda: made_of(*asked)) == outcome(lambda: meant_by(*asked)), frame.hex(" ")  # noqa: B023
+                expected = outcome(partial(decoded_by_reference, *asked))
+                assert outcome(partial(decoded_by_codec, *asked)) == expected, frame.hex(" ")
 
 
-def made_of(layout: DeviceLayout, link: str, direction: str, message: str, frame: bytes) -> Any:
-    """What the generated codec finds in a frame: whether it is a refusal, the code, the head, the body."""
+def decoded_by_codec(layout: DeviceLayout, link: str, direction: str, message: str, frame: bytes) -> Any:
+    """A frame decoded by the generated codec: whether it is an exception response, the code, the header, the body."""
     decoded = decode(layout, link, direction, message, frame)
     head, coded = head_of(layout, link, direction, decoded), layout.links[link].frame(direction).role("code")
     refusal = layout.links[link].link.exception_response
     if refusal is not None and hasattr(decoded, "exception"):
         return True, decoded.code, head, raws(decoded.exception, layout.records[refusal.record])
     content = decoded.message
-    records = (laid.data(direction) for laid in layout.messages.values())
-    record = next(record for record in records if record_class(made(layout), record) is type(content))
+    records = (message_layout.data(direction) for message_layout in layout.messages.values())
+    record = next(record for record in records if record_class(module_of(layout), record) is type(content))
     return False, type(content).CODE if coded else None, head, raws(content, record)
 
 
-def meant_by(layout: DeviceLayout, link: str, direction: str, message: str, frame: bytes) -> Any:
-    """The same of the reference."""
+def decoded_by_reference(layout: DeviceLayout, link: str, direction: str, message: str, frame: bytes) -> Any:
+    """The same by the reference codec."""
     decoded = reference_of(layout).links[link].decode(frame, direction, message)
     coded, head = layout.links[link].frame(direction).role("code"), dict(decoded.head)
     code = head.pop(coded.name) if coded else None
     for part in layout.links[link].frame(direction).head:
-        if part.role == "plain" and not given_part(part):
+        if part.role == "plain" and not is_argument(part):
             head.pop(part.name, None)
     assert decoded.body is not None
     return decoded.error, code, head, only_stored(decoded.body, decoded.values)
 
 
 def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: bytes) -> bytes:
-    """The same frame with the check and the length that its bytes should have: what lies within is then looked at."""
+    """The frame with the right checksum and length, so that the bytes in between are decoded."""
     reference = reference_of(layout).links[link]
     shape = layout.links[link].frame(direction)
     try:

@@ -1,4 +1,4 @@
-"""Heads of frames with parts that the caller gives and parts that are always the same, with every check."""
+"""Headers of frames with arguments and constants, with every checksum."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from drive_variants import drive_variant
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import CHECKSUMS
 from fieldspec.reference import DeviceCodec, codec
-from laid_out import MADE_UP, newest
-from made_python import built, codec_error, made, outcome, package
+from layouts import TEST_SPECS, newest
+from python_package import built, codec_error, module_of, outcome, package
 from random_values import values_of
-from varied import varied
 
-GLIDER = made(newest(MADE_UP, "glider-x"))
+GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
 CodecError = codec_error()
 BODY = "      - {name: body, role: body}\n    response: *head"
 WIDE = ("{name: axis, type: u8, const: 0}", "{name: axis, type: u16, const: 0x1234}")
-MADE: dict[str, tuple[tuple[str, str], ...]] = {
+CHANGES: dict[str, tuple[tuple[str, str], ...]] = {
     "no_check": (),
     "wide_constant": (WIDE,),
     **{
@@ -36,34 +36,34 @@ MADE: dict[str, tuple[tuple[str, str], ...]] = {
 
 
 @cache
-def made_of(name: str) -> tuple[DeviceLayout, ModuleType, DeviceCodec]:
-    """The made-up drive with another channel, and its reference codec."""
-    layout, module = varied(f"head_{name}", MADE[name])
+def built_from(name: str) -> tuple[DeviceLayout, ModuleType, DeviceCodec]:
+    """The made-up drive with a varied channel, and its reference codec."""
+    layout, module = drive_variant(f"head_{name}", CHANGES[name])
     return layout, module, codec(layout)
 
 
-@pytest.mark.parametrize("name", MADE)
+@pytest.mark.parametrize("name", CHANGES)
 @settings(max_examples=80, deadline=None)
 @given(data=st.data())
 def test_a_frame_is_made_as_the_reference_makes_it(name: str, data: st.DataObject) -> None:
-    layout, module, reference = made_of(name)
-    laid = layout.messages[data.draw(st.sampled_from(["read_parameter", "write_parameter"]))]
+    layout, module, reference = built_from(name)
+    message_layout = layout.messages[data.draw(st.sampled_from(["read_parameter", "write_parameter"]))]
     direction = data.draw(st.sampled_from(["request", "response"]))
-    values = data.draw(values_of(layout, laid.data(direction)))
+    values = data.draw(values_of(layout, message_layout.data(direction)))
     number = data.draw(st.integers(0, 256))
-    message = built(module, layout, laid.data(direction), values)
+    message = built(module, layout, message_layout.data(direction), values)
     link = reference.links["channel"]
-    expected = outcome(lambda: link.encode(direction, laid.name, {**values, "reference": number}))
+    expected = outcome(lambda: link.encode(direction, message_layout.name, {**values, "reference": number}))
     actual = outcome(lambda: getattr(module.channel, f"encode_{direction}")(message, reference=number))
     # Where both the head and the data are wrong, either may be told.
     assert actual == expected or (actual[0] and expected[0])
 
 
-@pytest.mark.parametrize("name", MADE)
+@pytest.mark.parametrize("name", CHANGES)
 @settings(max_examples=120, deadline=None)
 @given(data=st.data())
 def test_a_frame_is_read_as_the_reference_reads_it(name: str, data: st.DataObject) -> None:
-    layout, module, reference = made_of(name)
+    layout, module, reference = built_from(name)
     link = reference.links["channel"]
     frame = bytearray(link.encode("request", "read_parameter", READ))
     for _ in range(data.draw(st.integers(0, 2))):
@@ -81,9 +81,9 @@ def test_a_frame_is_read_as_the_reference_reads_it(name: str, data: st.DataObjec
 READ = {"reference": 7, "element_count": 1, "number": 0x2317, "subindex": 3}
 
 
-@pytest.mark.parametrize("name", MADE)
+@pytest.mark.parametrize("name", CHANGES)
 def test_a_part_that_is_always_the_same_is_no_argument_and_is_looked_at(name: str) -> None:
-    layout, module, reference = made_of(name)
+    layout, module, reference = built_from(name)
     link = reference.links["channel"]
     frame = bytearray(link.encode("request", "read_parameter", READ))
     request = module.channel.decode_request(bytes(frame))

@@ -1,4 +1,4 @@
-"""Many records at once against one after the other: with NumPy, and with nothing but Python."""
+"""Many records at once against one at a time: with NumPy, and with Python alone."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from hypothesis import strategies as st
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
-from laid_out import MADE_UP, SPECS, all_layouts, newest
-from made_python import built, codec_error, made, outcome, raws, record_class, runtime
+from layouts import SPECS, TEST_SPECS, all_layouts, newest
+from python_package import built, codec_error, module_of, outcome, raws, record_class, runtime
 from random_values import bytes_of, values_of
 
 MANY = runtime("many")
 CodecError = codec_error()
-HIWIN, WIDGET = made(newest(SPECS, "hiwin-e")), made(newest(MADE_UP, "widget"))
+HIWIN, WIDGET = module_of(newest(SPECS, "hiwin-e")), module_of(newest(TEST_SPECS, "widget"))
 TELEGRAM = HIWIN.Telegram111Response
 FRAME = bytes.fromhex("04 BF 91 00 00 07 00 00 00 00 FF FF CF C7 10 00 00 00 00 00 00 00 00 00")
 
@@ -27,54 +27,56 @@ def fixed(layout: DeviceLayout) -> list[RecordLayout]:
     """The records, and data of messages, that have columns."""
     data = [side for message in layout.messages.values() for side in (message.request, message.response)]
     return [
-        record for record in (*layout.records.values(), *data) if hasattr(record_class(made(layout), record), "_SIZE")
+        record
+        for record in (*layout.records.values(), *data)
+        if hasattr(record_class(module_of(layout), record), "_SIZE")
     ]
 
 
-LAID_OUT = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts() if fixed(layout)}
-EACH = pytest.mark.parametrize("name", LAID_OUT)
+LAYOUTS = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts() if fixed(layout)}
+EACH = pytest.mark.parametrize("name", LAYOUTS)
 
 
 def of_record(value: Any, path: tuple[int, ...] = ()) -> dict[tuple[int, ...], list[Any]]:
     """The numbers and bytes of one record by the places of their fields; those of lists one behind the other."""
-    found: dict[tuple[int, ...], list[Any]] = {}
+    values: dict[tuple[int, ...], list[Any]] = {}
     if isinstance(value, dict):
-        for place, held in enumerate(value.values()):
-            found |= of_record(held, (*path, place))
-        return found
-    for one in value if isinstance(value, (list, tuple)) else [value]:
-        if isinstance(one, dict):
-            for key, held in of_record(one, path).items():
-                found[key] = found.get(key, []) + held
+        for place, field in enumerate(value.values()):
+            values |= of_record(field, (*path, place))
+        return values
+    for element in value if isinstance(value, (list, tuple)) else [value]:
+        if isinstance(element, dict):
+            for key, field in of_record(element, path).items():
+                values[key] = values.get(key, []) + field
         else:
-            data = one.encode("ascii") if isinstance(one, str) else one
-            held = data.rstrip(b"\0") if isinstance(data, bytes) else data
-            found[path] = [*found.get(path, []), int(held) if isinstance(held, bool) else held]
-    return found
+            data = element.encode("ascii") if isinstance(element, str) else element
+            field = data.rstrip(b"\0") if isinstance(data, bytes) else data
+            values[path] = [*values.get(path, []), int(field) if isinstance(field, bool) else field]
+    return values
 
 
 def of_columns(columns: dict[str, Any], at: int, path: tuple[int, ...] = ()) -> dict[tuple[int, ...], list[Any]]:
     """The same for the record at a place of columns."""
-    found: dict[tuple[int, ...], list[Any]] = {}
-    for place, held in enumerate(columns.values()):
-        if isinstance(held, dict):
-            found |= of_columns(held, at, (*path, place))
+    values: dict[tuple[int, ...], list[Any]] = {}
+    for place, column in enumerate(columns.values()):
+        if isinstance(column, dict):
+            values |= of_columns(column, at, (*path, place))
         else:
-            found[(*path, place)] = numpy.ravel(held[at]).tolist()
-    return found
+            values[(*path, place)] = numpy.ravel(column[at]).tolist()
+    return values
 
 
 @EACH
 @settings(max_examples=60, deadline=None)
 @given(data=st.data())
 def test_columns_hold_what_each_record_holds(name: str, data: st.DataObject) -> None:
-    layout = LAID_OUT[name]
+    layout = LAYOUTS[name]
     record = data.draw(st.sampled_from(fixed(layout)))
-    module = made(layout)
+    module = module_of(layout)
     drawn = [
         built(module, layout, record, values) for values in data.draw(st.lists(values_of(layout, record), max_size=5))
     ]
-    frames = [one.encode() for one in drawn if not outcome(one.encode)[0]]
+    frames = [record.encode() for record in drawn if not outcome(record.encode)[0]]
     cls, whole = record_class(module, record), b"".join(frames)
     columns = MANY.decode_many(cls, whole)
     for at, frame in enumerate(frames):
@@ -85,21 +87,21 @@ def test_columns_hold_what_each_record_holds(name: str, data: st.DataObject) -> 
 @settings(max_examples=60, deadline=None)
 @given(data=st.data())
 def test_what_one_record_refuses_the_columns_refuse_at_its_place(name: str, data: st.DataObject) -> None:
-    layout = LAID_OUT[name]
+    layout = LAYOUTS[name]
     record = data.draw(st.sampled_from(fixed(layout)))
-    cls = record_class(made(layout), record)
+    cls = record_class(module_of(layout), record)
     size = record.size or 0
     frames = [
         frame[:size].ljust(size, b"\0") for frame in data.draw(st.lists(bytes_of(record), min_size=1, max_size=4))
     ]
     each = (refused(cls.decode, frame, number * size) for number, frame in enumerate(frames))
-    expected = next((one for one in each if one), None)
+    expected = next((error for error in each if error), None)
     assert refused(lambda whole: MANY.decode_many(cls, whole), b"".join(frames)) == expected
     assert refused(lambda whole: MANY.arrays(cls, whole), b"".join(frames)) == expected
 
 
 def refused(decode: Any, data: bytes, at: int = 0) -> Any:
-    """Why bytes are refused that lie at an offset; None where they are not."""
+    """The reason why the bytes at an offset are refused; None where they are valid."""
     try:
         decode(data)
     except CodecError as error:
@@ -109,9 +111,9 @@ def refused(decode: Any, data: bytes, at: int = 0) -> Any:
 
 @EACH
 def test_the_plain_arrays_hold_the_same_as_the_columns(name: str) -> None:
-    layout = LAID_OUT[name]
+    layout = LAYOUTS[name]
     for record in fixed(layout):
-        cls = record_class(made(layout), record)
+        cls = record_class(module_of(layout), record)
         size = record.size or 0
         frames = [bytes((byte + place) % 128 for place in range(size)) for byte in range(250)]
         whole = b"".join(frame for frame in frames if not refused(cls.decode, frame))
@@ -120,14 +122,18 @@ def test_the_plain_arrays_hold_the_same_as_the_columns(name: str) -> None:
 
 def flat(columns: dict[str, Any]) -> dict[str, Any]:
     """Columns as plain lists; the dimensions are left out."""
-    found: dict[str, Any] = {}
-    for name, held in columns.items():
-        if isinstance(held, dict):
-            found[name] = flat(held)
+    columns_by_name: dict[str, Any] = {}
+    for name, column in columns.items():
+        if isinstance(column, dict):
+            columns_by_name[name] = flat(column)
         else:
-            values = held.tolist() if isinstance(held, array) else numpy.ravel(held).tolist() if len(held) else []
-            found[name] = str([one.rstrip(b"\0") if isinstance(one, bytes) else one for one in values])
-    return found
+            values = (
+                column.tolist() if isinstance(column, array) else numpy.ravel(column).tolist() if len(column) else []
+            )
+            columns_by_name[name] = str(
+                [value.rstrip(b"\0") if isinstance(value, bytes) else value for value in values]
+            )
+    return columns_by_name
 
 
 @pytest.mark.parametrize("decode", [MANY.decode_many, MANY.arrays, MANY.view, MANY.records])
@@ -168,9 +174,9 @@ def test_native_records_hold_the_same_as_the_view() -> None:
 
 def test_bits_are_columns_by_name() -> None:
     column = MANY.decode_many(TELEGRAM, FRAME * 2)["status_word_1"]
-    one = HIWIN.StatusWord1Positioning(0x04BF)
-    assert {name: held.tolist() for name, held in MANY.bits(type(one), column).items()} == {
-        name: [held, held] for name, held in one.flags().items()
+    word = HIWIN.StatusWord1Positioning(0x04BF)
+    assert {name: bits.tolist() for name, bits in MANY.bits(type(word), column).items()} == {
+        name: [bit, bit] for name, bit in word.flags().items()
     }
 
 
@@ -191,6 +197,6 @@ def test_records_of_different_lengths_are_refused() -> None:
 
 def test_a_sentinel_becomes_no_number_in_a_column_in_the_unit() -> None:
     counts = numpy.array([0, 150, 0xFFFF], "u2")
-    held = MANY.in_unit(WIDGET.Everything, "half", counts)
-    assert numpy.isnan(held).tolist() == [False, False, True]
-    assert held[:2].tolist() == [0.0, 1.5]
+    quantities = MANY.in_unit(WIDGET.Everything, "half", counts)
+    assert numpy.isnan(quantities).tolist() == [False, False, True]
+    assert quantities[:2].tolist() == [0.0, 1.5]

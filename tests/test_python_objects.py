@@ -15,10 +15,14 @@ from hypothesis import strategies as st
 
 from fieldspec.backends.python.quantities import in_unit, quantity, ratio
 from fieldspec.layout.frame import CHECKSUMS
-from laid_out import MADE_UP, SPECS, layouts, newest
-from made_python import codec_error, made, package, runtime
+from layouts import SPECS, TEST_SPECS, layouts, newest
+from python_package import codec_error, module_of, package, runtime
 
-WIDGET, ESC11, TC100 = made(newest(MADE_UP, "widget")), made(newest(SPECS, "esc11")), made(newest(SPECS, "tc100"))
+WIDGET, ESC11, TC100 = (
+    module_of(newest(TEST_SPECS, "widget")),
+    module_of(newest(SPECS, "esc11")),
+    module_of(newest(SPECS, "tc100")),
+)
 CodecError = codec_error()
 PACKAGE = package()
 
@@ -52,12 +56,12 @@ def test_a_closed_enum_refuses_a_value_that_it_does_not_list() -> None:
 
 
 def test_a_version_has_the_members_of_its_own() -> None:
-    old = made(layouts(MADE_UP)["widget"][0])
+    old = module_of(layouts(TEST_SPECS)["widget"][0])
     assert not hasattr(old.Alarm, "OVER_VOLTAGE")
     assert WIDGET.Alarm.OVER_VOLTAGE == 0x100
 
 
-GLIDER = made(newest(MADE_UP, "glider-x"))
+GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
 
 
 def test_a_code_is_found_by_what_is_displayed_and_by_its_other_number() -> None:
@@ -111,7 +115,7 @@ def test_a_record_has_no_room_for_a_misspelt_field() -> None:
         corner().z = 1
 
 
-@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda held: pickle.loads(pickle.dumps(held))])
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda value: pickle.loads(pickle.dumps(value))])
 def test_a_record_can_be_copied(copied: Any) -> None:
     nest = WIDGET.NestRequest(
         WIDGET.Nest(
@@ -160,8 +164,8 @@ def test_a_sentinel_is_a_constant_of_its_record() -> None:
 def test_the_error_names_the_field_that_is_out_of_range(change: dict[str, Any], reason: str, name: str) -> None:
     point = WIDGET.Point(WIDGET.Color.RED, 0, 1, WIDGET.Status(), -1, 0)
     assert point.encode()
-    for attribute, held in change.items():
-        setattr(point, attribute, held)
+    for attribute, value in change.items():
+        setattr(point, attribute, value)
     with pytest.raises(CodecError) as caught:
         point.encode()
     assert (caught.value.reason, caught.value.offset) == (reason, None)
@@ -179,10 +183,10 @@ def test_an_error_can_be_sent_to_another_process() -> None:
 
 
 def test_a_scaled_field_is_also_a_value_in_its_unit() -> None:
-    held = corner(-1234, 5)
-    assert (held.x_mm, held.y_mm) == (-123.4, 0.5)
-    held.x_mm = 12.3
-    assert held.x == 123
+    record = corner(-1234, 5)
+    assert (record.x_mm, record.y_mm) == (-123.4, 0.5)
+    record.x_mm = 12.3
+    assert record.x == 123
 
 
 def test_an_offset_belongs_to_the_value_in_the_unit() -> None:
@@ -204,18 +208,18 @@ def test_a_list_of_scaled_fields_is_also_one_of_values_in_their_unit() -> None:
     [(0.25, 2), (0.75, 8), (-0.25, -2), (Decimal("0.15"), 2), (Decimal("0.05"), 0), (Fraction(1, 3), 3), (7, 70)],
 )
 def test_the_nearest_count_is_taken_and_of_two_the_even_one(value: Any, count: int) -> None:
-    held = corner()
-    held.x_mm = value
-    assert held.x == count
+    record = corner()
+    record.x_mm = value
+    assert record.x == count
 
 
 @pytest.mark.parametrize("value", [100.06, -100.06, 1e300, float("inf"), float("nan")])
 def test_a_value_that_is_out_of_range_is_refused_and_changes_nothing(value: float) -> None:
-    held = corner(7)
+    record = corner(7)
     with pytest.raises(CodecError) as caught:
-        held.x_mm = value
+        record.x_mm = value
     assert caught.value.reason == "out_of_range"
-    assert held.x == 7
+    assert record.x == 7
 
 
 @given(
@@ -233,7 +237,7 @@ def test_rounding_is_exact_for_every_count(count: int, ratio: tuple[int, int, in
 
 
 @pytest.mark.parametrize(
-    ("scale", "offset", "held", "expression", "text"),
+    ("scale", "offset", "fraction", "expression", "text"),
     [
         ("1", "0", (1, 0, 1), "float(n)", ""),
         ("0.01", "0", (1, 0, 100), "n / 100", "in 0.01 mm"),
@@ -244,23 +248,23 @@ def test_rounding_is_exact_for_every_count(count: int, ratio: tuple[int, int, in
     ],
 )
 def test_a_scale_is_written_as_whole_numbers(
-    scale: str, offset: str, held: tuple[int, int, int], expression: str, text: str
+    scale: str, offset: str, fraction: tuple[int, int, int], expression: str, text: str
 ) -> None:
     value = replace(SCALED, scale=Decimal(scale), offset=Decimal(offset))
-    assert ratio(value) == held
-    assert in_unit("n", held) == expression
+    assert ratio(value) == fraction
+    assert in_unit("n", fraction) == expression
     assert eval(expression, {"n": 7}) == float(value.in_unit(7))
     assert quantity(value) == text or not value.scaled
 
 
-SCALED = next(iter(newest(MADE_UP, "widget").records["corner"].fields)).value
+SCALED = next(iter(newest(TEST_SPECS, "widget").records["corner"].fields)).value
 
 
 @given(st.integers(-1000, 1000))
 def test_a_count_comes_back_from_its_value_in_the_unit(count: int) -> None:
-    held = corner(count)
-    held.x_mm = held.x_mm
-    assert held.x == count
+    record = corner(count)
+    record.x_mm = record.x_mm
+    assert record.x == count
 
 
 # Links

@@ -16,11 +16,11 @@ import pytest
 from fieldspec.backends.python.backend import PACKAGE, files
 from fieldspec.backends.python.naming import Scope, module_name, package_name
 from fieldspec.backends.python.text import docstring, literal
-from laid_out import MADE_UP, SPECS, layouts, newest
-from made_python import made, texts, write
+from layouts import SPECS, TEST_SPECS, layouts, newest
+from python_package import module_of, texts, write
 
 PYTHONS = ("3.10", "3.11", "3.12", "3.13", "3.14")
-HOSTILE = newest(MADE_UP, "hostile")
+HOSTILE = newest(TEST_SPECS, "hostile")
 SMOKE = """
 
 for name in MODULES:
@@ -35,7 +35,7 @@ print("well")
 
 
 @pytest.fixture(scope="module")
-def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder that holds the package."""
     folder = tmp_path_factory.mktemp("python")
     write(folder, texts())
@@ -44,26 +44,28 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def environment() -> dict[str, str]:
     """What a checker's process may know: nothing of this project."""
-    return {name: held for name, held in os.environ.items() if name not in ("PYTHONPATH", "MYPYPATH")}
+    return {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "MYPYPATH")}
 
 
-def test_mypy_is_content_with_the_package(written: Path) -> None:
+def test_mypy_is_content_with_the_package(package: Path) -> None:
     command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.10", "--config-file=", PACKAGE]
-    done = subprocess.run(command, cwd=written, env=environment(), capture_output=True, text=True, check=False)
+    done = subprocess.run(command, cwd=package, env=environment(), capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout[-5000:]
 
 
-def test_pyright_is_content_with_the_package(written: Path) -> None:
+def test_pyright_is_content_with_the_package(package: Path) -> None:
     command = [sys.executable, "-m", "pyright", "--outputjson", PACKAGE]
-    done = subprocess.run(command, cwd=written, env=environment(), capture_output=True, text=True, check=False)
-    found = json.loads(done.stdout)
-    assert found["generalDiagnostics"] == []
-    assert found["summary"]["filesAnalyzed"] > 10
+    done = subprocess.run(command, cwd=package, env=environment(), capture_output=True, text=True, check=False)
+    report = json.loads(done.stdout)
+    assert report["generalDiagnostics"] == []
+    assert report["summary"]["filesAnalyzed"] > 10
 
 
-USER = """
-from typing import assert_type
-from fieldspec_devices import CodecError, ErrorReply, Parameter, Register, Request, Response, glider_x, widget
+USER = """# pyright: strict
+from decimal import Decimal
+from fractions import Fraction
+from typing_extensions import assert_type
+from fieldspec_devices import ErrorReply, Parameter, Register, Request, Response, glider_x, widget
 from fieldspec_devices.widget import before_2_0
 
 request = widget.ReadRegistersRequest(0x1000, 2)
@@ -85,6 +87,11 @@ assert_type(widget.read_value(widget.STATUS_WORD), widget.Status)
 assert_type(widget.parameters.read_value(widget.parameters.HOME, widget.ReadOneResponse(2, 0)), widget.Direction)
 assert_type(widget.Point.decode(b"").speed, int)
 assert_type(widget.Corner(1, 2).x_mm, float)
+assert_type(widget.Corner(x_mm=0.5, y=12), widget.Corner)
+assert_type(widget.Corner(5, y_mm=Decimal("1.2")), widget.Corner)
+assert_type(widget.Corner(x_mm=Fraction(1, 2), y_mm=1), widget.Corner)
+widget.Corner(1, 2).x_mm = Decimal("0.1")
+assert_type(glider_x.commanded_speed_to_raw(Decimal("1.5"), 3000), int)
 assert_type(before_2_0.LAMP, Register[before_2_0.Color])
 
 cyclic = glider_x.cyclic
@@ -120,6 +127,10 @@ widget.Corner(x=1)
 widget.Status(redy=True)
 widget.LAMP.encode(1.5)
 widget.Corner(1, 2).x_mm = "1"
+widget.Corner(x=1, x_mm=0.1, y=2)
+widget.Corner(x_mm=0.1)
+widget.Corner(x_mm="0.1", y=2)
+widget.Corner(1, 2, 0.1)
 glider_x.ControlWord(onn=True)
 glider_x.servo.REFERENCE_SPED
 glider_x.pnu.write_request(glider_x.servo.REFERENCE_SPEED, "fast")
@@ -128,27 +139,36 @@ glider_x.pnu.read_request(glider_x.servo.REFERENCE_SPEED)
 """
 
 
-def test_a_type_checker_knows_what_users_get(written: Path) -> None:
-    (written / "user.py").write_text(USER, encoding="utf-8")
+def test_a_type_checker_knows_what_users_get(package: Path) -> None:
+    (package / "user.py").write_text(USER, encoding="utf-8")
     command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.11", "--config-file=", "user.py"]
-    done = subprocess.run(command, cwd=written, env=environment(), capture_output=True, text=True, check=False)
+    done = subprocess.run(command, cwd=package, env=environment(), capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout[-5000:]
 
 
-def test_a_type_checker_finds_what_users_get_wrong(written: Path) -> None:
-    (written / "wrong.py").write_text(WRONG, encoding="utf-8")
+def test_pyright_knows_what_users_get(package: Path) -> None:
+    (package / "user_of_pyright.py").write_text(USER, encoding="utf-8")
+    command = [sys.executable, "-m", "pyright", "--pythonversion=3.11", "--outputjson", "user_of_pyright.py"]
+    done = subprocess.run(command, cwd=package, env=environment(), capture_output=True, text=True, check=False)
+    report = json.loads(done.stdout)
+    assert [finding["message"] for finding in report["generalDiagnostics"]] == []
+    assert report["summary"]["filesAnalyzed"] == 1
+
+
+def test_a_type_checker_finds_what_users_get_wrong(package: Path) -> None:
+    (package / "wrong.py").write_text(WRONG, encoding="utf-8")
     command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.11", "--config-file=", "wrong.py"]
-    done = subprocess.run(command, cwd=written, env=environment(), capture_output=True, text=True, check=False)
-    found = sorted(int(line) for line in re.findall(r"wrong\.py:(\d+): error", done.stdout))
-    assert found == [*range(3, 14)], done.stdout[-5000:]
+    done = subprocess.run(command, cwd=package, env=environment(), capture_output=True, text=True, check=False)
+    lines = sorted(int(line) for line in re.findall(r"wrong\.py:(\d+): error", done.stdout))
+    assert lines == [*range(3, 18)], done.stdout[-5000:]
 
 
 @pytest.mark.parametrize("version", PYTHONS)
-def test_the_package_works_alone_under_every_python(written: Path, version: str) -> None:
+def test_the_package_works_alone_under_every_python(package: Path, version: str) -> None:
     python = _python(version)
-    paths = (path.relative_to(written).with_suffix("") for path in sorted(written.rglob(f"{PACKAGE}/**/*.py")))
+    paths = (path.relative_to(package).with_suffix("") for path in sorted(package.rglob(f"{PACKAGE}/**/*.py")))
     modules = [".".join(path.parts).removesuffix(".__init__") for path in paths]
-    start = f"import sys; sys.path.insert(0, {str(written)!r}); MODULES = {modules!r}"
+    start = f"import sys; sys.path.insert(0, {str(package)!r}); MODULES = {modules!r}"
     command = [python, "-W", "error", "-I", "-c", start + SMOKE]
     done = subprocess.run(command, env=environment(), capture_output=True, text=True, check=False)
     assert done.stdout == "well\n", done.stderr[-3000:]
@@ -158,8 +178,8 @@ def _python(version: str) -> str:
     """An interpreter of a version, where there is one."""
     if version == f"{sys.version_info.major}.{sys.version_info.minor}":
         return sys.executable
-    found = sorted(Path.home().glob(f".pyenv/versions/{version}.*/bin/python"))
-    return str(found[-1]) if found else _skipped(version)
+    interpreters = sorted(Path.home().glob(f".pyenv/versions/{version}.*/bin/python"))
+    return str(interpreters[-1]) if interpreters else _skipped(version)
 
 
 def _skipped(version: str) -> str:
@@ -170,7 +190,7 @@ def _skipped(version: str) -> str:
 
 
 def test_the_same_specs_give_the_same_bytes() -> None:
-    versions = layouts(MADE_UP)["widget"]
+    versions = layouts(TEST_SPECS)["widget"]
     assert files(versions) == files(versions)
 
 
@@ -202,7 +222,9 @@ ALLOWED = {
     "array",
     "binascii",
     "collections.abc",
+    "decimal",
     "enum",
+    "fractions",
     "importlib",
     "operator",
     "re",
@@ -218,7 +240,7 @@ ALLOWED = {
 
 
 def test_hostile_texts_arrive_as_they_are() -> None:
-    module = made(HOSTILE)
+    module = module_of(HOSTILE)
     assert 'Line one line two */ // """ \\' in module.ClassLink.__doc__
     assert 'None ("""*/</script>\\)' in module.NoneCode.__doc__
     assert "# and a hash, and a backslash at the end \\" in module.Struct.__doc__
@@ -239,7 +261,7 @@ def source_of_hostile() -> str:
 
 
 def test_hostile_names_become_names_of_python() -> None:
-    module = made(HOSTILE)
+    module = module_of(HOSTILE)
     assert module.class_.decode_request(bytes.fromhex("07 02 09 12")).return_ == 9
     assert module.Flags_ if hasattr(module, "Flags_") else module.FlagsFlags(class_=True, raw_=True).raw == 5
     assert [member.name for member in module.NoneCode][:3] == ["NONE", "TRUE", "MRO"]
@@ -294,7 +316,7 @@ def test_a_version_gives_its_module_a_name(version: str, module: str) -> None:
 
 
 def test_a_device_gives_the_names_of_its_newest_version() -> None:
-    widget = made(newest(MADE_UP, "widget"))
+    widget = module_of(newest(TEST_SPECS, "widget"))
     package = sys.modules[widget.__name__.rpartition(".")[0]]
     assert package.Point is widget.Point
     assert package.LATEST == "2.0"

@@ -12,57 +12,57 @@ from hypothesis import strategies as st
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.registers import Parameter, ParameterSet
 from fieldspec.model.value import Kind
-from laid_out import MADE_UP, SPECS, all_layouts, layouts, newest
-from made_python import codec_error, made, package
+from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
+from python_package import codec_error, module_of, package
 
-GLIDER = made(newest(MADE_UP, "glider-x"))
-HIWIN = made(newest(SPECS, "hiwin-e"))
-WIDGET, ESC11 = made(newest(MADE_UP, "widget")), made(newest(SPECS, "esc11"))
+GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
+HIWIN = module_of(newest(SPECS, "hiwin-e"))
+WIDGET, ESC11 = module_of(newest(TEST_SPECS, "widget")), module_of(newest(SPECS, "esc11"))
 CodecError = codec_error()
 pnu, servo, profile, monitor = GLIDER.pnu, GLIDER.servo, GLIDER.profile, GLIDER.monitor
 SETS = [
-    pytest.param(layout, held, id=f"{layout.device.id}-{layout.device.version}-{held.name}")
+    pytest.param(layout, parameter_set, id=f"{layout.device.id}-{layout.device.version}-{parameter_set.name}")
     for layout in all_layouts()
-    for held in layout.device.parameters.values()
+    for parameter_set in layout.device.parameters.values()
 ]
 
 
-@pytest.mark.parametrize(("layout", "held"), SETS)
-def test_every_row_of_a_set_is_told_as_the_spec_tells_it(layout: DeviceLayout, held: ParameterSet) -> None:
-    module = made(layout)
-    space = getattr(module, held.space)
-    for row in held.parameters:
+@pytest.mark.parametrize(("layout", "parameter_set"), SETS)
+def test_every_row_of_a_set_is_told_as_the_spec_tells_it(layout: DeviceLayout, parameter_set: ParameterSet) -> None:
+    module = module_of(layout)
+    space = getattr(module, parameter_set.space)
+    for row in parameter_set.parameters:
         for place in range(row.count):
-            parameter = space(held.base + row.number + place)
-            assert facts(parameter) == facts_of(row, held, place)
-            assert parameter is getattr(module, held.name)[row.number + place]
-    assert len(getattr(module, held.name)) == sum(row.count for row in held.parameters)
+            parameter = space(parameter_set.base + row.number + place)
+            assert facts(parameter) == facts_of(row, parameter_set, place)
+            assert parameter is getattr(module, parameter_set.name)[row.number + place]
+    assert len(getattr(module, parameter_set.name)) == sum(row.count for row in parameter_set.parameters)
 
 
 def facts(parameter: Any) -> dict[str, Any]:
-    """What a generated parameter tells of itself."""
-    told = ("name", "printed_name", "number", "wire_number", "set", "type", "access", "default", "unit", "elements")
+    """The facts of a generated parameter."""
+    names = ("name", "printed_name", "number", "wire_number", "set", "type", "access", "default", "unit", "elements")
     more = ("restart", "applies_to", "messages", "only", "reserved", "ranges")
-    return {name: getattr(parameter, name) for name in (*told, *more)}
+    return {name: getattr(parameter, name) for name in (*names, *more)}
 
 
-def facts_of(row: Parameter, held: ParameterSet, place: int) -> dict[str, Any]:
-    """The same of the spec."""
+def facts_of(row: Parameter, parameter_set: ParameterSet, place: int) -> dict[str, Any]:
+    """The facts of the parameter in the spec."""
     value, number = row.value, row.number + place
     ranges = value.writable_ranges
     full = ranges is None or ranges.intervals == ((value.type.low, value.type.high),)
     narrow = value.type.kind is Kind.INTEGER and value.const is None and not full
-    plain = not (value.enum or value.flags or value.const is not None)
+    is_number = not (value.enum or value.flags or value.const is not None)
     return {
         "name": row.name if row.count == 1 else f"{row.name}[{place}]",
-        "printed_name": row.printed_name if row.printed_name and row.count == 1 else held.number_text(number),
+        "printed_name": row.printed_name if row.printed_name and row.count == 1 else parameter_set.number_text(number),
         "number": number,
-        "wire_number": held.base + number,
-        "set": held.name,
+        "wire_number": parameter_set.base + number,
+        "set": parameter_set.name,
         "type": value.type.name,
         "access": row.access,
         "default": value.default,
-        "unit": value.unit if plain else "",
+        "unit": value.unit if is_number else "",
         "elements": row.elements,
         "restart": row.restart,
         "applies_to": row.applies_to,
@@ -73,15 +73,18 @@ def facts_of(row: Parameter, held: ParameterSet, place: int) -> dict[str, Any]:
     }
 
 
-@pytest.mark.parametrize(("layout", "held"), SETS)
+@pytest.mark.parametrize(("layout", "parameter_set"), SETS)
 @settings(max_examples=40, deadline=None)
 @given(data=st.data())
 def test_a_number_is_found_in_the_set_that_has_it(
-    layout: DeviceLayout, held: ParameterSet, data: st.DataObject
+    layout: DeviceLayout, parameter_set: ParameterSet, data: st.DataObject
 ) -> None:
-    numbers = st.one_of(st.integers(0, 0xFFFF), st.integers(held.base - 2, held.base + 0x1002))
+    numbers = st.one_of(st.integers(0, 0xFFFF), st.integers(parameter_set.base - 2, parameter_set.base + 0x1002))
     number = data.draw(numbers)
-    space, expected = getattr(made(layout), held.space), layout.device.parameter_at(held.space, number)
+    space, expected = (
+        getattr(module_of(layout), parameter_set.space),
+        layout.device.parameter_at(parameter_set.space, number),
+    )
     assert (number in space) == (expected is not None) if hasattr(space, "sets") else True
     if expected is None:
         with pytest.raises(ValueError, match=f"no number {number} ") as caught:
@@ -138,7 +141,7 @@ def test_parameters_are_attributes_of_their_set() -> None:
 
 
 def test_rows_are_made_when_one_is_asked_for() -> None:
-    module = made(layouts(MADE_UP)["glider-x"][0])
+    module = module_of(layouts(TEST_SPECS)["glider-x"][0])
     assert object.__getattribute__(module.servo, "_index") == {} or len(module.servo) == 3
     fresh = type(module.servo)("servo", module._servo_rows, base=0x2000)
     assert object.__getattribute__(fresh, "_index") == {}
@@ -183,8 +186,8 @@ def read(format_: str, *values: Any) -> Any:
     ],
 )
 def test_the_value_of_a_response_is_that_of_its_parameter(number: int, response: Any, value: Any) -> None:
-    held = pnu.read_value(pnu(number), response)
-    assert (held, type(held)) == (value, type(value))
+    decoded = pnu.read_value(pnu(number), response)
+    assert (decoded, type(decoded)) == (value, type(value))
 
 
 @pytest.mark.parametrize(
@@ -205,7 +208,7 @@ def test_the_elements_of_an_array_have_meanings_of_their_own() -> None:
     codes = pnu.read_values(profile.FAULT_CODES, read("UNSIGNED16", 0x24, 0, 0xEE0))
     assert codes == [GLIDER.Alarm.SYSTEM, 0, GLIDER.Alarm.FIXED_STOP]
     identification = profile.IDENTIFICATION
-    assert [(one.name, one.indices, one.reserved) for one in identification.subindices] == [
+    assert [(subindex.name, subindex.indices, subindex.reserved) for subindex in identification.subindices] == [
         ("maker", ((0, 0),), False),
         ("firmware", ((1, 1),), False),
         ("", ((2, 4),), True),

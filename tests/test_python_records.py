@@ -9,13 +9,13 @@ from hypothesis import strategies as st
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.reference.records import decoded, encoded
-from laid_out import all_layouts
-from made_python import built, made, only_stored, outcome, raws, record_class
+from layouts import all_layouts
+from python_package import built, module_of, only_stored, outcome, raws, record_class
 from random_values import bytes_of, values_of
 
 EXAMPLE_COUNT = 150
-LAID_OUT = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts()}
-EACH = pytest.mark.parametrize("name", LAID_OUT)
+LAYOUTS = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts()}
+EACH = pytest.mark.parametrize("name", LAYOUTS)
 
 
 def records(layout: DeviceLayout) -> list[RecordLayout]:
@@ -28,10 +28,10 @@ def records(layout: DeviceLayout) -> list[RecordLayout]:
 @settings(max_examples=EXAMPLE_COUNT, deadline=None)
 @given(data=st.data())
 def test_values_become_the_bytes_of_the_reference_or_are_refused_by_both(name: str, data: st.DataObject) -> None:
-    layout = LAID_OUT[name]
+    layout = LAYOUTS[name]
     record = data.draw(st.sampled_from(records(layout)))
     values = data.draw(values_of(layout, record))
-    instance = built(made(layout), layout, record, values)
+    instance = built(module_of(layout), layout, record, values)
     actual = outcome(instance.encode)
     assert actual == outcome(lambda: encoded(record, values, layout.device))
     if not actual[0]:
@@ -43,10 +43,10 @@ def test_values_become_the_bytes_of_the_reference_or_are_refused_by_both(name: s
 @settings(max_examples=EXAMPLE_COUNT, deadline=None)
 @given(data=st.data())
 def test_bytes_become_the_values_of_the_reference_or_are_refused_by_both(name: str, data: st.DataObject) -> None:
-    layout = LAID_OUT[name]
+    layout = LAYOUTS[name]
     record = data.draw(st.sampled_from(records(layout)))
-    given_bytes = data.draw(bytes_of(record))
-    cls = record_class(made(layout), record)
-    expected = outcome(lambda: only_stored(record, decoded(record, given_bytes, layout.device)))
-    for form in (given_bytes, bytearray(given_bytes), memoryview(given_bytes)):
+    drawn_bytes = data.draw(bytes_of(record))
+    cls = record_class(module_of(layout), record)
+    expected = outcome(lambda: only_stored(record, decoded(record, drawn_bytes, layout.device)))
+    for form in (drawn_bytes, bytearray(drawn_bytes), memoryview(drawn_bytes)):
         assert outcome(lambda form=form: raws(cls.decode(form), record)) == expected

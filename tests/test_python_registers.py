@@ -10,12 +10,12 @@ import pytest
 from fieldspec.backends.python.backend import PACKAGE, files
 from fieldspec.layout.device import device_layout
 from fieldspec.reading.project import read
-from laid_out import MADE_UP, SPECS, layouts, newest
-from made_python import codec_error, made
+from layouts import SPECS, TEST_SPECS, layouts, newest
+from python_package import codec_error, module_of
 
-WIDGET, GADGET, GIZMO = (made(newest(MADE_UP, name)) for name in ("widget", "gadget", "gizmo"))
-TC100, ESC11 = made(newest(SPECS, "tc100")), made(newest(SPECS, "esc11"))
-CK10, GLIDER = made(newest(SPECS, "ck10")), made(newest(MADE_UP, "glider-x"))
+WIDGET, GADGET, GIZMO = (module_of(newest(TEST_SPECS, name)) for name in ("widget", "gadget", "gizmo"))
+TC100, ESC11 = module_of(newest(SPECS, "tc100")), module_of(newest(SPECS, "esc11"))
+CK10, GLIDER = module_of(newest(SPECS, "ck10")), module_of(newest(TEST_SPECS, "glider-x"))
 CodecError = codec_error()
 
 
@@ -47,7 +47,7 @@ CodecError = codec_error()
         (GIZMO.PLACE, "34127856", 0x12345678),
         (GIZMO.ID, "616263000000", "abc"),
     ],
-    ids=lambda held: getattr(held, "name", None),
+    ids=lambda register: getattr(register, "name", None),
 )
 def test_a_register_holds_its_value_in_its_bytes(register: Any, data: str, value: Any) -> None:
     assert register.decode(bytes.fromhex(data)) == value
@@ -192,13 +192,15 @@ def test_a_record_that_is_in_two_tables_is_one_class() -> None:
 
 
 def test_every_register_of_the_layout_is_there() -> None:
-    for module, name, root in ((TC100, "tc100", SPECS), (CK10, "ck10", SPECS), (WIDGET, "widget", MADE_UP)):
-        laid_out = newest(root, name)
-        assert [register.address for register in module.REGISTERS] == [laid.address for laid in laid_out.registers]
-        for laid in laid_out.registers:
-            found = module.register_at(laid.address)
-            assert found is not None
-            assert (found.address, found.words) == (laid.address, laid.words)
+    for module, name, root in ((TC100, "tc100", SPECS), (CK10, "ck10", SPECS), (WIDGET, "widget", TEST_SPECS)):
+        layout = newest(root, name)
+        assert [register.address for register in module.REGISTERS] == [
+            register_layout.address for register_layout in layout.registers
+        ]
+        for register_layout in layout.registers:
+            register = module.register_at(register_layout.address)
+            assert register is not None
+            assert (register.address, register.words) == (register_layout.address, register_layout.words)
 
 
 def test_a_register_is_found_by_its_address() -> None:
@@ -244,8 +246,8 @@ def test_a_record_that_is_longer_than_a_request_may_be_is_split() -> None:
 
 def test_the_range_of_the_number_of_words_bounds_a_request() -> None:
     name = "protocols/wire.yaml"
-    wire = (MADE_UP / name).read_text(encoding="utf-8").replace("u16, range: 1..10", "u16, range: 1..3")
-    sources = {f"widget/{path.name}": path.read_bytes() for path in (MADE_UP / "widget").glob("*.yaml")}
+    wire = (TEST_SPECS / name).read_text(encoding="utf-8").replace("u16, range: 1..10", "u16, range: 1..3")
+    sources = {f"widget/{path.name}": path.read_bytes() for path in (TEST_SPECS / "widget").glob("*.yaml")}
     spec = read({**sources, name: wire.encode()}).devices["widget"]
     text = files([device_layout(spec.at("2.0")[0])])[f"{PACKAGE}/widget/v2_0.py"]
     assert "for start, count in _spans(register, 3)]" in text
@@ -317,7 +319,7 @@ def test_all_parameters_go_in_one_message_in_the_order_of_their_numbers() -> Non
 
 
 def test_a_version_without_a_message_for_one_parameter_has_no_request_for_it() -> None:
-    old = made(layouts(MADE_UP)["widget"][0])
+    old = module_of(layouts(TEST_SPECS)["widget"][0])
     assert not hasattr(old.parameters, "write_request")
 
 
@@ -328,13 +330,13 @@ def test_the_parameters_of_a_manual_are_written_by_its_message() -> None:
 
 
 def test_a_sentinel_of_a_record_is_no_quantity() -> None:
-    example = newest(MADE_UP, "widget").device.examples["everything-ascii"]
-    held = WIDGET.Everything.decode(bytes.fromhex(example.frame[5:-4].decode()))
-    assert (held.half, held.half_mm) == (0xFFFF, None)
-    held.half_mm = 1.5
-    assert (held.half, held.half_mm) == (150, 1.5)
+    example = newest(TEST_SPECS, "widget").device.examples["everything-ascii"]
+    record = WIDGET.Everything.decode(bytes.fromhex(example.frame[5:-4].decode()))
+    assert (record.half, record.half_mm) == (0xFFFF, None)
+    record.half_mm = 1.5
+    assert (record.half, record.half_mm) == (150, 1.5)
     with pytest.raises(CodecError, match="out_of_range"):
-        held.half_mm = 655.35
+        record.half_mm = 655.35
 
 
 def test_a_sentinel_of_a_register_is_no_quantity() -> None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from laid_out import MADE_UP, newest
-from made_python import codec_error, made
+from layouts import TEST_SPECS, newest
+from python_package import codec_error, module_of
 
-METER, PROBE = made(newest(MADE_UP, "meter")), made(newest(MADE_UP, "probe"))
+METER, PROBE = module_of(newest(TEST_SPECS, "meter")), module_of(newest(TEST_SPECS, "probe"))
 CodecError = codec_error()
 
 
@@ -16,7 +16,7 @@ def test_a_register_is_read_by_the_message_of_its_space() -> None:
     assert type(voltage) is METER.ReadInputRegistersRequest
     assert type(station) is METER.ReadHoldingRegistersRequest
     assert voltage.address == station.address == 0
-    assert METER.rtu.encode_request(1, voltage) == newest(MADE_UP, "meter").device.examples["read-voltage"].frame
+    assert METER.rtu.encode_request(1, voltage) == newest(TEST_SPECS, "meter").device.examples["read-voltage"].frame
 
 
 def test_a_response_of_another_space_is_no_value_of_a_register() -> None:

@@ -1,4 +1,4 @@
-"""Messages whose frames do not say which they are, and the words of bits in them."""
+"""Messages whose frames do not identify them, and the words of bits in them."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from hypothesis import strategies as st
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.reference import codec
-from laid_out import MADE_UP, SPECS, all_layouts, layouts, newest
-from made_python import built, class_of, codec_error, link_of, made, outcome, package, record_class
+from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
+from python_package import built, class_of, codec_error, link_of, module_of, outcome, package, record_class
 from random_values import bytes_of, values_of
 
-GLIDER = made(newest(MADE_UP, "glider-x"))
-HIWIN = made(newest(SPECS, "hiwin-e"))
+GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
+HIWIN = module_of(newest(SPECS, "hiwin-e"))
 CodecError = codec_error()
 CODELESS = [
     pytest.param(layout, link, id=f"{layout.device.id}-{layout.device.version}-{link.name}")
@@ -32,15 +32,19 @@ CODELESS = [
 def test_a_telegram_comes_back_by_its_class_its_name_and_its_number(
     layout: DeviceLayout, link: LinkLayout, data: st.DataObject
 ) -> None:
-    module, laid = made(layout), data.draw(st.sampled_from(list(link.messages.values())))
+    module, message_layout = module_of(layout), data.draw(st.sampled_from(list(link.messages.values())))
     direction = data.draw(st.sampled_from(["request", "response"]))
-    record, spoken = laid.data(direction), link_of(module, link.name)
+    record, spoken = message_layout.data(direction), link_of(module, link.name)
     message = built(module, layout, record, data.draw(values_of(layout, record)))
     try:
         frame = getattr(spoken, f"encode_{direction}")(message)
     except CodecError:
         return
-    known = [laid.name, record_class(module, laid.request), *([laid.message.number] if laid.message.number else [])]
+    known = [
+        message_layout.name,
+        record_class(module, message_layout.request),
+        *([message_layout.message.number] if message_layout.message.number else []),
+    ]
     for name in known:
         assert getattr(spoken, f"decode_{direction}")(frame, name).message.encode() == frame
     assert type(message).decode(frame).encode() == frame
@@ -52,12 +56,12 @@ def test_a_telegram_comes_back_by_its_class_its_name_and_its_number(
 def test_random_bytes_are_the_telegram_that_the_reference_finds(
     layout: DeviceLayout, link: LinkLayout, data: st.DataObject
 ) -> None:
-    laid = data.draw(st.sampled_from(list(link.messages.values())))
+    message_layout = data.draw(st.sampled_from(list(link.messages.values())))
     direction = data.draw(st.sampled_from(["request", "response"]))
-    frame = data.draw(bytes_of(laid.data(direction)))
-    spoken, reference = link_of(made(layout), link.name), codec(layout).links[link.name]
-    actual = outcome(lambda: getattr(spoken, f"decode_{direction}")(frame, laid.name))
-    expected = outcome(lambda: reference.decode(frame, direction, laid.name))
+    frame = data.draw(bytes_of(message_layout.data(direction)))
+    spoken, reference = link_of(module_of(layout), link.name), codec(layout).links[link.name]
+    actual = outcome(lambda: getattr(spoken, f"decode_{direction}")(frame, message_layout.name))
+    expected = outcome(lambda: reference.decode(frame, direction, message_layout.name))
     assert actual[0] == expected[0]
     assert not actual[0] or actual == expected
 
@@ -87,7 +91,7 @@ def test_a_telegram_knows_its_number_and_beside_which_it_is_sent() -> None:
     assert not hasattr(GLIDER.Telegram3Request, "SUPPLEMENTS")
     assert "Telegram 70. It is sent beside telegram_3 or telegram_11." in GLIDER.Telegram70Request.__doc__
     assert "the request (received)" in GLIDER.Telegram70Request.__doc__
-    assert not hasattr(made(layouts(MADE_UP)["glider-x"][0]), "Telegram70Request")
+    assert not hasattr(module_of(layouts(TEST_SPECS)["glider-x"][0]), "Telegram70Request")
 
 
 def test_a_telegram_is_written_as_its_bytes() -> None:
@@ -142,13 +146,13 @@ STATED = [
 @given(raw=st.integers(0, 2**16 - 1))
 def test_the_first_state_that_fits_is_that_of_the_spec(layout: DeviceLayout, flags: Any, raw: int) -> None:
     fitting = [state for state in flags.states if raw & flags.masked(state)[0] == flags.masked(state)[1]]
-    found = class_of(made(layout), flags.name, "Flags")(raw).state
-    assert found is None if not fitting else found.name == fitting[0].name.upper()
+    state = class_of(module_of(layout), flags.name, "Flags")(raw).state
+    assert state is None if not fitting else state.name == fitting[0].name.upper()
 
 
 WORDS = [
     pytest.param(layout, flags, id=f"{layout.device.id}-{flags.name}")
-    for root in (SPECS, MADE_UP)
+    for root in (SPECS, TEST_SPECS)
     for versions in layouts(root).values()
     for layout in versions[-1:]
     for flags in layout.device.flags.values()
@@ -159,13 +163,13 @@ WORDS = [
 @settings(max_examples=30, deadline=None)
 @given(data=st.data())
 def test_a_word_comes_back_from_its_bits(layout: DeviceLayout, flags: Any, data: st.DataObject) -> None:
-    cls = class_of(made(layout), flags.name, "Flags")
+    cls = class_of(module_of(layout), flags.name, "Flags")
     raw = data.draw(st.integers(0, flags.type.high))
     word = cls(raw)
     named = sum(bit.mask for bit in flags.bits if not bit.reserved)
     assert cls(**word.flags()).raw == raw & named
     assert cls(raw, **word.flags()) == word
-    assert all(getattr(word, name) == held for name, held in word.flags().items())
+    assert all(getattr(word, name) == bit for name, bit in word.flags().items())
 
 
 def test_the_words_of_a_manual_are_made_by_their_bits() -> None:

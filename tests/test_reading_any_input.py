@@ -9,10 +9,10 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import any_spec
+import random_specs
 from fieldspec.reading import yaml_reader
 from fieldspec.reading.project import Project, read
-from reading import DEVICE, codes
+from spec_files import DEVICE, codes
 
 ROOT = Path(__file__).parent.parent
 FOLDERS = [ROOT / "specs", ROOT / "tests" / "specs"]
@@ -21,7 +21,7 @@ PROTOCOL = b"protocol: {id: wire, title: A protocol}\n"
 SEEDS = 400
 PARSERS = [yaml.Loader, *([yaml._yaml.CParser] if yaml.__with_libyaml__ else [])]
 
-# What YAML gives a meaning to, and words of the language.
+# Characters with a meaning in YAML, and words of the language.
 MARKS = [*"-:,[]{}#&*!|>'\"%@`?~ \n\t\r\x85\u2028\ufeff", ": ", "- ", "\n  ", "---\n", "...\n", "&a ", "*a", "!!int "]
 ESCAPES = ['"\\x', '"\\u', '"\\U0011', "%YAML 1.1\n", "%TAG ! x\n", "!<", "!%FF ", "<<: *a"]
 KEYS = [
@@ -41,10 +41,10 @@ WORDS = st.sampled_from([*MARKS, *ESCAPES, *KEYS])
 
 
 def read_whole(files: dict[str, bytes]) -> Project:
-    """Reads files and every version of their devices; whatever is found can be shown."""
-    found = read(files)
-    findings = list(found.findings)
-    for spec in found.devices.values():
+    """Reads files and every version of their devices; all findings must be printable."""
+    project = read(files)
+    findings = list(project.findings)
+    for spec in project.devices.values():
         for version in [*spec.versions(), "no such version"]:
             findings += spec.at(version)[1]
     for finding in findings:
@@ -57,7 +57,7 @@ def read_whole(files: dict[str, bytes]) -> Project:
             assert line >= 1
             assert column >= 1
             span.file.line(line)
-    return found
+    return project
 
 
 def of_device(data: bytes) -> dict[str, bytes]:
@@ -121,9 +121,11 @@ def test_any_spec_whose_words_are_changed_is_read(path: Path, data: st.DataObjec
 def test_any_spec_that_fits_the_schema_is_read() -> None:
     built = 0
     for seed in range(SEEDS):
-        text = any_spec.spec(seed)
+        text = random_specs.spec(seed)
         files = {"gadget/device.yaml": text.encode(), "protocols/wire.yaml": PROTOCOL}
-        found = read_whole(files)
-        assert set(codes(found.findings)) <= {"version_unknown", "version_twice", "references_resolve"}, f"seed {seed}"
-        built += "gadget" in found.devices
+        project = read_whole(files)
+        assert set(codes(project.findings)) <= {"version_unknown", "version_twice", "references_resolve"}, (
+            f"seed {seed}"
+        )
+        built += "gadget" in project.devices
     assert built > SEEDS / 2

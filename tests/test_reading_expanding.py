@@ -1,11 +1,11 @@
-"""What a spec states once and places several times stands in the model as if it had been written out."""
+"""What a spec states once and places several times is in the model as if it were written out."""
 
 from __future__ import annotations
 
 import pytest
 
 from fieldspec.model.device import Device
-from reading import DEVICE, codes, gadget, pointed_at, project, unmarked
+from spec_files import DEVICE, codes, gadget, pointed_at, project, unmarked
 
 BLOCK = """
 registers:
@@ -56,8 +56,8 @@ enums:
 
 
 def device(text: str) -> Device:
-    built, found = gadget(text).at("1")
-    assert codes(found) == []
+    built, findings = gadget(text).at("1")
+    assert codes(findings) == []
     return built
 
 
@@ -76,7 +76,7 @@ def test_a_copied_register_has_the_value_of_its_original() -> None:
     assert [row.doc for row in stored.registers] == ["How fast.", ""]
 
 
-def test_a_copied_register_has_what_is_printed_for_it() -> None:
+def test_a_copied_register_has_the_facts_printed_for_it() -> None:
     speed, mode = device(BLOCK).groups[1].registers
     assert (speed.decimal, speed.words, speed.label, speed.sources[0].text()) == (100, 2, "速", "4 L7")
     assert (mode.decimal, mode.words, mode.label, mode.sources) == (None, 1, "", ())
@@ -90,7 +90,7 @@ def test_a_copied_register_is_accessed_as_its_block_says() -> None:
     ]
 
 
-def test_a_field_has_what_its_signal_gives_and_it_does_not_give_itself() -> None:
+def test_a_field_takes_from_its_signal_what_it_does_not_state() -> None:
     first, second = device(SIGNALS).messages["telegram"].request.fields
     assert (first.name, first.printed_name, first.label, first.signal) == ("speed", "NSET", "速度", "speed")
     assert (second.name, second.printed_name, second.label, second.signal) == ("speed_again", "NSET", "再", "speed")
@@ -110,9 +110,9 @@ def test_a_field_of_a_record_may_place_a_signal() -> None:
     assert [field.name for field in device(SIGNALS).records["row"].fields] == ["speed"]
 
 
-def test_masks_of_named_bits_are_members_behind_those_that_are_listed() -> None:
+def test_masks_of_named_bits_are_members_after_the_listed_ones() -> None:
     members = device(ENUMS).enums["function"].members
-    assert [(one.value, one.name, one.label) for one in members] == [
+    assert [(member.value, member.name, member.label) for member in members] == [
         (0, "none", ""),
         (1, "stop", "停"),
         (1 << 31, "go", ""),
@@ -121,7 +121,7 @@ def test_masks_of_named_bits_are_members_behind_those_that_are_listed() -> None:
 
 
 def test_numbers_of_members_are_the_members_of_another_enum() -> None:
-    assert [(one.value, one.name, one.printed_name) for one in device(ENUMS).enums["internal"].members] == [
+    assert [(member.value, member.name, member.printed_name) for member in device(ENUMS).enums["internal"].members] == [
         (4, "system", "AL.024")
     ]
 
@@ -139,11 +139,11 @@ def test_numbers_of_members_are_the_members_of_another_enum() -> None:
         ),
     ],
 )
-def test_a_reference_to_what_is_not_there_is_found(text: str, message: str) -> None:
+def test_a_reference_to_something_missing_is_a_finding(text: str, message: str) -> None:
     clean, start, end = unmarked(DEVICE + text)
-    found = project(clean.removeprefix(DEVICE)).findings
-    assert (found[0].code, found[0].message) == ("references_resolve", message)
-    assert pointed_at(found[0].span) == clean[start:end]
+    findings = project(clean.removeprefix(DEVICE)).findings
+    assert (findings[0].code, findings[0].message) == ("references_resolve", message)
+    assert pointed_at(findings[0].span) == clean[start:end]
 
 
 @pytest.mark.parametrize(
@@ -157,9 +157,9 @@ def test_a_fraction_is_an_exact_scale(scale: str, exact: str) -> None:
 
 
 @pytest.mark.parametrize("scale", ["1/3", "1/0", "1/7^50"])
-def test_a_fraction_that_is_no_exact_decimal_is_found(scale: str) -> None:
-    found = gadget(f"records: [{{name: a, fields: [{{name: b, type: i32, scale: {scale}}}]}}]\n").at("1")[1]
-    assert codes(found) == ["wrong_form"]
+def test_a_fraction_that_is_no_exact_decimal_is_a_finding(scale: str) -> None:
+    findings = gadget(f"records: [{{name: a, fields: [{{name: b, type: i32, scale: {scale}}}]}}]\n").at("1")[1]
+    assert codes(findings) == ["wrong_form"]
 
 
 def test_a_value_in_the_unit_is_exact_for_long_scales() -> None:

@@ -1,17 +1,17 @@
-"""No key of the language is passed over: each one that the schema allows is asked for when the model is built."""
+"""No key of the language is overlooked: building the model reads each one that the schema allows."""
 
 from __future__ import annotations
 
 from typing import Any
 
-import any_spec
+import random_specs
 from fieldspec.reading.building.device import built
 from fieldspec.reading.nodes import Mapping, Node, Sequence
 from fieldspec.reading.project import read
 from fieldspec.schema import Schema, resolved, schema
 
 SEEDS = 150
-# What random specs hardly ever ask for: the default length of parameters, which only texts have.
+# Random specs hardly ever need it: the default length of parameters, which only texts have.
 RARE = """
 device: {id: gadget, name: G, vendor: V, manual: {title: T, file: f, sha256: "%s", lines: 1}}
 parameters: [{name: a, defaults: {type: text, length: 4}, rows: [{number: 1, name: b}]}]
@@ -31,7 +31,7 @@ Key = tuple[str, str]
 
 
 class Watched(dict[str, Node]):
-    """The values of a mapping, which note the keys that are asked for."""
+    """The values of a mapping; they record the keys that are read."""
 
     def __init__(self, values: dict[str, Node], name: str, asked: set[Key]) -> None:
         super().__init__(values)
@@ -46,38 +46,38 @@ class Watched(dict[str, Node]):
         return super().__getitem__(key)
 
 
-def watched(node: Node, part: Schema, name: str, given: set[Key], asked: set[Key]) -> Node:
-    """The tree with watched mappings; the keys that it has are added to `given`."""
+def watched(node: Node, part: Schema, name: str, declared: set[Key], asked: set[Key]) -> Node:
+    """The tree with watched mappings; its keys are added to `declared`."""
     name = part.get("$ref", name).removeprefix("#/$defs/")
     part = resolved(part)
     if isinstance(node, Sequence):
-        items = tuple(watched(item, part.get("items", {}), f"{name}[]", given, asked) for item in node.items)
+        items = tuple(watched(item, part.get("items", {}), f"{name}[]", declared, asked) for item in node.items)
         return Sequence(node.file, node.start, node.end, items)
     if not isinstance(node, Mapping):
         return node
     known = part.get("properties", {})
-    given.update((name, key) for key in node.values if key in known)
+    declared.update((name, key) for key in node.values if key in known)
     values = {
-        key: watched(value, known.get(key, {}), f"{name}.{key}", given, asked) for key, value in node.values.items()
+        key: watched(value, known.get(key, {}), f"{name}.{key}", declared, asked) for key, value in node.values.items()
     }
     return Mapping(node.file, node.start, node.end, Watched(values, name, asked), node.keys)
 
 
-def test_every_key_is_asked_for() -> None:
-    given: set[Key] = set()
+def test_every_key_is_read() -> None:
+    declared: set[Key] = set()
     asked: set[Key] = set()
-    for text in (RARE, *map(any_spec.spec, range(SEEDS))):
+    for text in (RARE, *map(random_specs.spec, range(SEEDS))):
         files = {"gadget/device.yaml": text.encode(), "protocols/wire.yaml": PROTOCOL}
         for spec in read(files).devices.values():
             for version in spec.versions():
-                tree = watched(spec.tree_at(version), schema(), "", given, asked)
+                tree = watched(spec.tree_at(version), schema(), "", declared, asked)
                 assert isinstance(tree, Mapping)
                 built(tree, version)
-    assert len(given) > 350
-    # What another place or somebody else says is taken key by key, whatever the keys are.
+    assert len(declared) > 350
+    # Restatements and reports are read key by key, whatever the keys are.
     passed_over = {
         (name, key)
-        for name, key in given - asked
+        for name, key in declared - asked
         if not name.startswith(("claim", "report", "copy", ".audit", ".reviews", *OF_AUDITS))
         and key not in SETTLED_BEFORE
     }

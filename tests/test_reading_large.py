@@ -12,11 +12,11 @@ from pathlib import Path
 
 import pytest
 
-from reading import DEVICE
+from spec_files import DEVICE
 
 LINES = 100_000
 SECONDS = 120
-"""Far above what it takes, which is ten on an idle machine; far below what a loop within a loop would take."""
+"""Far above the ten seconds on an idle machine; far below the time of a loop within a loop."""
 
 MOST = 1500
 CHANCE = random.Random(1)

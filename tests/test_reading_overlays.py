@@ -1,4 +1,4 @@
-"""A version may be a file of what it changes in another one; whatever does not fit is found, with both places."""
+"""A version may be a file of its changes to another one; whatever does not fit is a finding with both places."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import pytest
 
 from fieldspec.model.device import Device
 from fieldspec.reading.project import Project, read
-from reading import DEVICE, codes, pointed_at, unmarked
+from spec_files import DEVICE, codes, pointed_at, unmarked
 
 BASE = """
 versions:
@@ -48,11 +48,11 @@ def project(base: str = BASE, **files: str) -> Project:
 
 
 def at(version: str, base: str = BASE, **files: str) -> Device:
-    """The device at a version; nothing is found."""
-    made = project(base, **files)
-    assert codes(made.findings) == []
-    device, found = made.devices["gadget"].at(version)
-    assert codes(found) == []
+    """The device at a version. Raises AssertionError if there are findings."""
+    built = project(base, **files)
+    assert codes(built.findings) == []
+    device, findings = built.devices["gadget"].at(version)
+    assert codes(findings) == []
     return device
 
 
@@ -60,7 +60,7 @@ def overlay(rest: str, version: str = "2.1", based_on: str = "2.0") -> str:
     return f'overlay: {{id: "{version}", line: firmware, based_on: "{based_on}"}}\n{rest}'
 
 
-def test_a_version_of_a_file_stands_behind_the_one_that_it_is_based_on() -> None:
+def test_a_version_in_a_file_follows_the_one_that_it_is_based_on() -> None:
     spec = project(v2_1=FULL).devices["gadget"]
     assert spec.versions() == ["1.0", "2.0", "2.1", "3.0"]
     assert [version.title for version in spec.at("1.0")[0].lines[0].versions] == ["", "", "Better", ""]
@@ -70,11 +70,11 @@ def test_a_changed_key_has_its_new_value() -> None:
     old, new = at("2.0", v2_1=FULL).register("speed"), at("2.1", v2_1=FULL).register("speed")
     assert old is not None
     assert new is not None
-    assert [one.value.ranges.text() for one in (old, new) if one.value.ranges] == ["1..100", "1..120"]
+    assert [register.value.ranges.text() for register in (old, new) if register.value.ranges] == ["1..100", "1..120"]
     assert [old.value.unit, new.value.unit] == ["", "rpm"]
 
 
-def test_a_new_row_stands_where_its_address_belongs() -> None:
+def test_a_new_row_is_in_the_order_of_addresses() -> None:
     assert [row.name for row in at("2.1", v2_1=FULL).registers()] == ["speed", "torque", "mode"]
     assert [row.name for row in at("2.0", v2_1=FULL).registers()] == ["speed", "mode", "late"]
 
@@ -116,8 +116,8 @@ def test_a_later_version_that_is_listed_has_nothing_of_an_overlay() -> None:
 def test_versions_of_several_lines_are_picked_together() -> None:
     base = BASE + "limits: [{name: a, value: 1, only: [V1]}, {name: b, value: 1, since: V2, until: '2.0'}]\n"
     spec = project(base).devices["gadget"]
-    held = {v: [limit.name for limit in spec.at(v)[0].limits] for v in ("2.0", "2.0+V1", "2.0+V2", "3.0+V2")}
-    assert held == {"2.0": ["a", "b"], "2.0+V1": ["a"], "2.0+V2": ["b"], "3.0+V2": []}
+    limits = {v: [limit.name for limit in spec.at(v)[0].limits] for v in ("2.0", "2.0+V1", "2.0+V2", "3.0+V2")}
+    assert limits == {"2.0": ["a", "b"], "2.0+V1": ["a"], "2.0+V2": ["b"], "3.0+V2": []}
 
 
 # An overlay of 2.0 with its mark, and the code of the finding.
@@ -145,15 +145,15 @@ WRONG = {
 
 
 @pytest.mark.parametrize("text", WRONG)
-def test_what_does_not_fit_the_base_is_found(text: str) -> None:
+def test_an_overlay_that_does_not_fit_its_base_is_a_finding(text: str) -> None:
     clean, start, end = unmarked(overlay(text))
-    found = project(v2_1=clean).findings
-    assert codes(found) == [WRONG[text]]
-    assert pointed_at(found[0].span) == clean[start:end]
-    assert found[0].span.file.path == "gadget/versions/2.1.yaml"
+    findings = project(v2_1=clean).findings
+    assert codes(findings) == [WRONG[text]]
+    assert pointed_at(findings[0].span) == clean[start:end]
+    assert findings[0].span.file.path == "gadget/versions/2.1.yaml"
 
 
-def test_an_old_value_that_the_base_has_not_is_shown_in_both_places() -> None:
+def test_an_old_value_that_differs_from_the_base_is_shown_in_both_places() -> None:
     text = overlay("changes: [{fact: registers/speed, set: {range: {was: 1..99, is: 1..120}}, reason: x}]")
     label = project(v2_1=text).findings[0].labels[0]
     assert (label.span.file.path, pointed_at(label.span)) == ("gadget/device.yaml", "1..100")
@@ -179,22 +179,22 @@ ORDERS: dict[str, tuple[dict[str, str], list[str]]] = {
 
 
 @pytest.mark.parametrize("name", ORDERS)
-def test_versions_that_do_not_follow_each_other_are_found(name: str) -> None:
+def test_versions_that_do_not_follow_each_other_are_a_finding(name: str) -> None:
     files, expected = ORDERS[name]
     assert codes(project(**files).findings) == expected
 
 
-def test_a_version_of_another_line_says_behind_which_one_it_stands() -> None:
+def test_a_version_of_another_line_states_which_one_it_follows() -> None:
     text = 'overlay: {id: "V1b", line: hardware, based_on: "2.0", after: V1}'
-    made = project(vV1b=text)
-    assert codes(made.findings) == []
-    assert [version.id for version in made.devices["gadget"].at("2.0")[0].lines[1].versions] == ["V1", "V1b", "V2"]
+    built = project(vV1b=text)
+    assert codes(built.findings) == []
+    assert [version.id for version in built.devices["gadget"].at("2.0")[0].lines[1].versions] == ["V1", "V1b", "V2"]
 
 
 @pytest.mark.parametrize("section", ["overlay", "adds", "changes", "removes", "renames"])
-def test_what_belongs_into_the_file_of_a_version_is_found_elsewhere(section: str) -> None:
-    held = '{id: "2.1", line: firmware, based_on: "2.0"}' if section == "overlay" else "[]"
-    assert codes(project(BASE + f"{section}: {held}\n").findings) == ["unknown_key"]
+def test_sections_of_an_overlay_are_findings_in_other_files(section: str) -> None:
+    overlay = '{id: "2.1", line: firmware, based_on: "2.0"}' if section == "overlay" else "[]"
+    assert codes(project(BASE + f"{section}: {overlay}\n").findings) == ["unknown_key"]
 
 
 TWICE = BASE.replace(
@@ -203,16 +203,16 @@ TWICE = BASE.replace(
 )
 
 
-def test_an_entry_is_about_the_fact_that_its_base_has_where_there_are_several_of_a_name() -> None:
-    found = at("2.1", TWICE, v2_1=FULL).register("speed")
-    assert found is not None
-    assert str(found.value.ranges and found.value.ranges.text()) == "1..120"
+def test_an_entry_changes_the_fact_of_its_base_where_several_have_the_name() -> None:
+    register = at("2.1", TWICE, v2_1=FULL).register("speed")
+    assert register is not None
+    assert str(register.value.ranges and register.value.ranges.text()) == "1..120"
     before = at("1.0", TWICE, v2_1=FULL).register("speed")
     assert before is not None
     assert str(before.value.ranges and before.value.ranges.text()) == "1..50"
 
 
-def test_a_thing_that_only_another_version_has_cannot_be_changed() -> None:
+def test_a_fact_that_only_another_version_has_cannot_be_changed() -> None:
     text = overlay("removes: [{fact: registers/late, reason: Gone.}]", "1.1", "1.0")
     assert codes(project(v1_1=text).findings) == ["overlay_fact_missing"]
 
@@ -221,9 +221,9 @@ def test_a_version_of_another_line_keeps_what_all_versions_have() -> None:
     text = 'overlay: {id: V3, line: hardware, based_on: "1.0", after: V2}\n' + (
         "changes: [{fact: registers/speed, set: {unit: {was: ~, is: rpm}}, reason: Known now.}]"
     )
-    made = project(vV3=text)
-    assert codes(made.findings) == []
-    device, _ = made.devices["gadget"].at("2.0+V3")
+    built = project(vV3=text)
+    assert codes(built.findings) == []
+    device, _ = built.devices["gadget"].at("2.0+V3")
     assert device.register("late") is not None
 
 
@@ -234,6 +234,6 @@ def test_versions_share_what_does_not_differ() -> None:
     assert old.register("speed") is not new.register("speed")
 
 
-def test_a_finding_of_a_row_is_found_at_every_version() -> None:
+def test_a_finding_about_a_row_is_reported_at_every_version() -> None:
     spec = project(BASE.replace("range: 1..100", "range: 9..1")).devices["gadget"]
     assert [codes(spec.at(version)[1]) for version in ("1.0", "2.0", "3.0")] == [["wrong_form"]] * 3

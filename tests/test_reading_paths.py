@@ -1,4 +1,4 @@
-"""Paths lead to facts, also to rows within groups, and change nothing but what they lead to."""
+"""Paths lead to facts, also to rows within groups; a change affects only the fact at the end of its path."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ NOWHERE = (
 
 
 def tree() -> Node:
-    node, found = parsed(decoded("gadget/device.yaml", TEXT)[0])
+    node, findings = parsed(decoded("gadget/device.yaml", TEXT)[0])
     assert node is not None
-    assert found == []
+    assert findings == []
     for path in PLACES:
-        held = find(node, path)
-        assert isinstance(held, Scalar)
-        held.value = held.text
+        scalar = find(node, path)
+        assert isinstance(scalar, Scalar)
+        scalar.value = scalar.text
     return node
 
 
@@ -60,19 +60,19 @@ def other(node: Node) -> Node:
 def test_a_path_leads_to_one_fact(path: str) -> None:
     text, steps = PLACES[path]
     node = tree()
-    held = find(node, path)
-    assert isinstance(held, Scalar)
-    assert held.text == text
+    scalar = find(node, path)
+    assert isinstance(scalar, Scalar)
+    assert scalar.text == text
     assert keys(node, path) == steps
 
 
 @pytest.mark.parametrize("path", PLACES)
-def test_a_change_touches_one_fact_alone(path: str) -> None:
+def test_a_change_affects_one_fact_alone(path: str) -> None:
     node = tree()
     before = repr(exact(node))
-    made = changed(node, path, other)
-    assert made is not None
-    assert repr(exact(made)) == before.replace(repr(PLACES[path][0]), "'new'")
+    changed_node = changed(node, path, other)
+    assert changed_node is not None
+    assert repr(exact(changed_node)) == before.replace(repr(PLACES[path][0]), "'new'")
     assert repr(exact(node)) == before
 
 
@@ -84,5 +84,5 @@ def test_a_path_that_leads_nowhere_finds_and_changes_nothing(path: str) -> None:
     assert changed(node, path, other) is None
 
 
-def test_a_change_that_is_refused_gives_nothing() -> None:
+def test_a_change_that_is_refused_returns_none() -> None:
     assert changed(tree(), "registers/place/range", lambda node: None) is None

@@ -1,4 +1,4 @@
-"""Files are joined to devices, protocols are laid under them, and rows take what their groups have in common."""
+"""Files are merged into devices with their protocols, and rows take the defaults of their groups."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 
 from fieldspec.model.device import Device
 from fieldspec.reading.project import read
-from reading import DEVICE, MANUAL, codes, gadget, pointed_at, project, unmarked
+from spec_files import DEVICE, MANUAL, codes, gadget, pointed_at, project, unmarked
 
 WIRE = """
 protocol: {id: wire, title: A protocol}
@@ -38,8 +38,8 @@ records:
 def device(text: str, **others: str) -> Device:
     """The model of the gadget's only version."""
     spec = gadget(text, **others)
-    model, found = spec.at(spec.versions()[-1])
-    assert codes(found) == []
+    model, findings = spec.at(spec.versions()[-1])
+    assert codes(findings) == []
     return model
 
 
@@ -53,18 +53,18 @@ def test_lists_of_several_files_are_joined_in_the_order_of_their_names() -> None
     assert [note.name for note in model.notes] == ["n"]
 
 
-def test_files_that_are_no_specs_are_passed_over() -> None:
+def test_files_that_are_no_specs_are_skipped() -> None:
     files = {"gadget/device.yaml": DEVICE, "gadget/notes.txt": "\t", "README.md": "\t", "gadget/old/a.yaml": "\t"}
     read_from = read({path: text.encode() for path, text in files.items()})
     assert codes(read_from.findings) == []
     assert list(read_from.devices) == ["gadget"]
 
 
-def test_a_section_that_is_no_list_stands_in_one_file() -> None:
+def test_a_section_that_is_no_list_is_in_one_file() -> None:
     clean, start, _ = unmarked(f"«device»: {{id: gadget, name: Other, vendor: Maker, manual: {MANUAL}}}\n")
-    (found,) = project("", gadget_other=clean).findings
-    assert (found.code, found.span.file.path, found.span.start) == ("section_twice", "gadget/other.yaml", start)
-    assert [(label.span.file.path, pointed_at(label.span)) for label in found.labels] == [
+    (finding,) = project("", gadget_other=clean).findings
+    assert (finding.code, finding.span.file.path, finding.span.start) == ("section_twice", "gadget/other.yaml", start)
+    assert [(label.span.file.path, pointed_at(label.span)) for label in finding.labels] == [
         ("gadget/device.yaml", "device")
     ]
 
@@ -80,10 +80,10 @@ def test_a_folder_needs_the_section_device() -> None:
 def test_two_devices_with_one_id_are_a_finding_at_the_second_with_a_label_at_the_first() -> None:
     read_from = read({"gadget/device.yaml": DEVICE.encode(), "gizmo/device.yaml": DEVICE.encode()})
     assert sorted(codes(read_from.findings)) == ["device_id_unique", "id_matches_path"]
-    found = next(finding for finding in read_from.findings if finding.code == "device_id_unique")
-    assert found.span.file.path == "gizmo/device.yaml"
-    assert [label.span.file.path for label in found.labels] == ["gadget/device.yaml"]
-    assert pointed_at(found.span) == pointed_at(found.labels[0].span) == "gadget"
+    duplicate = next(finding for finding in read_from.findings if finding.code == "device_id_unique")
+    assert duplicate.span.file.path == "gizmo/device.yaml"
+    assert [label.span.file.path for label in duplicate.labels] == ["gadget/device.yaml"]
+    assert pointed_at(duplicate.span) == pointed_at(duplicate.labels[0].span) == "gadget"
 
 
 def test_a_file_with_findings_takes_its_device_out_and_no_other() -> None:
@@ -108,16 +108,16 @@ def test_only_the_devices_that_are_asked_for_are_read() -> None:
         ("«protocol»: {id: gadget, title: No}\n", {}, "unknown_key"),
     ],
 )
-def test_a_wrong_use_is_found_where_it_is(text: str, others: dict[str, str], code: str) -> None:
+def test_a_wrong_use_of_a_protocol_is_a_finding_at_its_place(text: str, others: dict[str, str], code: str) -> None:
     clean, start, end = unmarked(DEVICE + text)
-    (found,) = project(clean.removeprefix(DEVICE), **others).findings
-    assert (found.code, found.span.start, found.span.end) == (code, start, end)
-    assert found.help
+    (finding,) = project(clean.removeprefix(DEVICE), **others).findings
+    assert (finding.code, finding.span.start, finding.span.end) == (code, start, end)
+    assert finding.help
 
 
 def test_a_missing_protocol_has_a_hint() -> None:
-    (found,) = project("uses: [{protocol: wires}]\n", protocols_wire=WIRE).findings
-    assert found.help == "did you mean `wire`?"
+    (finding,) = project("uses: [{protocol: wires}]\n", protocols_wire=WIRE).findings
+    assert finding.help == "did you mean `wire`?"
 
 
 @pytest.mark.parametrize(
@@ -133,15 +133,15 @@ def test_protocols_that_use_each_other_in_a_circle_are_a_finding(others: dict[st
         path: f"protocol: {{id: {path[-1]}, title: P}}\nuses: [{', '.join(f'{{protocol: {name}}}' for name in uses)}]\n"
         for path, uses in others.items()
     }
-    (found,) = project("uses: [{protocol: a}]\n", **files).findings
-    assert found.code == "import_cycle"
-    assert found.message.endswith(chain)
-    assert pointed_at(found.span) == chain[-1]
+    (finding,) = project("uses: [{protocol: a}]\n", **files).findings
+    assert finding.code == "import_cycle"
+    assert finding.message.endswith(chain)
+    assert pointed_at(finding.span) == chain[-1]
 
 
 def test_a_protocol_that_no_device_uses_is_read_too() -> None:
-    found = project("", protocols_wire="protocol: {id: wire, title: P}\nlinkz: []\n").findings
-    assert codes(found) == ["unknown_key"]
+    findings = project("", protocols_wire="protocol: {id: wire, title: P}\nlinkz: []\n").findings
+    assert codes(findings) == ["unknown_key"]
 
 
 @pytest.mark.parametrize("text", ["links: []\n", "protocol: {id: wire, title: P}\ndevice: 1\n"])
@@ -173,7 +173,7 @@ links: [{name: rtu, doc: Laid over.}]
     assert (model.links["rtu"].doc, model.links["rtu"].encoding) == ("Laid over.", "binary")
 
 
-def test_what_a_device_says_is_laid_over_its_protocol_by_name_and_deeply() -> None:
+def test_facts_of_a_device_override_those_of_its_protocol_by_name_and_at_any_depth() -> None:
     model = device(
         """
 uses: [{protocol: wire}]
@@ -210,11 +210,11 @@ enums:
     ]
 
 
-def test_a_finding_in_what_comes_from_a_protocol_points_into_the_protocol() -> None:
+def test_a_finding_about_a_fact_of_a_protocol_points_into_the_protocol() -> None:
     wire = "protocol: {id: wire, title: P}\nrecords: [{name: a, fields: [{name: b, scale: 0, type: u8}]}]\n"
     spec = gadget("uses: [{protocol: wire}]\n", protocols_wire=wire)
-    (found,) = spec.at("1")[1]
-    assert (found.span.file.path, pointed_at(found.span)) == ("protocols/wire.yaml", "0")
+    (finding,) = spec.at("1")[1]
+    assert (finding.span.file.path, pointed_at(finding.span)) == ("protocols/wire.yaml", "0")
 
 
 ROWS = """
@@ -263,7 +263,7 @@ def test_reasons_of_a_row_are_added_to_those_of_its_group() -> None:
     assert sorted(far.inferred) == ["access", "unit"]
 
 
-def test_a_section_of_a_group_stands_in_for_those_of_its_rows() -> None:
+def test_a_section_of_a_group_applies_to_its_rows() -> None:
     near, far = device(ROWS).groups[0].registers
     assert [source.text() for source in (*near.sources, *far.sources)] == ["8.2 L5", "9 L6"]
 
@@ -275,7 +275,7 @@ def test_a_row_has_no_source_where_only_its_group_has_one() -> None:
     assert group.registers[0].sources == ()
 
 
-def test_what_is_inside_a_fact_has_its_source() -> None:
+def test_parts_of_a_fact_have_its_source() -> None:
     model = device(
         "enums: [{name: a, source: 1 L2, members: [{name: b, value: 1}, {name: c, value: 2, source: 3 L4}]}]\n"
     )
@@ -293,9 +293,9 @@ def test_parameters_take_what_they_lack_from_the_defaults_of_their_set() -> None
     ("text", "code"),
     [
         ("limits: [{name: a}, {name: «a»}]\n", "duplicate_name"),
-        ("registers: [{group: a, rows: [{at: 1, name: «b»}]}]\n", "type_given"),
-        ("records: [{name: a, fields: [{name: b, type: «text»}]}]\n", "type_given"),
-        ("records: [{name: a, fields: [{name: b, type: «u8», record: a}]}]\n", "type_given"),
+        ("registers: [{group: a, rows: [{at: 1, name: «b»}]}]\n", "type_present"),
+        ("records: [{name: a, fields: [{name: b, type: «text»}]}]\n", "type_present"),
+        ("records: [{name: a, fields: [{name: b, type: «u8», record: a}]}]\n", "type_present"),
         ("records: [{name: a, fields: [{name: b, type: u8, range: «5..1»}]}]\n", "wrong_form"),
         ("records: [{name: a, fields: [{name: b, type: u8, range: «0..0.5»}]}]\n", "wrong_form"),
         ("records: [{name: a, fields: [{name: b, type: u8, scale: 0.1, unit_range: «0..0.25»}]}]\n", "wrong_form"),
@@ -311,14 +311,14 @@ def test_parameters_take_what_they_lack_from_the_defaults_of_their_set() -> None
         ),
     ],
 )
-def test_what_a_schema_cannot_say_is_found_when_the_model_is_built(text: str, code: str) -> None:
+def test_errors_that_a_schema_cannot_express_are_found_when_the_model_is_built(text: str, code: str) -> None:
     clean, start, _ = unmarked(DEVICE + text)
-    found = gadget(clean.removeprefix(DEVICE)).at("1")[1]
-    assert (found[0].code, found[0].span.start) == (code, start)
-    assert found[0].help
+    findings = gadget(clean.removeprefix(DEVICE)).at("1")[1]
+    assert (findings[0].code, findings[0].span.start) == (code, start)
+    assert findings[0].help
 
 
 def test_findings_of_building_are_bounded() -> None:
     rows = ", ".join(f"{{at: {number}, name: r{number}}}" for number in range(1000))
-    found = gadget(f"registers: [{{group: a, rows: [{rows}]}}]\n").at("1")[1]
-    assert codes(found) == ["type_given"] * 200 + ["too_many_findings"]
+    findings = gadget(f"registers: [{{group: a, rows: [{rows}]}}]\n").at("1")[1]
+    assert codes(findings) == ["type_present"] * 200 + ["too_many_findings"]

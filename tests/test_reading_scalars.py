@@ -1,4 +1,4 @@
-"""Scalars are text until the schema types them, and what does not fit is a finding that points to it."""
+"""Scalars are text until the schema gives them a type; one that does not fit is a finding that points to it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from fieldspec.reading.project import read
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.yaml_reader import decoded, key_span, parsed
 from fieldspec.render.text import rendered
-from reading import DEVICE, pointed_at, project, unmarked
+from spec_files import DEVICE, pointed_at, project, unmarked
 
 WRONG = object()
 """The scalar is refused where this kind is wanted."""
@@ -89,32 +89,32 @@ def scalars(node: Node) -> list[Scalar]:
     if isinstance(node, Scalar):
         return [node]
     inner = node.items if isinstance(node, Sequence) else node.values.values()
-    return [scalar for one in inner for scalar in scalars(one)]
+    return [scalar for part in inner for scalar in scalars(part)]
 
 
 @pytest.mark.parametrize(("scalar", "kind", "meant"), CASES)
-def test_a_scalar_means_what_its_place_wants(scalar: str, kind: str, meant: ScalarValue) -> None:
+def test_the_type_of_a_scalar_depends_on_its_place(scalar: str, kind: str, meant: ScalarValue) -> None:
     text, code = PLACES[kind]
     clean, start, end = unmarked(text.replace("«»", f"«{scalar}»"))
     file, _ = decoded("a.yaml", clean.encode())
     node, slips = parsed(file)
     assert slips == []
     assert node is not None
-    result, found = typed(node)
+    result, findings = typed(node)
     if meant is WRONG:
-        assert [(finding.code, finding.span.start, finding.span.end) for finding in found] == [(code, start, end)]
+        assert [(finding.code, finding.span.start, finding.span.end) for finding in findings] == [(code, start, end)]
     else:
-        assert found == []
-        (held,) = (one for one in scalars(result) if one.start == start)
-        assert (held.value, type(held.value)) == (meant, type(meant))
+        assert findings == []
+        (value,) = (scalar for scalar in scalars(result) if scalar.start == start)
+        assert (value.value, type(value.value)) == (meant, type(meant))
 
 
 def test_decimals_keep_every_digit() -> None:
     file, _ = decoded("a.yaml", b"limits: [{name: a, value: 0.10000000000000000001}]")
     node, _ = parsed(file)
     assert node is not None
-    (_, held) = scalars(typed(node)[0])
-    assert str(held.value) == "0.10000000000000000001"
+    (_, scalar) = scalars(typed(node)[0])
+    assert str(scalar.value) == "0.10000000000000000001"
 
 
 ROW = "registers: [{{group: a, rows: [{{at: 1, name: b, type: u16, {}}}]}}]\n"
@@ -165,15 +165,15 @@ WIDE = {
 @pytest.mark.parametrize(("code", "text", "help"), FINDINGS.values(), ids=FINDINGS)
 def test_a_finding_says_what_would_be_right(code: str, text: str, help: str) -> None:
     clean, start, end = unmarked(DEVICE + text)
-    (found,) = read({"gadget/device.yaml": clean.encode()}).findings
-    assert (found.code, pointed_at(found.span)) == (code, clean[start:end])
-    assert found.span.start == start
-    assert help in found.help
+    (finding,) = read({"gadget/device.yaml": clean.encode()}).findings
+    assert (finding.code, pointed_at(finding.span)) == (code, clean[start:end])
+    assert finding.span.start == start
+    assert help in finding.help
 
 
 def test_a_long_text_is_not_quoted_whole() -> None:
-    (found,) = project(ROW.format(f"words: {'x' * 100_000}")).findings
-    assert len(found.message) < 200
+    (finding,) = project(ROW.format(f"words: {'x' * 100_000}")).findings
+    assert len(finding.message) < 200
 
 
 @pytest.mark.parametrize("ends", ["\n", "\r\n"], ids=["lf", "crlf"])
@@ -182,22 +182,22 @@ def test_a_long_text_is_not_quoted_whole() -> None:
 def test_the_caret_is_under_the_culprit(code: str, text: str, help: str, before: str, beside: str, ends: str) -> None:
     text = text.replace("name: b, type", f"name: b, {beside}type")
     clean, start, end = unmarked((DEVICE + before + text).replace("\n", ends))
-    found = read({"gadget/device.yaml": clean.encode()}).findings
-    (finding,) = (one for one in found if one.code == code)
+    findings = read({"gadget/device.yaml": clean.encode()}).findings
+    (finding,) = (finding for finding in findings if finding.code == code)
     lines = rendered([finding]).splitlines()
     source, marks = lines[1], lines[2]
     line_start = clean.rfind("\n", 0, start) + 1
-    shown = clean[line_start:].splitlines()[0]
-    assert source.endswith(shown)
-    assert marks.index("^") == cell_len(source.removesuffix(shown) + clean[line_start:start])
+    line = clean[line_start:].splitlines()[0]
+    assert source.endswith(line)
+    assert marks.index("^") == cell_len(source.removesuffix(line) + clean[line_start:start])
     assert marks.count("^") == cell_len(clean[start:end].splitlines()[0])
 
 
-def test_every_finding_of_every_file_is_given_in_one_run() -> None:
-    found = project(
+def test_all_findings_of_all_files_are_reported_in_one_run() -> None:
+    findings = project(
         "registrs: []\n", gadget_b="enums: 5\n", gadget_a="a: 1\na: 2\n", protocols_wire="protocol: 1\n"
     ).findings
-    assert [(finding.span.file.path, finding.code) for finding in found] == [
+    assert [(finding.span.file.path, finding.code) for finding in findings] == [
         ("gadget/device.yaml", "unknown_key"),
         ("gadget/a.yaml", "duplicate_key"),
         ("gadget/a.yaml", "unknown_key"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.model.device import Device
-from reading import DEVICE, codes, gadget, pointed_at, project, unmarked
+from spec_files import DEVICE, codes, gadget, pointed_at, project, unmarked
 
 LINES = """
 versions:
@@ -96,9 +96,9 @@ FACTS = {
 def devices(text: str) -> dict[str, Device]:
     """The device at each of its versions."""
     spec = gadget(text)
-    found = {version: spec.at(version) for version in spec.versions()}
-    assert [codes(findings) for _, findings in found.values()] == [[]] * len(found)
-    return {version: device for version, (device, _) in found.items()}
+    versions = {version: spec.at(version) for version in spec.versions()}
+    assert [codes(findings) for _, findings in versions.values()] == [[]] * len(versions)
+    return {version: device for version, (device, _) in versions.items()}
 
 
 def bounded(fact: str, bounds: str) -> str:
@@ -106,20 +106,24 @@ def bounded(fact: str, bounds: str) -> str:
 
 
 @pytest.mark.parametrize(("bounds", "versions"), BOUNDS.items(), ids=BOUNDS)
-def test_a_fact_holds_for_the_versions_within_its_bounds(bounds: str, versions: list[str]) -> None:
-    found = devices(bounded("limits: [{name: x, BOUNDS}]", bounds))
-    assert [version for version, device in found.items() if device.limits] == versions
+def test_a_fact_is_valid_for_the_versions_within_its_bounds(bounds: str, versions: list[str]) -> None:
+    devices_by_version = devices(bounded("limits: [{name: x, BOUNDS}]", bounds))
+    assert [version for version, device in devices_by_version.items() if device.limits] == versions
 
 
 @pytest.mark.parametrize("kind", FACTS)
 def test_facts_of_every_kind_have_versions(kind: str) -> None:
     text, names = FACTS[kind]
-    found = devices(bounded(text, 'since: "1.5"'))
-    assert {version: names(device) for version, device in found.items()} == {"1.0": [], "1.5": ["x"], "2.0": ["x"]}
+    devices_by_version = devices(bounded(text, 'since: "1.5"'))
+    assert {version: names(device) for version, device in devices_by_version.items()} == {
+        "1.0": [],
+        "1.5": ["x"],
+        "2.0": ["x"],
+    }
 
 
-def test_one_name_may_stand_for_different_things_in_different_versions() -> None:
-    found = devices(
+def test_a_name_may_have_different_meanings_in_different_versions() -> None:
+    devices_by_version = devices(
         LINES
         + """
 registers:
@@ -129,7 +133,7 @@ registers:
       - {at: 2, name: speed, type: u16, since: "2.0"}
 """
     )
-    addresses = {version: device.groups[0].registers[0].address for version, device in found.items()}
+    addresses = {version: device.groups[0].registers[0].address for version, device in devices_by_version.items()}
     assert addresses == {"1.0": 1, "1.5": 1, "2.0": 2}
 
 
@@ -143,7 +147,7 @@ def test_a_device_none_of_whose_lines_builds_has_one_version_with_all_facts() ->
     assert (device.version, [limit.name for limit in device.limits]) == ("1", ["x", "y"])
 
 
-def test_a_version_keeps_what_is_known_of_it() -> None:
+def test_a_version_has_its_own_documentation() -> None:
     member = "{id: '1', title: One, doc: First., inferred: So., source: 1 L2}"
     (line,) = devices(f"versions: [{{line: a, builds: true, members: [{member}]}}]\n")["1"].lines
     (version,) = line.versions
@@ -163,13 +167,13 @@ def test_a_version_keeps_what_is_known_of_it() -> None:
 )
 def test_a_version_that_is_not_declared_is_a_finding(text: str, code: str) -> None:
     clean, start, end = unmarked(DEVICE + LINES + text)
-    (found,) = project(clean.removeprefix(DEVICE)).findings
-    assert (found.code, found.span.start, found.span.end) == (code, start, end)
+    (finding,) = project(clean.removeprefix(DEVICE)).findings
+    assert (finding.code, finding.span.start, finding.span.end) == (code, start, end)
 
 
 def test_a_version_that_is_not_declared_has_a_hint() -> None:
-    (found,) = project(LINES + 'limits: [{name: x, since: "1.6"}]\n').findings
-    assert found.help == "did you mean `1.5`?"
+    (finding,) = project(LINES + 'limits: [{name: x, since: "1.6"}]\n').findings
+    assert finding.help == "did you mean `1.5`?"
 
 
 @pytest.mark.parametrize(
@@ -181,8 +185,8 @@ def test_a_version_that_is_not_declared_has_a_hint() -> None:
 )
 def test_versions_are_declared_once(text: str) -> None:
     clean, start, end = unmarked(DEVICE + text)
-    (found,) = project(clean.removeprefix(DEVICE)).findings
-    assert (found.code, found.span.start, found.span.end) == ("version_twice", start, end)
+    (finding,) = project(clean.removeprefix(DEVICE)).findings
+    assert (finding.code, finding.span.start, finding.span.end) == ("version_twice", start, end)
 
 
 def test_keys_that_are_a_users_own_are_not_taken_for_versions() -> None:
@@ -192,11 +196,11 @@ def test_keys_that_are_a_users_own_are_not_taken_for_versions() -> None:
 
 def test_a_label_at_an_unquoted_version_says_what_is_wrong() -> None:
     clean, start, _ = unmarked(DEVICE + LINES + "limits: [{name: x, since: «1.50»}]\n")
-    (found,) = project(clean.removeprefix(DEVICE)).findings
-    assert (found.code, found.span.start, pointed_at(found.span)) == ("version_unknown", start, "1.50")
+    (finding,) = project(clean.removeprefix(DEVICE)).findings
+    assert (finding.code, finding.span.start, pointed_at(finding.span)) == ("version_unknown", start, "1.50")
 
 
-def test_a_line_is_like_one_that_has_outputs() -> None:
+def test_a_line_may_only_be_like_one_that_has_outputs() -> None:
     text = """
 versions:
   - {line: one, builds: true, members: [{id: "1.0"}]}
@@ -204,8 +208,8 @@ versions:
   - {line: three, like: oen, members: [{id: "3.0"}, {id: "3.1"}]}
   - {line: four, like: two, members: [{id: "4.0"}]}
 """
-    found = project(text).findings
-    assert [(one.code, one.message.rpartition(" ")[2]) for one in found] == [
+    findings = project(text).findings
+    assert [(finding.code, finding.message.rpartition(" ")[2]) for finding in findings] == [
         ("version_unknown", "`oen`"),
         ("version_unknown", "`two`"),
     ]

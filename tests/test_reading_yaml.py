@@ -10,7 +10,7 @@ import yaml
 from fieldspec.reading import yaml_reader
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.reading.yaml_reader import DEEPEST_TREE, decoded, key_span, parsed
-from reading import codes, pointed_at, unmarked
+from spec_files import codes, pointed_at, unmarked
 
 DEEP = "[" * (DEEPEST_TREE + 1) + "«[»" + "]" * (DEEPEST_TREE + 2)
 LAUGHS = "a: &a [x, x, x, x, x, x, x, x, x, x]\n" + "".join(
@@ -64,15 +64,15 @@ def parser(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> s
 
 
 def slips(data: bytes) -> list[yaml_reader.Diagnostic]:
-    file, found = decoded("a.yaml", data)
-    return found or parsed(file)[1]
+    file, findings = decoded("a.yaml", data)
+    return findings or parsed(file)[1]
 
 
 def node_of(text: str) -> Node:
-    file, found = decoded("a.yaml", text.encode())
-    assert codes(found) == []
-    node, found = parsed(file)
-    assert codes(found) == []
+    file, findings = decoded("a.yaml", text.encode())
+    assert codes(findings) == []
+    node, findings = parsed(file)
+    assert codes(findings) == []
     assert node is not None
     return node
 
@@ -92,11 +92,11 @@ def shape(node: Node) -> object:
 @pytest.mark.parametrize(("code", "text"), SLIPS.values(), ids=SLIPS)
 def test_a_slip_has_a_finding_where_it_is(code: str, text: str, ends: str) -> None:
     clean, start, end = unmarked(text.replace("\n", ends))
-    (found,) = slips(clean.encode())
-    assert found.code == code
-    assert found.message
+    (finding,) = slips(clean.encode())
+    assert finding.code == code
+    assert finding.message
     if "«" in text:
-        assert (found.span.start, pointed_at(found.span)) == (start, clean[start:end])
+        assert (finding.span.start, pointed_at(finding.span)) == (start, clean[start:end])
 
 
 @pytest.mark.parametrize(
@@ -111,31 +111,31 @@ def test_a_slip_has_a_finding_where_it_is(code: str, text: str, ends: str) -> No
 def test_a_file_that_is_not_utf8_has_a_finding_at_its_first_wrong_byte(
     text: str, encoding: str, position: tuple[int, int]
 ) -> None:
-    (found,) = slips(text.encode(encoding))
-    assert (found.code, found.span.position()) == ("not_utf8", position)
+    (finding,) = slips(text.encode(encoding))
+    assert (finding.code, finding.span.position()) == ("not_utf8", position)
 
 
 def test_utf16_without_a_mark_has_a_finding() -> None:
-    (found,) = slips("a: 1\n".encode("utf-16-le"))
-    assert (found.code, found.span.start) == ("yaml_syntax", 1)
+    (finding,) = slips("a: 1\n".encode("utf-16-le"))
+    assert (finding.code, finding.span.start) == ("yaml_syntax", 1)
 
 
-def test_a_wrong_byte_is_found_behind_wide_characters() -> None:
-    (found,) = slips("a: 伺服".encode() + b"\xff")
-    assert (found.code, found.span.position()) == ("not_utf8", (1, 6))
+def test_a_wrong_byte_is_located_after_wide_characters() -> None:
+    (finding,) = slips("a: 伺服".encode() + b"\xff")
+    assert (finding.code, finding.span.position()) == ("not_utf8", (1, 6))
 
 
 @pytest.mark.usefixtures("parser")
 def test_a_byte_order_mark_is_accepted_and_counts_for_no_column() -> None:
-    file, found = decoded("a.yaml", b"\xef\xbb\xbfa: 1\na: 2\n")
-    assert codes(found) == []
+    file, findings = decoded("a.yaml", b"\xef\xbb\xbfa: 1\na: 2\n")
+    assert codes(findings) == []
     assert codes(parsed(file)[1]) == ["duplicate_key"]
     assert parsed(file)[1][0].span.position() == (2, 1)
 
 
 def test_a_file_that_is_too_large_has_one_finding() -> None:
-    (found,) = slips(b"#" * (yaml_reader.LARGEST_FILE + 1))
-    assert found.code == "file_too_large"
+    (finding,) = slips(b"#" * (yaml_reader.LARGEST_FILE + 1))
+    assert finding.code == "file_too_large"
 
 
 def test_a_file_of_the_largest_size_is_read() -> None:
@@ -145,8 +145,8 @@ def test_a_file_of_the_largest_size_is_read() -> None:
 def test_a_file_with_too_many_values_has_one_finding(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(yaml_reader, "LARGEST_TREE", 5)
     assert codes(slips(b"[1, 2, 3, 4]")) == []
-    (found,) = slips(b"[1, 2, 3, 4, 5]")
-    assert (found.code, pointed_at(found.span)) == ("file_too_large", "5")
+    (finding,) = slips(b"[1, 2, 3, 4, 5]")
+    assert (finding.code, pointed_at(finding.span)) == ("file_too_large", "5")
 
 
 @pytest.mark.usefixtures("parser")
@@ -162,14 +162,14 @@ def test_the_deepest_tree_is_read() -> None:
 
 
 @pytest.mark.usefixtures("parser")
-def test_an_alias_is_what_it_names() -> None:
+def test_an_alias_has_the_value_of_its_anchor() -> None:
     node = node_of("a: &x {b: [1, 2]}\nc: *x\nd: [*x, *x]\n")
     assert isinstance(node, Mapping)
     assert node.values["a"] == node.values["c"]
 
 
 @pytest.mark.usefixtures("parser")
-def test_an_alias_is_a_node_of_its_own_as_the_schema_may_want_something_else_of_it() -> None:
+def test_an_alias_is_its_own_node_as_the_schema_may_give_it_another_type() -> None:
     node = node_of("a: &x {b: [1, 2]}\nc: *x\n")
     assert isinstance(node, Mapping)
     assert node.values["a"] is not node.values["c"]
@@ -197,7 +197,7 @@ def test_a_key_has_its_place(text: str) -> None:
     assert (span.start, span.end) == (start, end)
 
 
-def test_a_key_from_another_mapping_has_the_place_where_it_stands() -> None:
+def test_a_merged_key_has_the_place_where_it_is_written() -> None:
     node, other = node_of("a: 1\n"), node_of("x: 1\nb: 2\n")
     assert isinstance(node, Mapping)
     assert isinstance(other, Mapping)
@@ -228,7 +228,7 @@ def test_scalars_are_text() -> None:
 
 @pytest.mark.usefixtures("parser")
 @pytest.mark.parametrize(
-    ("text", "held"),
+    ("text", "expected"),
     [
         ("a: |\n  one\n  two\n", "one\ntwo\n"),
         ("a: >-\n  one\n  two\n", "one two"),
@@ -238,8 +238,8 @@ def test_scalars_are_text() -> None:
         ("a: >-\r\n  one\r\n  two\r\n", "one two"),
     ],
 )
-def test_texts_are_unfolded_and_unescaped(text: str, held: str) -> None:
-    assert list(keys_and_values(node_of(text))) == [("a", held)]
+def test_texts_are_unfolded_and_unescaped(text: str, expected: str) -> None:
+    assert list(keys_and_values(node_of(text))) == [("a", expected)]
 
 
 @pytest.mark.skipif(not yaml.__with_libyaml__, reason="PyYAML was built without libyaml")

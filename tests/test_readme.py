@@ -1,4 +1,4 @@
-"""Every command and every piece of code in the README, and in the page on the generated Python, does what it says."""
+"""Every command and every piece of code in the README, and in the page on the generated Python, works as described."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tools_available import require_tool
+from external_tools import require_tool
 
 ROOT = Path(__file__).resolve().parent.parent
 TEXT = (ROOT / "README.md").read_text("utf-8")
@@ -60,6 +60,6 @@ def test_the_c_code_compiles_and_writes_the_frame_of_the_manual(code: str, tmp_p
     assert result.stdout == "09 00 16 D0 07 00 00 32 28 "
 
 
-def test_every_file_that_it_names_is_there() -> None:
+def test_every_file_that_it_names_exists() -> None:
     for path in [*re.findall(r"\]\(([^)]+)\)", TEXT), "generated/docs", "generated/vectors", "generated/c"]:
         assert (ROOT / path).exists(), path

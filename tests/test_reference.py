@@ -12,7 +12,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import raw_values
 from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, codec
-from laid_out import MADE_UP, SPECS, all_layouts, newest
+from layouts import SPECS, TEST_SPECS, all_layouts, newest
 
 EXAMPLES = [
     pytest.param(layout, example, id=f"{layout.device.id}-{layout.device.version}-{example.id}")
@@ -27,14 +27,14 @@ PDU = {
     "values": "registers",
     "exception_code": "exception_code",
 }
-"""What the other stack calls the fields of our messages."""
+"""The names of the fields of our messages in the other stack."""
 
 JUDGED = [param for param in EXAMPLES if param.values[0].device.id in ("tc100", "ck10") and param.values[1].message]
-GLIDER = newest(MADE_UP, "glider-x")
+GLIDER = newest(TEST_SPECS, "glider-x")
 
 
 @pytest.mark.parametrize(("layout", "example"), EXAMPLES)
-def test_an_example_decodes_to_its_meaning_or_is_refused_as_it_says(layout: DeviceLayout, example: Example) -> None:
+def test_an_example_decodes_to_its_values_or_is_refused_with_its_reason(layout: DeviceLayout, example: Example) -> None:
     link = codec(layout).links[example.link]
     if example.refused:
         with pytest.raises(CodecError) as caught:
@@ -42,18 +42,18 @@ def test_an_example_decodes_to_its_meaning_or_is_refused_as_it_says(layout: Devi
         assert caught.value.reason == example.refused
         return
     decoded = link.decode(example.frame, example.direction, example.message)
-    written = raw_values(layout, example)
-    assert written.items() <= {**decoded.head, **decoded.values}.items() or _within(
-        written, {**decoded.head, **decoded.values}
+    example_values = raw_values(layout, example)
+    assert example_values.items() <= {**decoded.head, **decoded.values}.items() or _within(
+        example_values, {**decoded.head, **decoded.values}
     )
 
 
-def _within(written: object, decoded: object) -> bool:
-    if isinstance(written, dict) and isinstance(decoded, dict):
-        return all(name in decoded and _within(value, decoded[name]) for name, value in written.items())
-    if isinstance(written, list) and isinstance(decoded, list):
-        return len(written) == len(decoded) and all(map(_within, written, decoded))
-    return written == decoded
+def _within(expected: object, decoded: object) -> bool:
+    if isinstance(expected, dict) and isinstance(decoded, dict):
+        return all(name in decoded and _within(value, decoded[name]) for name, value in expected.items())
+    if isinstance(expected, list) and isinstance(decoded, list):
+        return len(expected) == len(decoded) and all(map(_within, expected, decoded))
+    return expected == decoded
 
 
 def test_all_frames_of_both_manuals_are_examples() -> None:
@@ -72,24 +72,24 @@ def test_another_modbus_stack_reads_the_same_from_a_frame(layout: DeviceLayout, 
     assert used == len(example.frame)
     assert pdu is not None
     values = codec(layout).links[example.link].decode(example.frame, example.direction, example.message)
-    found = {**values.head, **values.values}
-    assert pdu.dev_id == found["station"]
+    decoded = {**values.head, **values.values}
+    assert pdu.dev_id == decoded["station"]
     code = layout.messages[example.message].message.code
     assert code is not None
     assert pdu.function_code == (code | 0x80 if example.exception_response else code)
-    for name, value in found.items():
+    for name, value in decoded.items():
         if name in PDU:
-            held = getattr(pdu, PDU[name])
-            assert held == ([value] if name == "value" else value)
+            pdu_value = getattr(pdu, PDU[name])
+            assert pdu_value == ([value] if name == "value" else value)
 
 
 def test_another_modbus_stack_reads_an_identity() -> None:
     layout = newest(SPECS, "ck10")
-    held = layout.device.examples["identity-response"]
-    _, pdu = MODBUS[held.link](DecodePDU(is_server=False)).handleFrame(held.frame, 0, 0)
+    example = layout.device.examples["identity-response"]
+    _, pdu = MODBUS[example.link](DecodePDU(is_server=False)).handleFrame(example.frame, 0, 0)
     assert isinstance(pdu, ReportDeviceIdResponse)
-    found = codec(layout).links[held.link].decode(held.frame, "response", held.message).values
-    identity, state = found["server_id"], found["run_status"]
+    values = codec(layout).links[example.link].decode(example.frame, "response", example.message).values
+    identity, state = values["server_id"], values["run_status"]
     assert (pdu.identifier, pdu.status) == (bytes([identity]), state == 0xFF)
 
 
@@ -102,8 +102,8 @@ def test_a_frame_that_is_cut_short_is_refused(cut: int) -> None:
     assert caught.value.reason in ("incomplete", "wrong_length")
 
 
-def test_the_made_up_devices_are_laid_out() -> None:
-    assert MADE_UP.is_dir()
+def test_the_made_up_devices_have_layouts() -> None:
+    assert TEST_SPECS.is_dir()
     assert {layout.device.id for layout in all_layouts()} >= {"tc100", "esc11", "ck10", "hiwin-e", "widget", "glider-x"}
 
 
@@ -151,9 +151,9 @@ def test_values_that_do_not_fit_their_format_are_refused(data: str, reason: str)
     [(6, [65536], "out_of_range"), (2, [-129], "out_of_range"), (3, [1], "unknown_value"), (6, [], "wrong_length")],
 )
 def test_values_that_a_format_cannot_hold_are_not_encoded(form: int, values: list[int], reason: str) -> None:
-    given = {"reference": 7, "axis": 0, "format": form, "values": values}
+    message = {"reference": 7, "axis": 0, "format": form, "values": values}
     with pytest.raises(CodecError) as caught:
-        codec(GLIDER).links["channel"].encode("response", "read_parameter", given)
+        codec(GLIDER).links["channel"].encode("response", "read_parameter", message)
     assert caught.value.reason == reason
 
 

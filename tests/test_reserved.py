@@ -1,4 +1,4 @@
-"""A name that a target reserves is written in another way there, and in no way that another name has."""
+"""A name that a target reserves is escaped there, and the escaped name is never the name of something else."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from fieldspec.reserved import TARGETS
 
 
 @pytest.mark.parametrize(
-    ("target", "name", "spelled"),
+    ("target", "name", "escaped"),
     [
         ("python", "class", "class_"),
         ("python", "register", "register"),
@@ -22,8 +22,8 @@ from fieldspec.reserved import TARGETS
         ("siemens", "Timer", '"Timer"'),
     ],
 )
-def test_reserved_words_are_escaped(target: str, name: str, spelled: str) -> None:
-    assert TARGETS[target].legal_name(name) == spelled
+def test_reserved_words_are_escaped(target: str, name: str, escaped: str) -> None:
+    assert TARGETS[target].legal_name(name) == escaped
 
 
 @pytest.mark.parametrize("target", ["python", "c"])

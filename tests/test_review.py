@@ -1,4 +1,4 @@
-"""The files for pre-commit and for GitHub call what is there, and do what they say."""
+"""The files for pre-commit and for GitHub use existing verbs and options, and do what they describe."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from typing import Any
 import pytest
 import yaml
 
+from external_tools import require_tool
 from fieldspec.cli import parser
-from tools_available import require_tool
 
 ROOT = Path(__file__).parent.parent
 HOOKS: list[dict[str, Any]] = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text("utf-8"))
@@ -33,7 +33,7 @@ def test_a_hook_calls_a_verb_with_options_that_it_has(hook: dict[str, Any]) -> N
     assert not hook["pass_filenames"]
 
 
-def test_there_is_a_hook_for_each_thing_that_can_be_wrong_before_a_commit() -> None:
+def test_every_verb_that_judges_files_before_a_commit_has_a_hook() -> None:
     assert [hook["id"] for hook in HOOKS] == ["fieldspec-check", "fieldspec-build", "fieldspec-diff"]
     assert all(re.search(hook["files"], "specs/tc100/device.yaml") for hook in HOOKS)
     assert not any(re.search(hook["files"], "README.md") for hook in HOOKS)
@@ -45,11 +45,11 @@ def test_the_action_is_a_composite_one_whose_steps_say_their_shell() -> None:
     assert all(step["shell"] == "bash" and step["run"] for step in steps)
     passed = re.findall(r"\$\{\{ inputs\.([\w-]+) \}\}", (ROOT / "action.yml").read_text("utf-8"))
     assert set(passed) == set(ACTION["inputs"])
-    assert not any("${{" in step["run"] for step in steps)  # texts of others get into a shell by its variables only
+    assert not any("${{" in step["run"] for step in steps)  # texts of others reach a shell only through its variables
 
 
-def test_every_input_says_what_it_is_and_what_it_is_by_default() -> None:
-    assert all(held["description"] and "default" in held for held in ACTION["inputs"].values())
+def test_every_input_has_a_description_and_a_default() -> None:
+    assert all(option["description"] and "default" in option for option in ACTION["inputs"].values())
 
 
 def test_the_script_calls_verbs_with_options_that_they_have() -> None:
@@ -85,14 +85,14 @@ class Repository:
         assert old in text
         path.write_text(text.replace(old, new, 1), "utf-8")
 
-    def review(self, **given: str) -> subprocess.CompletedProcess[str]:
+    def review(self, **inputs: str) -> subprocess.CompletedProcess[str]:
         """Runs the script with some variables."""
         path = f"{self.folder / 'bin'}{os.pathsep}{os.environ['PATH']}"
-        clean = {name: held for name, held in os.environ.items() if not name.startswith(("GITHUB_", "GIT_"))}
+        clean = {name: value for name, value in os.environ.items() if not name.startswith(("GITHUB_", "GIT_"))}
         return subprocess.run(
             [require_tool("bash"), ROOT / ".ci" / "review"],
             cwd=self.folder,
-            env={**clean, "PATH": path, **given},
+            env={**clean, "PATH": path, **inputs},
             capture_output=True,
             text=True,
             encoding="utf-8",
@@ -104,12 +104,12 @@ def repository(tmp_path: Path) -> Repository:
     return Repository(tmp_path)
 
 
-def test_nothing_is_said_of_what_is_as_it_was(repository: Repository) -> None:
+def test_nothing_is_reported_where_nothing_has_changed(repository: Repository) -> None:
     done = repository.review(BASE="HEAD", SARIF="out")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     for name in ("check", "diff"):
-        held = json.loads((repository.folder / "out" / f"{name}.sarif").read_text("utf-8"))
-        assert held["runs"][0]["results"] == []
+        sarif = json.loads((repository.folder / "out" / f"{name}.sarif").read_text("utf-8"))
+        assert sarif["runs"][0]["results"] == []
 
 
 def test_a_breaking_change_is_annotated_and_fails(repository: Repository) -> None:
@@ -120,12 +120,12 @@ def test_a_breaking_change_is_annotated_and_fails(repository: Repository) -> Non
     (line,) = [line for line in done.stdout.splitlines() if line.startswith("::error")]
     assert "file=specs/tc100/registers-parameters.yaml" in line
     assert "renamed" in line
-    held = json.loads((repository.folder / "out" / "diff.sarif").read_text("utf-8"))
-    assert [one["ruleId"] for one in held["runs"][0]["results"]] == ["renamed"]
+    sarif = json.loads((repository.folder / "out" / "diff.sarif").read_text("utf-8"))
+    assert [entry["ruleId"] for entry in sarif["runs"][0]["results"]] == ["renamed"]
     assert "renamed" in summary.read_text("utf-8")
 
 
-def test_no_change_fails_where_none_is_asked_for(repository: Repository) -> None:
+def test_no_change_fails_the_review_unless_an_option_says_so(repository: Repository) -> None:
     repository.change("position_correction_speed_limit", "correction_speed_limit")
     assert repository.review(BASE="HEAD", FAIL_ON="none").returncode == 0
     assert repository.review(BASE="HEAD", FAIL_ON="any").returncode == 1
@@ -136,7 +136,7 @@ def test_without_a_base_the_specs_are_checked_and_nothing_is_compared(repository
     assert (done.returncode, done.stdout) == (0, "there is nothing to compare with\n")
 
 
-def test_a_base_that_does_not_exist_is_said_and_fails(repository: Repository) -> None:
+def test_a_base_that_does_not_exist_is_reported_and_fails(repository: Repository) -> None:
     done = repository.review(BASE="nowhere")
     assert done.returncode == 2
     assert "nowhere" in done.stderr

@@ -1,4 +1,4 @@
-"""The schema of the language is valid, complete and in its form, and two libraries agree on what it says."""
+"""The schema of the language is valid, complete and formatted, and two libraries agree on its meaning."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ MUTATIONS = 40
 """How many mutations of each spec file are judged."""
 
 
-def written(value: Any, indent: int = 0, before: int = 0) -> str:
-    """JSON whose every value stands on one line where it fits, else with its items one a line."""
+def formatted(value: Any, indent: int = 0, before: int = 0) -> str:
+    """JSON with each value on one line where it fits, else with one item on each line."""
     line = json.dumps(value, ensure_ascii=False)
     if not isinstance(value, dict | list) or not value:
         return line
@@ -38,10 +38,12 @@ def written(value: Any, indent: int = 0, before: int = 0) -> str:
     blank = " " * (indent + 2)
     if isinstance(value, dict):
         heads = [f"{json.dumps(key)}: " for key in value]
-        items = [head + written(item, indent + 2, len(head)) for head, item in zip(heads, value.values(), strict=True)]
+        items = [
+            head + formatted(item, indent + 2, len(head)) for head, item in zip(heads, value.values(), strict=True)
+        ]
         return "{\n" + ",\n".join(blank + item for item in items) + "\n" + " " * indent + "}"
     if any(isinstance(item, dict | list) for item in value):
-        items = [written(item, indent + 2) for item in value]
+        items = [formatted(item, indent + 2) for item in value]
         return "[\n" + ",\n".join(blank + item for item in items) + "\n" + " " * indent + "]"
     rows = [""]
     for item in value:
@@ -74,16 +76,16 @@ def objects(part: Any) -> Iterator[dict[str, Any]]:
 
 def content(path: Path) -> object:
     """A spec file as plain data, typed as the reader types it."""
-    file, found = decoded(path.name, path.read_bytes())
-    assert not found
-    node, found = parsed(file)
+    file, findings = decoded(path.name, path.read_bytes())
+    assert not findings
+    node, findings = parsed(file)
     assert node is not None
-    assert not found
+    assert not findings
     return json_data(typed(node)[0])
 
 
-def test_schema_is_in_its_form(accept: bool) -> None:
-    text = written(schema()) + "\n"
+def test_schema_is_formatted(accept: bool) -> None:
+    text = formatted(schema()) + "\n"
     if accept:
         SCHEMA.write_text(text, "utf-8", newline="\n")
     assert SCHEMA.read_text("utf-8") == text
@@ -130,7 +132,7 @@ def mutated(data: Any, random: random.Random) -> Any:
     elif slip == 1:
         holder[key + random.choice("xs_")] = holder.pop(key)
     elif slip == 2:
-        elsewhere = random.choice([one for one in holders if isinstance(one, dict)])
+        elsewhere = random.choice([holder for holder in holders if isinstance(holder, dict)])
         elsewhere[key] = copy.deepcopy(holder[key])
     else:
         holder[key] = other(holder[key], random)
@@ -146,19 +148,19 @@ def containers(data: Any) -> Iterator[Any]:
 
 
 def other(value: Any, random: random.Random) -> Any:
-    """A value that is like another one, or not at all."""
+    """A value similar to another one, or a completely different one."""
     unlike = [None, True, -1, 0, 70000, 2**64, 0.5, 1e300, "", "X y", "0..", "a" * 200, [], [1], {}, {"name": "a"}]
     like = {str: [f"{value} ", f"{value}"[:-1], f"0{value}"], int: [f"{value}", -1], list: [[], {}]}
     return copy.deepcopy(random.choice([*unlike, *like.get(type(value), [])]))
 
 
 def rust(data: object) -> set[tuple[str | int, ...]]:
-    """Where the library that the reader uses finds something."""
+    """The paths at which the library of the reader finds something."""
     return {tuple(error.instance_path) for error in jsonschema_rs.Draft202012Validator(schema()).iter_errors(data)}
 
 
 def python(validator: Validator, data: object) -> set[tuple[str | int, ...]]:
-    """Where the other library finds something."""
+    """The paths at which the other library finds something."""
     return {tuple(error.absolute_path) for error in validator.iter_errors(data)}
 
 
@@ -171,7 +173,7 @@ def test_two_libraries_find_nothing_in_a_spec_and_the_same_in_mutated_ones(path:
     refused = 0
     for _ in range(MUTATIONS):
         wrong = mutated(data, source)
-        found = rust(wrong)
-        assert found == python(validator, wrong)
-        refused += bool(found)
+        rejected = rust(wrong)
+        assert rejected == python(validator, wrong)
+        refused += bool(rejected)
     assert refused > MUTATIONS / 10

@@ -1,4 +1,4 @@
-"""Vectors hold the example frames as data that other codecs can use."""
+"""The vectors have the example frames as data for other codecs."""
 
 from __future__ import annotations
 
@@ -16,25 +16,25 @@ from pymodbus.pdu import DecodePDU
 from fieldspec.backends.vectors.backend import files
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.reference import CodecError, codec
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
 FORMAT = Path(__file__).parent.parent / "docs" / "vectors.md"
-VERSIONS = {name: versions for root in (SPECS, MADE_UP) for name, versions in layouts(root).items()}
+VERSIONS = {name: versions for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()}
 
 
 @cache
 def text(device: str) -> str:
-    (made,) = files(VERSIONS[device]).values()
-    return made
+    (output,) = files(VERSIONS[device]).values()
+    return output
 
 
 def document(device: str) -> dict[str, Any]:
-    held: dict[str, Any] = json.loads(text(device))
-    return held
+    vectors: dict[str, Any] = json.loads(text(device))
+    return vectors
 
 
-def laid_at(device: str, version: str) -> DeviceLayout:
-    return next(laid for laid in VERSIONS[device] if laid.device.version == version)
+def layout_at(device: str, version: str) -> DeviceLayout:
+    return next(layout for layout in VERSIONS[device] if layout.device.version == version)
 
 
 VECTORS = [
@@ -57,7 +57,7 @@ def as_json(raw: object) -> object:
 
 
 def decoder(framer: type[FramerRTU] | type[FramerAscii], direction: str, frame: bytes) -> Any:
-    """What another implementation of the protocol makes of a frame; it checks marks and check."""
+    """A frame as another implementation of the protocol decodes it; it verifies delimiters and checksum."""
     pdus = DecodePDU(direction == "request")
     length, station, _, data = framer(pdus).decode(frame)
     assert length == len(frame)
@@ -69,22 +69,22 @@ def decoder(framer: type[FramerRTU] | type[FramerAscii], direction: str, frame: 
 
 @pytest.mark.parametrize("device", VERSIONS)
 def test_the_file_is_readable_text(device: str) -> None:
-    made = text(device)
-    assert made.endswith("}\n")
-    assert "\\u" not in made
-    assert made == json.dumps(json.loads(made), ensure_ascii=False, indent=1) + "\n"
+    output = text(device)
+    assert output.endswith("}\n")
+    assert "\\u" not in output
+    assert output == json.dumps(json.loads(output), ensure_ascii=False, indent=1) + "\n"
 
 
 @pytest.mark.parametrize("device", VERSIONS)
 def test_the_file_names_the_identity_of_each_version(device: str) -> None:
-    assert document(device)["identities"] == {laid.device.version: laid.identity for laid in VERSIONS[device]}
+    assert document(device)["identities"] == {layout.device.version: layout.identity for layout in VERSIONS[device]}
 
 
 @pytest.mark.parametrize("device", VERSIONS)
 def test_every_example_of_every_version_is_there_once(device: str) -> None:
-    wanted = [(laid.device.version, name) for laid in VERSIONS[device] for name in laid.device.examples]
-    found = [(version, vector["id"]) for vector in document(device)["vectors"] for version in vector["versions"]]
-    assert sorted(found) == sorted(wanted)
+    wanted = [(layout.device.version, name) for layout in VERSIONS[device] for name in layout.device.examples]
+    listing = [(version, vector["id"]) for vector in document(device)["vectors"] for version in vector["versions"]]
+    assert sorted(listing) == sorted(wanted)
 
 
 def test_the_format_is_documented() -> None:
@@ -99,15 +99,15 @@ def test_the_format_is_documented() -> None:
 @pytest.mark.parametrize(("device", "vector"), TAKEN)
 def test_the_reference_decodes_the_right_bytes_to_the_values(device: str, vector: dict[str, Any]) -> None:
     for version in vector["versions"]:
-        link = codec(laid_at(device, version)).links[vector["link"]]
-        found = link.decode(bytes.fromhex(vector["right"]), vector["direction"], vector["message"] or "")
-        assert vector["values"] == as_json({**found.head, **found.values})
-        assert vector["error"] == found.error
+        link = codec(layout_at(device, version)).links[vector["link"]]
+        decoded = link.decode(bytes.fromhex(vector["right"]), vector["direction"], vector["message"] or "")
+        assert vector["values"] == as_json({**decoded.head, **decoded.values})
+        assert vector["error"] == decoded.error
 
 
 @pytest.mark.parametrize(("device", "vector"), [param for param in VECTORS if param.values[1]["refused"]])
 def test_the_reference_refuses_what_must_be_refused(device: str, vector: dict[str, Any]) -> None:
-    link = codec(laid_at(device, vector["versions"][-1])).links[vector["link"]]
+    link = codec(layout_at(device, vector["versions"][-1])).links[vector["link"]]
     with pytest.raises(CodecError) as caught:
         link.decode(bytes.fromhex(vector["right"]), vector["direction"], vector["message"] or "")
     assert (caught.value.reason, vector["values"]) == (vector["refused"], None)
@@ -151,8 +151,8 @@ def test_a_decoder_by_hand_reads_the_same_from_the_parameter_channel(device: str
         values |= dict(zip(("format", "value_count", "error_number"), struct.unpack(">BBH", rest), strict=True))
     elif rest:
         form, count = rest[:2]
-        held = list(struct.unpack(f">{count}{FORMATS[form]}", rest[2:]))
-        values |= {"format": form, "value_count": count, "values": held}
+        numbers = list(struct.unpack(f">{count}{FORMATS[form]}", rest[2:]))
+        values |= {"format": form, "value_count": count, "values": numbers}
     assert vector["values"] == values
 
 
@@ -165,7 +165,7 @@ CYCLIC = [
 def test_process_data_are_the_words_of_their_values_where_the_manual_prints_them(
     device: str, vector: dict[str, Any]
 ) -> None:
-    message = laid_at(device, vector["versions"][0]).device.messages[vector["message"]]
+    message = layout_at(device, vector["versions"][0]).device.messages[vector["message"]]
     fields = message.request.fields if vector["direction"] == "request" else message.response.fields
     words: dict[int, int] = {}
     for field in fields:
@@ -195,7 +195,7 @@ def test_the_verdict_says_whether_print_and_right_bytes_differ(device: str, vect
 
 @pytest.mark.parametrize(("device", "vector"), VECTORS)
 def test_characters_are_those_of_the_right_bytes(device: str, vector: dict[str, Any]) -> None:
-    link = laid_at(device, vector["versions"][0]).links[vector["link"]].link
+    link = layout_at(device, vector["versions"][0]).links[vector["link"]].link
     if link.encoding == "hex_ascii":
         assert vector["characters"].encode("ascii") == bytes.fromhex(vector["right"])
     else:
@@ -203,11 +203,11 @@ def test_characters_are_those_of_the_right_bytes(device: str, vector: dict[str, 
 
 
 def test_a_misprint_has_the_printed_bytes_beside_the_right_ones() -> None:
-    (vector,) = [one for one in document("esc11")["vectors"] if one["id"] == "excite-motor-request"]
+    (vector,) = [candidate for candidate in document("esc11")["vectors"] if candidate["id"] == "excite-motor-request"]
     assert (vector["printed"], vector["right"], vector["verdict"]) == ("0500310117", "0500310137", "misprint")
     assert vector["errata"] == ["excite-request-checksum"]
 
 
 def test_a_frame_that_the_manual_does_not_decide_is_open() -> None:
-    (vector,) = [one for one in document("esc11")["vectors"] if one["id"] == "reset-alarm-response"]
+    (vector,) = [candidate for candidate in document("esc11")["vectors"] if candidate["id"] == "reset-alarm-response"]
     assert vector["verdict"] == "open"

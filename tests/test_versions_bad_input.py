@@ -1,4 +1,4 @@
-"""What is wrong with versions is found at its place, with an exit code, and nothing is written."""
+"""Errors in versions are findings at their places, with an exit code, and nothing is written."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from fieldspec.cli import main
 HEAD = 'overlay: {id: "2.1", line: firmware, based_on: "2.0", inferred: A test.}\n'
 NEXT = 'overlay: {id: "2.2", line: firmware, based_on: "2.1", inferred: A test.}\n'
 
-# By what is wrong: the files of versions, then the code of the finding and where it is.
+# By error: the files of versions, then the code of the finding and its place.
 CASES: dict[str, tuple[dict[str, str], str, str]] = {
     "a cycle": (
         {"2.1": HEAD.replace('"2.0"', '"2.2"'), "2.2": NEXT},
@@ -137,7 +137,7 @@ def test_a_version_or_a_revision_that_does_not_exist_is_wrong_use(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert main([*words, "--specs", str(SPECS)]) == 2
-    said = capsys.readouterr()
-    assert said.out == ""
-    assert said.err.startswith("fieldspec: ")
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("fieldspec: ")
     assert list(tmp_path.iterdir()) == []

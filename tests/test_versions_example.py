@@ -1,4 +1,4 @@
-"""The page on versions tells the truth: its example is carried through on a copy of the specs."""
+"""The page on versions is true: its example is carried out on a copy of the specs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import pytest
 import yaml
 
-from tools_available import require_tool
+from external_tools import require_tool
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "versions.md"
@@ -24,30 +24,30 @@ EXAMPLE = TEXT.partition("\n## An example: ")[2].partition("\n## Identities\n")[
 
 CHANGING = re.compile(r":\d+:\d+|(?<=`)[0-9a-f]{16}(?=`)|^ *\d+(?= files,)|(?<=files, )\d+")
 Block = tuple[str, str, str]
-"""The last line of text above a block, what is in it, and the block."""
+"""The last line of text above a block, the language of the block, and the block."""
 
 
 def blocks(text: str) -> list[Block]:
-    found = re.findall(r"([^\n]+)\n\n```(\w+)\n(.*?)```", text, re.DOTALL)
-    return [(before, kind, held) for before, kind, held in found]
+    blocks = re.findall(r"([^\n]+)\n\n```(\w+)\n(.*?)```", text, re.DOTALL)
+    return [(before, kind, text) for before, kind, text in blocks]
 
 
 def runs(block: str) -> Iterator[tuple[str, str]]:
-    """Commands with what stands below them."""
+    """Commands with the output below them."""
     for part in block.split("$ fieldspec ")[1:]:
-        command, _, shown = part.partition("\n")
-        yield command, shown
+        command, _, output = part.partition("\n")
+        yield command, output
 
 
-class Ran(NamedTuple):
-    """What a command has left."""
+class RunResult(NamedTuple):
+    """The exit code and the output of a command."""
 
     code: int
     out: str
 
 
 class Project:
-    """A folder with the specs, in which the example is carried through."""
+    """A folder with the specs, in which the example is carried out."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -56,19 +56,19 @@ class Project:
         self.differing: list[tuple[str, str, str]] = []
         self.codes: list[tuple[str, int]] = []
 
-    def run(self, command: str) -> Ran:
+    def run(self, command: str) -> RunResult:
         words = [sys.executable, "-m", "fieldspec", *shlex.split(command)]
         done = subprocess.run(words, cwd=self.folder, capture_output=True, encoding="utf-8")
         assert done.stderr == ""
-        return Ran(done.returncode, done.stdout)
+        return RunResult(done.returncode, done.stdout)
 
     def follow(self, before: str, kind: str, block: str) -> None:
-        """Does what a block of the page says."""
+        """Carries out a block of the page."""
         path = re.match(r"`((?:specs|generated)/[\w./-]+)`", before)
         if kind == "yaml" and path:
             file = self.folder / path[1]
-            kept = file.read_text("utf-8") + "\n" if before.endswith("goes on") else ""
-            file.write_text(kept + block, "utf-8")
+            previous = file.read_text("utf-8") + "\n" if before.endswith("goes on") else ""
+            file.write_text(previous + block, "utf-8")
         elif kind == "markdown" and path:
             self.compare(before, block, (self.folder / path[1]).read_text("utf-8"))
         elif kind == "text":
@@ -77,32 +77,32 @@ class Project:
             right = file.read_text("utf-8") if file.exists() else ""
             if wrong:
                 file.write_text(re.sub(r"was: 1\.\.\d+", f"was: {wrong[1]}", right), "utf-8")
-            for command, shown in runs(block):
+            for command, output in runs(block):
                 done = self.run(command)
                 self.codes.append((command, done.code))
-                self.compare(command, shown, done.out)
+                self.compare(command, output, done.out)
             if wrong:
                 file.write_text(right, "utf-8")
 
-    def compare(self, what: str, shown: str, found: str) -> None:
+    def compare(self, what: str, output: str, expected: str) -> None:
         """What is shown must be there in the same order; a line of dots stands for what is left out.
 
         Lines, columns, identities and numbers of files may differ: they change with what the example is not about.
         """
         left_out = r"(?:.*\n)*?"
-        shown, found = (CHANGING.sub("#", text) for text in (shown, found))
-        pattern = "".join(left_out if line == "..." else re.escape(line) + r" *\n" for line in shown.splitlines())
-        if not re.fullmatch(pattern, found):
-            self.differing.append((what, shown, found))
+        output, expected = (CHANGING.sub("#", text) for text in (output, expected))
+        pattern = "".join(left_out if line == "..." else re.escape(line) + r" *\n" for line in output.splitlines())
+        if not re.fullmatch(pattern, expected):
+            self.differing.append((what, output, expected))
 
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """The folder when all of the example has been done."""
-    made = Project(tmp_path_factory.mktemp("versions"))
+    """The folder after the whole example."""
+    walkthrough = Project(tmp_path_factory.mktemp("versions"))
     for before, kind, block in blocks(EXAMPLE):
-        made.follow(before, kind, block)
-    return made
+        walkthrough.follow(before, kind, block)
+    return walkthrough
 
 
 def test_the_example_says_what_its_commands_print(project: Project) -> None:
@@ -130,7 +130,7 @@ def test_the_c_of_the_example_compiles(project: Project) -> None:
 
 
 @pytest.mark.parametrize(
-    "command", [line for _, kind, held in blocks(TEXT) if kind == "sh" for line in held.splitlines()]
+    "command", [line for _, kind, text in blocks(TEXT) if kind == "sh" for line in text.splitlines()]
 )
 def test_a_command_runs(command: str) -> None:
     words = [sys.executable, "-m", "fieldspec", *shlex.split(command)[1:]]
@@ -139,21 +139,21 @@ def test_a_command_runs(command: str) -> None:
     assert done.stdout.strip()
 
 
-def test_the_hooks_and_the_inputs_of_the_page_are_there() -> None:
-    held: list[Any] = [yaml.safe_load(block) for _, kind, block in blocks(TEXT) if kind == "yaml"]
-    (hooks,) = (one["repos"][0]["hooks"] for one in held if "repos" in one)
+def test_the_hooks_and_the_inputs_of_the_page_exist() -> None:
+    documents: list[Any] = [yaml.safe_load(block) for _, kind, block in blocks(TEXT) if kind == "yaml"]
+    (hooks,) = (block["repos"][0]["hooks"] for block in documents if "repos" in block)
     known = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text("utf-8"))
     assert [hook["id"] for hook in hooks] == [hook["id"] for hook in known]
     inputs = yaml.safe_load((ROOT / "action.yml").read_text("utf-8"))["inputs"]
-    (job,) = (one["jobs"]["specs"] for one in held if one and "jobs" in one)
+    (job,) = (block["jobs"]["specs"] for block in documents if block and "jobs" in block)
     assert {key for step in job["steps"] if step.get("uses") == "./" for key in step["with"]} <= set(inputs)
     assert re.findall(r"^\| `([\w-]+)` \|", TEXT, re.MULTILINE) == list(inputs)
 
 
-def test_no_block_of_the_page_is_passed_over() -> None:
+def test_no_block_of_the_page_is_skipped() -> None:
     assert 2 * len(blocks(TEXT)) == len(re.findall(r"^```", TEXT, re.MULTILINE))
 
 
-def test_every_file_that_the_page_links_to_is_there() -> None:
+def test_every_file_that_the_page_links_to_exists() -> None:
     for path in re.findall(r"\]\(([\w-]+\.md)", TEXT):
         assert (PAGE.parent / path).exists(), path

@@ -1,4 +1,4 @@
-"""Every version that the specs of the devices speak of, also those without outputs of their own."""
+"""Every version in the specs of the devices, also those without outputs of their own."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from fieldspec import checks
 from fieldspec.layout.device import device_layout
 from fieldspec.model.device import Device
 from fieldspec.reading.project import Project, read
-from laid_out import SPECS
+from layouts import SPECS
 
 
 @cache
@@ -19,8 +19,8 @@ def project() -> Project:
 
 
 def device_at(name: str, version: str) -> Device:
-    device, found = project().devices[name].at(version)
-    assert found == [], version
+    device, findings = project().devices[name].at(version)
+    assert findings == [], version
     return device
 
 
@@ -33,16 +33,16 @@ FIRMWARE = {
     ],
 }
 BESIDE = {"tc100": ["V1", "V2"], "hiwin-e": ["E1", "E2", *(f"manual-1.{edition}" for edition in range(8))]}
-"""What may be joined to a firmware: hardware, series, editions of the manual."""
+"""Versions that are combined with a firmware: hardware, series, editions of the manual."""
 
 LEFT_OUT = {"4.14.4+E1": ("parameter_numbers_ascending",)}
-"""What only the other series has leaves a hole in the numbers that the manual prints."""
+"""Facts of the other series alone leave gaps in the numbers that the manual prints."""
 
 ALL = [(name, version) for name, versions in FIRMWARE.items() for version in versions]
 JOINED = [(name, f"{FIRMWARE[name][-1]}+{other}") for name, others in BESIDE.items() for other in others]
 
 
-def test_all_versions_that_the_manuals_speak_of_are_there() -> None:
+def test_all_versions_in_the_manuals_are_present() -> None:
     for name, spec in project().devices.items():
         declared = set(spec.lines.place) or {"1"}
         assert declared == {*FIRMWARE[name], *BESIDE.get(name, ())}, name
@@ -50,11 +50,13 @@ def test_all_versions_that_the_manuals_speak_of_are_there() -> None:
 
 @pytest.mark.parametrize(("name", "version"), [*ALL, *JOINED])
 def test_a_version_passes_the_checks_whether_it_is_built_or_not(name: str, version: str) -> None:
-    found = [found for found in checks.run(device_at(name, version)) if found.code not in LEFT_OUT.get(version, ())]
-    assert [one.message for one in found] == []
+    findings = [
+        finding for finding in checks.run(device_at(name, version)) if finding.code not in LEFT_OUT.get(version, ())
+    ]
+    assert [finding.message for finding in findings] == []
 
 
-def test_versions_of_lines_that_are_not_built_are_on_the_wire_as_one_that_is() -> None:
+def test_versions_of_lines_that_are_not_built_have_the_wire_layout_of_a_built_one() -> None:
     spec = project().devices["hiwin-e"]
     built = {device_layout(device_at("hiwin-e", version)).identity for version in spec.versions()}
     others = [version for version in FIRMWARE["hiwin-e"] if version not in spec.versions()]
@@ -64,5 +66,5 @@ def test_versions_of_lines_that_are_not_built_are_on_the_wire_as_one_that_is() -
 
 @pytest.mark.parametrize(("name", "version"), ALL)
 def test_versions_that_are_built_differ_on_the_wire(name: str, version: str) -> None:
-    identities = [device_layout(device_at(name, one)).identity for one in project().devices[name].versions()]
+    identities = [device_layout(device_at(name, version)).identity for version in project().devices[name].versions()]
     assert len(set(identities)) == len(identities)

@@ -1,4 +1,4 @@
-"""The word map of a device, read from its CSV as anybody would read it, and values taken from words by its bits."""
+"""The word map of a device, read from its CSV as any user would, and values taken from words by its bits."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from functools import cache
 
 from fieldspec.backends.kv.backend import files
 from fieldspec.names import stem
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
 Row = dict[str, str]
 
-ROOTS = {name: root for root in (SPECS, MADE_UP) for name in layouts(root)}
+ROOTS = {name: root for root in (SPECS, TEST_SPECS) for name in layouts(root)}
 
 
 @cache
@@ -24,7 +24,7 @@ def texts(device: str) -> dict[str, str]:
 
 @cache
 def word_map(device: str, version: str) -> list[Row]:
-    """The rows of a version's map but for the one with the identity."""
+    """The rows of a version's map, except for the identity."""
     text = texts(device)[f"{stem(device, version)}_words.csv"]
     assert text.startswith("\ufeff")
     return list(csv.DictReader(io.StringIO(text[1:], newline=""), strict=True))[1:]
@@ -45,13 +45,13 @@ def number(row: Row, words: Sequence[int], element: int = 0) -> int:
         word, _, span = run.rpartition(":")
         high, _, low = span.partition("..")
         width = int(high) - int(low or high) + 1
-        held = words[base + int(word or 0)] >> int(low or high)
-        value = value << width | held & ((1 << width) - 1)
+        raw = words[base + int(word or 0)] >> int(low or high)
+        value = value << width | raw & ((1 << width) - 1)
     return value
 
 
 def signed(row: Row, words: Sequence[int], element: int = 0) -> int:
-    """The same, with the sign that the type of the row has."""
+    """The bits of a row as a number, signed if the type of the row is."""
     value = number(row, words, element)
     size = int(row["type"].lstrip("iu") or 0) if row["type"][:1] == "i" else 0
     return value - (1 << size) if size and value >> (size - 1) else value

@@ -14,7 +14,7 @@ def message() -> Any:
     from cantools.database.can import Signal
     from cantools.database.conversion import BaseConversion
 
-    plain = BaseConversion.factory(is_float=False)
+    conversion = BaseConversion.factory(is_float=False)
     sizes = {"i": (4, True), "I": (4, False), "H": (2, False)}
     signals, at, names = [], 0, iter(FIELDS)
     for count, letter in re.findall(r"(\d*)([xiIH])", STRUCT.format):
@@ -30,7 +30,7 @@ def message() -> Any:
                     8 * size,
                     byte_order="big_endian",
                     is_signed=signed,
-                    conversion=plain,
+                    conversion=conversion,
                 )
             )
             at += size

@@ -42,17 +42,17 @@ def load(data: bytes) -> Mapping:
                     return int(text, 16)
             return text
         if kind is MappingStartEvent:
-            made = Mapping()
-            made.lines = lines = {}
+            node_mapping = Mapping()
+            node_mapping.lines = lines = {}
             event = get()
             while event.__class__ is not MappingEndEvent:
                 key = event.value
-                if key in made:
+                if key in node_mapping:
                     sys.exit(f"{event.start_mark.line + 1}: the key {key} is there twice")
                 lines[key] = event.start_mark.line + 1
-                made[key] = node(get())
+                node_mapping[key] = node(get())
                 event = get()
-            return made
+            return node_mapping
         assert kind is SequenceStartEvent
         items = []
         event = get()
@@ -61,8 +61,8 @@ def load(data: bytes) -> Mapping:
             event = get()
         return items
 
-    made: Mapping = node(get())
-    return made
+    root: Mapping = node(get())
+    return root
 
 
 def checked(tree: Mapping) -> list[Mapping]:
@@ -100,8 +100,10 @@ def header(tree: Mapping, registers: list[Mapping]) -> str:
     """A C header: addresses, ranges, values and masks."""
     lines = ["#pragma once", "#include <stdint.h>", ""]
     for enum in tree["enums"]:
-        held = ", ".join(f"{enum['name'].upper()}_{one['name'].upper()} = {one['value']}" for one in enum["members"])
-        lines.append(f"enum {enum['name']} {{ {held} }};")
+        members = ", ".join(
+            f"{enum['name'].upper()}_{member['name'].upper()} = {member['value']}" for member in enum["members"]
+        )
+        lines.append(f"enum {enum['name']} {{ {members} }};")
     for word in tree["flags"]:
         lines += [f"#define {word['name'].upper()}_{b['name'].upper()} (1u << {b['bit']})" for b in word["bits"]]
     for row in registers:
@@ -126,10 +128,10 @@ def markdown(tree: Mapping, registers: list[Mapping]) -> str:
             f"| 0x{row['at']:04X} | `{row['name']}` | {label} | {row['type']} | {row.get('range', '')} | {unit} "
             f"| {row['source']} |"
         )
-    for held, key in ((tree["enums"], "members"), (tree["flags"], "bits")):
-        for one in held:
-            lines += ["", f"## {one['name']}", "", "| number | name |", "|---|---|"]
-            lines += [f"| {each.get('value', each.get('bit'))} | {each['name']} |" for each in one[key]]
+    for parts, key in ((tree["enums"], "members"), (tree["flags"], "bits")):
+        for part in parts:
+            lines += ["", f"## {part['name']}", "", "| number | name |", "|---|---|"]
+            lines += [f"| {each.get('value', each.get('bit'))} | {each['name']} |" for each in part[key]]
     return "\n".join(lines) + "\n"
 
 
@@ -138,10 +140,10 @@ def python(tree: Mapping, registers: list[Mapping]) -> str:
     lines = ["from enum import IntEnum, IntFlag", ""]
     for enum in tree["enums"]:
         lines += ["", f"class {enum['name'].title()}(IntEnum):"]
-        lines += [f"    {one['name'].upper()} = {one['value']}" for one in enum["members"]]
+        lines += [f"    {member['name'].upper()} = {member['value']}" for member in enum["members"]]
     for word in tree["flags"]:
         lines += ["", f"class {word['name'].title()}(IntFlag):"]
-        lines += [f"    {one['name'].upper()} = {1 << one['bit']}" for one in word["bits"]]
+        lines += [f"    {member['name'].upper()} = {1 << member['bit']}" for member in word["bits"]]
     lines += ["", "REGISTERS = {"]
     for row in registers:
         label = row["label"].replace("\\", "\\\\").replace('"', '\\"')
@@ -156,9 +158,9 @@ def main(specs: str, out: str) -> None:
         with open(os.path.join(specs, name, "device.yaml"), "rb") as source:
             tree = load(source.read())
         registers = checked(tree)
-        for ending, made in (("h", header), ("md", markdown), ("py", python)):
+        for ending, function in (("h", header), ("md", markdown), ("py", python)):
             with open(os.path.join(out, f"{name}.{ending}"), "w", encoding="utf-8") as file:
-                file.write(made(tree, registers))
+                file.write(function(tree, registers))
 
 
 if __name__ == "__main__":

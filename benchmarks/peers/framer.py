@@ -18,7 +18,7 @@ class Framer:
         """The requests that these bytes complete."""
         buffer = self.buffer
         buffer += data
-        found = []
+        frames = []
         at, size = 0, len(buffer)
         while size - at >= 8:
             function = buffer[at + 1]
@@ -37,10 +37,10 @@ class Framer:
                     break
                 frame = bytes(buffer[at : at + length])
                 if crc16(frame[:-2]) == frame[-2] | frame[-1] << 8:
-                    found.append(frame)
+                    frames.append(frame)
                     at += length
                     continue
             at += 1
             self.dropped += 1
         del buffer[:at]
-        return found
+        return frames

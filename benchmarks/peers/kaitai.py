@@ -11,15 +11,15 @@ TOOLS = Path(__file__).resolve().parent.parent / "tools"
 
 def reader(name: str) -> Any:
     """The class made of `<name>.ksy` beside this file; `from_bytes` reads."""
-    return _made(name)
+    return _compiled_class(name)
 
 
 def writer(name: str) -> Any:
     """The same with `--read-write`: `_read` reads; `_check` and `_write` write what the attributes hold."""
-    return _made(name, "--read-write")
+    return _compiled_class(name, "--read-write")
 
 
-def written(record: Any, size: int) -> bytes:
+def encoded_bytes(record: Any, size: int) -> bytes:
     """The bytes of an object of a class that writes, as the manual of Kaitai Struct says it."""
     from kaitaistruct import BytesIO, KaitaiStream
 
@@ -30,7 +30,7 @@ def written(record: Any, size: int) -> bytes:
     return data
 
 
-def _made(name: str, *options: str) -> Any:
+def _compiled_class(name: str, *options: str) -> Any:
     source = Path(__file__).with_name(f"{name}.ksy")
     command = ["node", str(TOOLS / "kaitai.js"), str(source), *options]
     text = subprocess.run(command, cwd=TOOLS, capture_output=True, text=True, check=True).stdout

@@ -67,10 +67,10 @@ class ReadRequest:
 
 def _position(following: int) -> tuple[int, ...]:
     """What each byte adds to the CRC, its bytes exchanged, of a frame in which so many bytes follow."""
-    shares = TABLE
+    places = TABLE
     for _ in range(following):
-        shares = [crc >> 8 ^ TABLE[crc & 255] for crc in shares]
-    return tuple((crc & 255) << 8 | crc >> 8 for crc in shares)
+        places = [crc >> 8 ^ TABLE[crc & 255] for crc in places]
+    return tuple((crc & 255) << 8 | crc >> 8 for crc in places)
 
 
 WHOLE = struct.Struct(">BBHHH")
@@ -98,7 +98,7 @@ class Addressed:
     message: Message
 
 
-def written(station: int, message: Message) -> bytes:
+def encoded_bytes(station: int, message: Message) -> bytes:
     """A frame in one `pack`, its CRC by a table for each place: nothing by hand was found to be faster."""
     start, count = message.start, message.count
     try:

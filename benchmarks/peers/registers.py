@@ -30,7 +30,7 @@ def devices(count: int) -> list[tuple[str, int]]:
 
 def spec(count: int) -> dict[str, str]:
     """The files of our specs by path."""
-    return {f"{name}/device.yaml": "".join(_device(name, held)) for name, held in devices(count)}
+    return {f"{name}/device.yaml": "".join(_device(name, number)) for name, number in devices(count)}
 
 
 def _device(name: str, count: int) -> list[str]:

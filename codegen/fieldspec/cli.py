@@ -1,6 +1,6 @@
-"""The command line. Arguments are parsed here; each verb is a module of `commands`, imported when it is called.
+"""The command line: parses the arguments and runs a verb. Each verb is a module of `commands`, imported when called.
 
-Exit codes: 0 fine, 1 findings, 2 wrong use or unreadable input.
+Exit codes: 0 success, 1 findings, 2 wrong use or unreadable input.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ FINE, FINDINGS, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
 
 
 def _help(prog: str) -> argparse.HelpFormatter:
-    """The form of help texts; argparse would import the whole of shutil to ask for the width."""
+    """The formatter of help texts. argparse by itself would import all of shutil to ask for the width."""
     try:
         width = int(os.environ.get("COLUMNS") or os.get_terminal_size().columns)
     except (ValueError, OSError):
@@ -36,24 +36,24 @@ def _help(prog: str) -> argparse.HelpFormatter:
 
 
 class _Parser(argparse.ArgumentParser):
-    """Says wrong use in one line, with where to read more."""
+    """Reports wrong use in one line that says where to read more."""
 
-    def __init__(self, **given: Any) -> None:
-        super().__init__(formatter_class=_help, **given)
+    def __init__(self, **options: Any) -> None:
+        super().__init__(formatter_class=_help, **options)
 
     def error(self, message: str) -> None:  # type: ignore[override]
         raise UsageError(f"{message}; see: {self.prog} --help")
 
 
 class _Word(argparse.Action):
-    """An option that bears a word of the device. It is kept for the verb, which knows the device."""
+    """An option named after a word of the device. The verb, which knows the device, judges it."""
 
     def __call__(self, parser: object, namespace: Any, values: Any, option: str | None = None) -> None:
         namespace.words = [*namespace.words, (option, values)]
 
 
 class _Suggested(tuple[str, ...]):
-    """What a shell offers for an option that takes other texts, too."""
+    """What a shell offers for an option that also takes other texts."""
 
     __slots__ = ()
 
@@ -61,40 +61,46 @@ class _Suggested(tuple[str, ...]):
         return True
 
 
-class _Targets:
-    """The models of memory by name. The verb itself says which ones there are."""
+class _Names:
+    """Names that are imported when they are listed. The verb itself refuses others."""
+
+    def __init__(self, module: str, attribute: str) -> None:
+        self._module, self._attribute = module, attribute
 
     def __contains__(self, text: object) -> bool:
         return True
 
     def __iter__(self) -> Iterator[str]:
-        return iter(import_module("fieldspec.plc.layout.memory").MEMORIES)
+        return iter(getattr(import_module(self._module), self._attribute))
 
 
 class _Verb(_Parser):
-    """The arguments of one verb; options may stand between the others. They wait until the verb is the one called.
+    """The arguments of one verb, in any order. They are added only when the verb is called.
 
-    Where the verb has a default for `words`, options that it does not know are kept there.
+    Where the verb has a default for `words`, unknown options are collected there.
     """
+
+    late_help: tuple[str, str] | None = None
+    """The module and function that write the end of the help, given the arguments; imported for help alone."""
 
     _mixing = False
 
-    def __init__(self, **given: Any) -> None:
+    def __init__(self, **options: Any) -> None:
         self._waiting: list[tuple[tuple[str, ...], dict[str, Any]]] | None = []
-        super().__init__(**given)
+        super().__init__(**options)
 
-    def add_argument(self, *names: str, **given: Any) -> None:  # type: ignore[override]
-        """Adds an argument, or notes it while they wait."""
+    def add_argument(self, *names: str, **options: Any) -> None:  # type: ignore[override]
+        """Adds an argument, or notes it until the verb is called."""
         if self._waiting is None:
-            super().add_argument(*names, **given)
+            super().add_argument(*names, **options)
         else:
-            self._waiting.append((names, given))
+            self._waiting.append((names, options))
 
     def settle(self) -> None:
-        """Adds the arguments that wait."""
+        """Adds the arguments that were noted."""
         waiting, self._waiting = self._waiting or [], None
-        for names, given in waiting:
-            self.add_argument(*names, **given)
+        for names, options in waiting:
+            self.add_argument(*names, **options)
 
     def _learn(self, arguments: Sequence[str]) -> None:
         for argument in arguments:
@@ -112,9 +118,9 @@ class _Verb(_Parser):
         self._mixing = True
         if self.get_default("words") is not None:
             self._learn(args)
-            if {"-h", "--help"} & {*args}:
-                told = import_module("fieldspec.commands.device_help").device_help(args)
-                self.epilog = told or self.epilog
+        if self.late_help and {"-h", "--help"} & {*args}:
+            module, function = self.late_help
+            self.epilog = getattr(import_module(module), function)(args) or self.epilog
         try:
             return self.parse_known_intermixed_args(args, namespace)
         finally:
@@ -131,164 +137,190 @@ def parser() -> argparse.ArgumentParser:
 
 
 def _parser() -> argparse.ArgumentParser:
-    """All verbs, with arguments that wait."""
+    """All verbs, without their arguments."""
     argparse._ = str  # type: ignore[attr-defined]  # help is English; gettext would look for other words of each text
-    top = _Parser(prog="fieldspec", description="Protocol specs to code: check, build, explain.")
+    top = _Parser(
+        prog="fieldspec",
+        description="Checks protocol specs, builds code and documentation from them, and explains frames.",
+    )
     top.add_argument("--version", action="version", version=f"fieldspec {__version__}")
     verbs = top.add_subparsers(dest="verb", metavar="VERB", required=True, parser_class=_Verb)
 
-    def verb(name: str, help: str, compiled: bool = False) -> argparse.ArgumentParser:
-        inner = verbs.add_parser(name, help=help, description=help[:1].upper() + help[1:] + ".")
-        inner.add_argument("--specs", metavar="DIR", help="the folder of the specs")
+    def verb(name: str, help: str, compiled: bool = False) -> _Verb:
+        inner: _Verb = verbs.add_parser(name, help=help, description=help[:1].upper() + help[1:] + ".")
+        inner.add_argument(
+            "--specs", metavar="DIR", help="the folder with the specs (default: specs, here or in a parent folder)"
+        )
         if compiled:
-            inner.add_argument(
-                "--no-cache", action="store_true", help="compile the device anew, and keep nothing of it"
-            )
+            inner.add_argument("--no-cache", action="store_true", help="compile the device again and cache nothing")
         return inner
 
-    build = verb("build", "write the outputs")
-    build.add_argument("devices", nargs="*", metavar="DEVICE[@VERSION]", help="left out: all devices")
-    build.add_argument("--to", metavar="NAME,...", help="the outputs to write; left out: all")
-    build.add_argument("--out", metavar="DIR", default="generated", help="the folder to write to (generated)")
-    build.add_argument("--check", action="store_true", help="write nothing; tell which files are not fresh")
-    build.add_argument(
-        "--no-cache", action="store_true", help="make all outputs anew, whatever is fresh, and note nothing of it"
-    )
-    build.add_argument("--watch", action="store_true", help="build again whenever a spec is saved, until interrupted")
+    build = verb("build", "generate code and documentation")
+    build.add_argument("devices", nargs="*", metavar="DEVICE[@VERSION]", help="default: all devices")
+    build.late_help = ("fieldspec.commands.plugin_loading", "outputs_help")
+    build.add_argument("--to", metavar="NAME,...", help="the outputs to write, separated by commas (default: all)")
+    build.add_argument("--out", metavar="DIR", default="generated", help="the folder to write to (default: generated)")
+    build.add_argument("--check", action="store_true", help="write nothing; list the files that are out of date")
+    build.add_argument("--no-cache", action="store_true", help="rebuild everything and cache nothing")
+    build.add_argument("--watch", action="store_true", help="rebuild whenever a spec is saved, until interrupted")
 
-    check = verb("check", "find what is wrong with the specs")
-    check.add_argument("devices", nargs="*", metavar="DEVICE", help="left out: all devices")
+    check = verb("check", "check the specs")
+    check.add_argument("devices", nargs="*", metavar="DEVICE", help="default: all devices")
     check.add_argument("--format", choices=("text", "json", "sarif", "github", "junit"), default="text")
 
-    show = verb("show", "show a device, or one item of it", compiled=True)
+    show = verb("show", "show a device or one of its items", compiled=True)
     show.add_argument("device", metavar="DEVICE[@VERSION]")
-    show.add_argument("item", nargs="?", metavar="ITEM", help="a name, a printed name, an address or a code")
+    show.add_argument(
+        "item", nargs="?", metavar="ITEM", help="a name, a name as printed in the manual, an address or a code"
+    )
 
-    placed = verb("layout", "tell where a controller has the members of a record in its memory", compiled=True)
+    placed = verb("layout", "show where a controller places the members of a record in memory", compiled=True)
     placed.add_argument("device", metavar="DEVICE[@VERSION]")
-    placed.add_argument("record", metavar="RECORD", help="a record, a table, or a message by name or number")
-    placed.add_argument("--target", required=True, choices=_Targets(), metavar="NAME", help="one of %(choices)s")
+    placed.add_argument("record", metavar="RECORD", help="a record, a table, or a message (by name or number)")
+    placed.add_argument(
+        "--target",
+        required=True,
+        choices=_Names("fieldspec.plc.layout.memory", "MEMORIES"),
+        metavar="NAME",
+        help="one of %(choices)s",
+    )
 
-    facts = verb("facts", "list every fact of a device", compiled=True)
+    facts = verb("facts", "list all facts of a device", compiled=True)
     facts.add_argument("device", metavar="DEVICE[@VERSION]")
     facts.add_argument("--format", choices=("csv", "json"), default="csv")
 
-    def sent(inner: argparse.ArgumentParser, direction: str, message: str) -> None:
+    def sent(inner: _Verb, direction: str, message: str) -> None:
         """The options that say how a frame is sent."""
         inner.set_defaults(words=[])
-        inner.add_argument("--link", help="the link that the frame is sent on")
+        inner.late_help = ("fieldspec.commands.frame_options", "device_help")
+        inner.add_argument("--link", help="the link on which the frame is sent")
         inner.add_argument("--direction", choices=_Suggested(("request", "response")), metavar="NAME", help=direction)
         inner.add_argument("--message", metavar="NAME", help=message)
         inner.epilog = (
-            "A message may have a number beside its name. Where a link has a word of its own for messages, --WORD NAME "
-            "is as --message NAME. With a device before it, --help tells which words there are."
+            "A message has a name or a number. Where a link has its own word for messages, --WORD NAME is the same "
+            "as --message NAME. Put the device before --help to see its words."
         )
 
-    way = "request, response, or what the link calls them"
-    decode = verb("decode", "explain a frame, or a log of frames, byte by byte", compiled=True)
+    way = "request, response, or the names that the link has for them"
+    decode = verb("decode", "explain a frame or a log of frames, byte by byte", compiled=True)
     decode.add_argument("device", metavar="DEVICE[@VERSION]")
-    frames = "the bytes; - or nothing: lines of standard input"
+    frames = "the bytes in hexadecimal (default, or -: lines of standard input)"
     decode.add_argument("frame", nargs="*", default=[], metavar="HEX|-", help=frames)
-    sent(decode, way, "the message by name or number, where the frame does not say it")
-    decode.add_argument("--request", metavar="HEX", help="the request that a response answers")
+    sent(decode, way, "the message, if the frame does not identify it")
+    decode.add_argument("--request", metavar="HEX", help="the request that the response answers")
     decode.add_argument("--format", choices=("text", "json"), default="text")
 
-    encode = verb("encode", "write the frame of a message", compiled=True)
+    encode = verb("encode", "encode the frame of a message", compiled=True)
     encode.add_argument("device", metavar="DEVICE[@VERSION]")
-    encode.add_argument("given", nargs="*", metavar="MESSAGE NAME=VALUE", help="counts, 20.00mm, names of members")
-    sent(encode, f"{way}; left out: request", "the message by name or number, instead of MESSAGE")
+    encode.add_argument(
+        "assignments",
+        nargs="*",
+        metavar="MESSAGE NAME=VALUE",
+        help="raw values, quantities such as 20.00mm, or names of enum members",
+    )
+    sent(encode, f"{way} (default: request)", "the message, instead of MESSAGE")
     encode.add_argument("--format", choices=("text", "hex", "json"), default="text")
 
     forms = ("csv", "xlsx", "json")
-    export = verb("export", "write the registers and parameters of a device as a list", compiled=True)
+    export = verb("export", "export the registers and parameters of a device as a list", compiled=True)
     export.add_argument("device", metavar="DEVICE[@VERSION]")
     export.add_argument("--to", choices=forms, default="csv")
-    export.add_argument("--out", metavar="FILE", help="the file to write; left out: the output")
+    export.add_argument("--out", metavar="FILE", help="the file to write (default: standard output)")
 
-    def listed(inner: argparse.ArgumentParser) -> None:
+    def list_options(inner: argparse.ArgumentParser) -> None:
         """The options that say how a list is read."""
-        inner.add_argument("--encoding", metavar="NAME", help="how the text is encoded, such as gbk, big5 or utf-16")
-        inner.add_argument("--sheet", metavar="NAME", help="the sheet of a workbook; left out: the first with cells")
-        where = "a heading, a letter or a number; left out: guessed from the headings"
-        inner.add_argument("--address", metavar="COLUMN", help=f"the column of the addresses: {where}")
+        inner.add_argument("--encoding", metavar="NAME", help="the encoding of the text, such as gbk, big5 or utf-16")
+        inner.add_argument(
+            "--sheet", metavar="NAME", help="the sheet of a workbook (default: the first that is not empty)"
+        )
+        where = "a heading, a letter or a number (default: guessed from the headings)"
+        inner.add_argument("--address", metavar="COLUMN", help=f"the column with the addresses: {where}")
         for role in ("name", "words", "type", "access", "space"):
-            inner.add_argument(f"--{role}", metavar="COLUMN", help="likewise")
-        bases = "how addresses are written; 4xxxx: 40001 is address 0"
+            inner.add_argument(f"--{role}", metavar="COLUMN", help=f"the column with the {role}")
+        bases = "the notation of addresses; 4xxxx: 40001 is address 0"
         inner.add_argument("--base", choices=("hex", "decimal", "4xxxx"), help=bases)
-        higher = "what the list's addresses are higher by than on the wire: 1 where they count from 1"
+        higher = "the difference between addresses in the list and on the wire: 1 if the list counts from 1"
         inner.add_argument("--offset", type=int, metavar="NUMBER", help=higher)
 
-    compare = verb("compare", "compare a device with a register list that someone else has made", compiled=True)
+    compare = verb("compare", "compare a device with a register list from another source", compiled=True)
     compare.add_argument("device", metavar="DEVICE[@VERSION]")
-    kinds = "CSV, XLSX, JSON, or a table with tabs or bars; -: standard input"
+    kinds = "CSV, XLSX, JSON, or a table separated by tabs or bars (-: standard input)"
     compare.add_argument("file", metavar="FILE", help=kinds)
-    listed(compare)
-    compare.add_argument("--ignore", metavar="WHAT,...", help="what is not compared, such as name or unit")
+    list_options(compare)
+    compare.add_argument("--ignore", metavar="WHAT,...", help="what not to compare, such as name or unit")
     compare.add_argument("--format", choices=("text", "json", "csv"), default="text")
 
-    into = verb("import", "write the first file of a device from a register list, with nothing verified")
+    into = verb("import", "write a first spec of a device from a register list, marked as unverified")
     into.add_argument("file", metavar="FILE", help=kinds)
-    written = "the file to write, DEVICE/device.yaml; -: the output"
-    into.add_argument("--to", metavar="YAML", required=True, help=written)
-    listed(into)
+    target = "the file to write, DEVICE/device.yaml (-: standard output)"
+    into.add_argument("--to", metavar="YAML", required=True, help=target)
+    list_options(into)
     into.set_defaults(verb="importing")
 
-    audit = verb("audit", "tell what shows that the spec of a device is right, and what does not")
+    audit = verb("audit", "report the evidence that the spec of a device is right, and where it is missing")
     audit.add_argument("device", metavar="DEVICE[@VERSION]")
-    audit.add_argument("--manual", metavar="FILE", help="the text of the manual; left out: its recorded index")
+    audit.add_argument("--manual", metavar="FILE", help="the text of the manual (default: its recorded index)")
     audit.add_argument("--record", action="store_true", help="write the index of that text beside the spec")
-    audit.add_argument("--all", action="store_true", help="the long tables too")
+    audit.add_argument("--all", action="store_true", help="include the long tables")
     audit.add_argument(
-        "--as-printed", action="store_true", help="what the checks find in the print, as if no erratum were written"
+        "--as-printed", action="store_true", help="show what the checks would find if the spec had no errata"
     )
-    audit.add_argument("--table", metavar="NAME", help="one table alone, such as ledger; csv and xlsx hold one")
+    audit.add_argument(
+        "--table", metavar="NAME", help="print only this table, such as ledger; required for csv and xlsx"
+    )
     audit.add_argument("--format", choices=("text", "json", "html", "sarif", "csv", "xlsx"), default="text")
-    audit.add_argument("--out", metavar="FILE", help="the file for the page or the table; left out: the output")
-    audit.add_argument("--dump", metavar="FILE", help="judge what was read from a device: CSV, XLSX or JSON; -: input")
+    audit.add_argument("--out", metavar="FILE", help="the file for the page or the table (default: standard output)")
+    audit.add_argument(
+        "--dump", metavar="FILE", help="judge values read from a device: CSV, XLSX or JSON (-: standard input)"
+    )
     for role in ("address", "value", "words", "space"):
-        audit.add_argument(f"--{role}", metavar="COLUMN", help=f"the column of its {role}, where it is not found")
-    audit.add_argument("--base", choices=("hex", "decimal", "4xxxx"), help="how the dump's addresses are written")
-    audit.add_argument("--offset", type=int, metavar="NUMBER", help="by how much they are higher than on the wire")
-    audit.add_argument("--encoding", metavar="NAME", help="how the dump is encoded, such as gbk, big5 or utf-16")
-    audit.add_argument("--sheet", metavar="NAME", help="the sheet of a dump that is a workbook")
-    signs = "record that a section of the manual was compared with the spec; `all` for every one"
+        audit.add_argument(
+            f"--{role}", metavar="COLUMN", help=f"the column of the dump with the {role}, if it is not recognized"
+        )
+    audit.add_argument("--base", choices=("hex", "decimal", "4xxxx"), help="the notation of addresses in the dump")
+    audit.add_argument(
+        "--offset", type=int, metavar="NUMBER", help="the difference between addresses in the dump and on the wire"
+    )
+    audit.add_argument("--encoding", metavar="NAME", help="the encoding of the dump, such as gbk, big5 or utf-16")
+    audit.add_argument("--sheet", metavar="NAME", help="the sheet, if the dump is a workbook")
+    signs = "record that a section of the manual was compared with the spec (`all`: every section)"
     audit.add_argument("--sign", metavar="SECTION", help=signs)
-    audit.add_argument("--by", metavar="NAME", help="who compared it, for --sign: a name or a role")
-    audit.add_argument("--on", metavar="DATE", help="when, for --sign; left out: today")
-    audit.add_argument("--how", metavar="TEXT", help="how, for --sign")
+    audit.add_argument("--by", metavar="NAME", help="with --sign: who compared it, a name or a role")
+    audit.add_argument("--on", metavar="DATE", help="with --sign: when (default: today)")
+    audit.add_argument("--how", metavar="TEXT", help="with --sign: how")
 
-    versions = verb("versions", "list the versions of a device, and what depends on them")
+    versions = verb("versions", "list the versions of a device and what depends on them")
     versions.add_argument("device", metavar="DEVICE[@VERSION]")
 
-    resolve = verb("resolve", "print the whole spec of a version, with the place of each value")
+    resolve = verb("resolve", "print the complete spec of a version, with the place of each value")
     resolve.add_argument("device", metavar="DEVICE[@VERSION]")
 
-    blame = verb("blame", "tell which file and line set each attribute of a fact")
+    blame = verb("blame", "show which file and line set each attribute of a fact")
     blame.add_argument("device", metavar="DEVICE[@VERSION]")
     blame.add_argument("path", metavar="PATH", help="the path of the fact, such as registers/NAME")
 
-    new = verb("new", "write the first file of a device, or the file of a version")
+    new = verb("new", "create the first file of a device or the file of a version")
     new.add_argument("kind", choices=("device", "version"))
     new.add_argument("name", metavar="DEVICE")
-    new.add_argument("version", nargs="?", metavar="VERSION", help="the version, for a new version")
-    new.add_argument("--based-on", metavar="VERSION", help="what the version changes; left out: the newest one")
-    new.add_argument("--line", help="the line of the version; left out: that of the one it is based on")
-    new.add_argument("--protocol", help="a protocol of the specs, or packet, or telegram, for a new device")
+    new.add_argument("version", nargs="?", metavar="VERSION", help="the version to create")
+    new.add_argument("--based-on", metavar="VERSION", help="the version that it changes (default: the newest)")
+    new.add_argument("--line", help="the line of the version (default: the line of the version it is based on)")
+    new.add_argument("--protocol", help="the protocol of a new device, or packet or telegram for one without")
 
-    matrix = verb("matrix", "list facts by versions")
+    matrix = verb("matrix", "compare the facts of all versions")
     matrix.add_argument("device", metavar="DEVICE")
-    matrix.add_argument("--all", action="store_true", help="facts that are the same in all versions too")
+    matrix.add_argument("--all", action="store_true", help="include facts that are the same in all versions")
     matrix.add_argument("--format", choices=("text", "csv", "html"), default="text")
 
-    rule = verbs.add_parser("rule", help="explain a rule that a check follows")
-    rule.add_argument("code", nargs="?", metavar="CODE", help="left out: list all rules")
+    rule = verbs.add_parser("rule", help="explain a rule")
+    rule.add_argument("code", nargs="?", metavar="CODE", help="default: list all rules")
 
-    diff = verb("diff", "tell what differs between two versions, and whom it hurts")
+    diff = verb("diff", "list the differences between two versions and whom they affect")
     side = "DEVICE@VERSION, a folder of specs, or a git revision such as HEAD~3 or main:specs"
     diff.add_argument("old", metavar="A", help=side)
-    diff.add_argument("new", metavar="B", help="likewise")
+    diff.add_argument("new", metavar="B", help="the same")
     diff.add_argument("--format", choices=("text", "json", "markdown", "html", "sarif", "github"), default="text")
-    fails = "exit with 1 where there is such a change; breaking ones are those of classes wire and source"
+    fails = "exit with 1 if there is such a change; breaking are the classes wire and source"
     diff.add_argument("--fail-on", choices=("breaking", "behaviour", "any"), help=fails)
 
     verb("devices", "list the devices and their versions")
@@ -302,7 +334,7 @@ def _parser() -> argparse.ArgumentParser:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs one verb and returns its exit code."""
     collecting = gc.isenabled()
-    gc.disable()  # a run is short, and the trees it keeps are never garbage
+    gc.disable()  # a run is short, and its trees are never garbage
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(encoding="utf-8", errors="replace", newline="\n")
@@ -324,7 +356,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def command() -> NoReturn:
-    """What a shell calls. The process ends at once: to take the objects of a run apart takes longer than a verb."""
+    """What a shell calls. Ends the process at once: freeing the objects of a run would take longer than a verb."""
     code = main()
     for stream in (sys.stdout, sys.stderr):
         if stream is not None:
@@ -336,11 +368,11 @@ def command() -> NoReturn:
 
 
 def _unwritten(error: OSError) -> int:
-    """What to do when the output cannot be written."""
-    # Nothing more may be written, not even what is left when Python shuts down.
+    """The exit code after an output that could not be written; says so where somebody can still read it."""
+    # Nothing more may be written, not even by Python when it shuts down.
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     if isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL):
-        return FINE  # whoever read the output has seen enough
+        return FINE  # the reader has seen enough, as `head` has
     print(f"fieldspec: cannot write the output: {error.strerror}", file=sys.stderr)
     return WRONG_USE
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
-from fieldspec.backends import OUTPUTS, Files
+from fieldspec.backends import OUTPUTS, Files, PageLink
 from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.layout.device import DeviceLayout, device_layout
@@ -64,9 +64,9 @@ def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(
     return contents
 
 
-def output(name: str, versions: list[DeviceLayout]) -> dict[str, bytes]:
-    """The files of one output of one device, by path."""
-    return _contents(name, OUTPUTS[name].files(versions))
+def output(name: str, versions: list[DeviceLayout], links: Sequence[PageLink] = ()) -> dict[str, bytes]:
+    """The files of one output of one device, by path. The index of the documentation also has the `links`."""
+    return _contents(name, OUTPUTS[name].files(versions, links))
 
 
 def shared(name: str) -> dict[str, bytes]:

@@ -10,6 +10,7 @@ from fieldspec.audit.rules import RULES as OF_AUDITS
 from fieldspec.changes import RULES as OF_CHANGES
 from fieldspec.checks import CHECKS
 from fieldspec.checks.allowances_used import allowances_used
+from fieldspec.checks.table import INSTALLED
 from fieldspec.classes import dataclass, replace
 from fieldspec.plc.rules import RULES as OF_CONTROLLERS
 from fieldspec.proofs.rules import RULES as OF_PROOFS
@@ -82,9 +83,19 @@ def change_rules() -> tuple[Rule, ...]:
     )
 
 
+def installed_rules() -> tuple[Rule, ...]:
+    """The rules of the checks of installed packages that are loaded, by code."""
+    return tuple(check_rule(code, check) for code, check in sorted(INSTALLED.items()))
+
+
+def check_rule(code: str, check: object) -> Rule:
+    """The rule of a check. Raises ValueError where its documentation has not the four parts."""
+    return _parsed(code, "checks", _text(check))
+
+
 def rule(code: str) -> Rule | None:
     """The rule with a code."""
-    return next((rule for rule in (*_rules(), *change_rules()) if rule.code == code), None)
+    return next((rule for rule in (*_rules(), *installed_rules(), *change_rules()) if rule.code == code), None)
 
 
 def page() -> str:
@@ -116,7 +127,7 @@ def _rules() -> Iterator[Rule]:
     for code, text in OF_READING.items():
         yield _parsed(code, "reading", text)
     for code, check in (*CHECKS, ("allowances_used", allowances_used)):
-        yield _parsed(code, "checks", _text(check))
+        yield check_rule(code, check)
     for code, text in OF_PROOFS.items():
         yield _parsed(code, "proofs", text)
     for code, text in OF_CONTROLLERS.items():

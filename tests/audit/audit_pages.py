@@ -6,32 +6,33 @@ from functools import cache
 from pathlib import Path
 
 from fieldspec.audit.manual_lines import NAME, parsed
+from fieldspec.backends.docs.backend import fact_links
 from fieldspec.pipeline import output
 from fieldspec.reading.project import DeviceSpec, read
-from fieldspec.render.audit_pages import pages
-from laid_out import MADE_UP, SPECS, laid_at
+from fieldspec.render.audit_pages import LINK, pages
+from layouts import SPECS, TEST_SPECS, layout_at
 
 
 @cache
 def projects() -> dict[str, tuple[Path, DeviceSpec]]:
     """All devices by id, with the folder of specs in which each is."""
-    found = {}
-    for root in (SPECS, MADE_UP):
+    specs = {}
+    for root in (SPECS, TEST_SPECS):
         files = {path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(root.rglob("*.yaml"))}
-        found |= {name: (root, spec) for name, spec in read(files, folder="specs").devices.items()}
-    return found
+        specs |= {name: (root, spec) for name, spec in read(files, folder="specs").devices.items()}
+    return specs
 
 
 @cache
 def files(device: str) -> dict[str, str]:
     """What an audit adds to the documentation of a device, and that documentation, by path."""
     root, spec = projects()[device]
-    layouts = [laid_at(spec, version) for version in spec.versions()]
+    layouts = [layout_at(spec, version) for version in spec.versions()]
     path = root / device / NAME
     index = parsed(f"specs/{device}/{NAME}", path.read_text("utf-8")) if path.exists() else None
-    documentation = output("docs", layouts)
-    made = {**documentation, **pages(spec, layouts, index, documentation)}
-    return {name: content.decode("utf-8") for name, content in made.items()}
+    documentation = output("docs", layouts, (LINK,))
+    outputs = {**documentation, **pages(spec, layouts, index, fact_links(layouts[-1], documentation))}
+    return {name: content.decode("utf-8") for name, content in outputs.items()}
 
 
 def page(device: str) -> str:

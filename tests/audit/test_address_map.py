@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.audit.address_map import STATES, Space, spaces
+from fieldspec.audit.address_map import STATES, Space, spaces_of
 from fieldspec.audit.addresses import poll_rows
-from fieldspec.audit.poll_blocks import CLEARED, TOO_LONG, UNSAID, WRITE_ONLY, Polling, polling
-from laid_out import SPECS, all_layouts, laid_at, newest
-from reading import gadget
+from fieldspec.audit.poll_blocks import ACCESS_UNKNOWN, CLEARED, TOO_LONG, WRITE_ONLY, Polling, polling_of
+from layouts import SPECS, all_layouts, layout_at, newest
+from spec_files import gadget
 
 MESSAGES = """
 messages:
@@ -40,27 +40,27 @@ def row(at: int, name: str, more: str = "") -> str:
 
 
 def space(text: str, name: str = "registers") -> Space:
-    found = {one.name: one for one in spaces(laid_at(gadget(text), "1"))}
-    return found[name]
+    spaces = {space.name: space for space in spaces_of(layout_at(gadget(text), "1"))}
+    return spaces[name]
 
 
 def polled(rows: str, most: int = 10, more: str = "") -> Polling:
     text = registers(rows, more) + LINK + MESSAGES % (most, most)
-    return polling(laid_at(gadget(text), "1"))
+    return polling_of(layout_at(gadget(text), "1"))
 
 
-def blocks(made: Polling) -> list[tuple[int, int]]:
-    return [(block.start, block.words) for block in made.blocks]
+def blocks(polling: Polling) -> list[tuple[int, int]]:
+    return [(block.start, block.words) for block in polling.blocks]
 
 
-def states(held: Space) -> list[tuple[int, int, str]]:
-    return [(run.first, run.last, run.state) for block in held.blocks for run in block.runs]
+def states(space_map: Space) -> list[tuple[int, int, str]]:
+    return [(run.first, run.last, run.state) for block in space_map.blocks for run in block.runs]
 
 
 def test_used_reserved_and_both_kinds_of_gaps_are_told_apart() -> None:
     rows = row(0, "a") + row(1, "b", "type: u32") + row(3, "spare", "reserved: true") + row(6, "c") + row(9, "d")
-    held = space(registers(rows, "    gaps: [{at: 4..5, reason: The table skips them.}]\n"))
-    assert states(held) == [
+    space_map = space(registers(rows, "    gaps: [{at: 4..5, reason: The table skips them.}]\n"))
+    assert states(space_map) == [
         (0, 0, "used"),
         (1, 2, "used"),
         (3, 3, "reserved"),
@@ -69,16 +69,16 @@ def test_used_reserved_and_both_kinds_of_gaps_are_told_apart() -> None:
         (7, 8, "undeclared_gap"),
         (9, 9, "used"),
     ]
-    assert held.blocks[0].runs[3].reason == "The table skips them."
-    assert held.count("used") == 5
+    assert space_map.blocks[0].runs[3].reason == "The table skips them."
+    assert space_map.count("used") == 5
 
 
 def test_an_address_that_two_registers_hold_is_an_overlap_with_the_reason() -> None:
     allowed = "allow: {addresses_disjoint: One is the low word of the other.}"
-    held = space(registers(row(0, "wide", f"type: u32, {allowed}") + row(1, "low")))
-    (overlap,) = [run for run in held.blocks[0].runs if run.state == "overlap"]
+    space_map = space(registers(row(0, "wide", f"type: u32, {allowed}") + row(1, "low")))
+    (overlap,) = [run for run in space_map.blocks[0].runs if run.state == "overlap"]
     assert (overlap.first, overlap.last, overlap.reason) == (1, 1, "One is the low word of the other.")
-    assert [holder.name for holder in overlap.holders] == ["wide", "low"]
+    assert [occupant.name for occupant in overlap.occupants] == ["wide", "low"]
 
 
 def test_a_register_of_another_group_is_no_gap_and_is_counted_once() -> None:
@@ -87,22 +87,22 @@ def test_a_register_of_another_group_is_no_gap_and_is_counted_once() -> None:
         + "  - group: other\n    section: '1'\n    rows:\n"
         + row(1, "b", "type: u16")
     )
-    held = space(text)
-    assert [run.is_device_specific for run in held.blocks[0].runs] == [True, False, True]
-    assert held.count("used") == 3
+    space_map = space(text)
+    assert [run.is_own for run in space_map.blocks[0].runs] == [True, False, True]
+    assert space_map.count("used") == 3
 
 
 def test_values_at_two_addresses_are_aliases() -> None:
-    held = space(registers(row(0, "a") + row(1, "b", "same_as: a")))
-    assert [(alias.address, alias.of_address, alias.copied) for alias in held.aliases] == [(1, 0, False)]
+    space_map = space(registers(row(0, "a") + row(1, "b", "same_as: a")))
+    assert [(alias.address, alias.of_address, alias.copied) for alias in space_map.aliases] == [(1, 0, False)]
 
 
 def test_what_lies_between_the_elements_of_a_table_is_left_out_but_not_behind_the_last() -> None:
     fields = "[{name: x, type: u32}, {name: s, type: u16, reserved: true}]"
     record = f"records: [{{name: point, section: '1', source: L1, fields: {fields}}}]\n"
     tables = "tables: [{name: points, section: '1', source: L2, base: 16, stride: 8, count: 3, record: point}]\n"
-    held = space(record + tables)
-    (block,) = held.blocks
+    space_map = space(record + tables)
+    (block,) = space_map.blocks
     assert (block.first, block.last, block.count("used"), block.count("reserved")) == (16, 34, 6, 3)
     assert block.count("declared_gap") == 10
 
@@ -112,7 +112,8 @@ def test_bytes_that_share_a_word_are_one_holder() -> None:
         "records: [{name: pair, section: '1', source: L1, fields: [{name: low, type: u8}, {name: high, type: u8}]}]\n"
     )
     tables = "tables: [{name: pairs, section: '1', source: L2, base: 0, stride: 1, count: 2, record: pair}]\n"
-    assert [holder.name for run in space(record + tables).blocks[0].runs for holder in run.holders] == ["low, high"]
+    runs = space(record + tables).blocks[0].runs
+    assert [occupant.name for run in runs for occupant in run.occupants] == ["low, high"]
 
 
 def test_a_set_that_names_all_of_its_numbers_has_numbers_that_are_described_elsewhere() -> None:
@@ -127,19 +128,19 @@ parameters:
     ]
 
 
-@pytest.mark.parametrize("laid", all_layouts(), ids=lambda laid: f"{laid.device.id}@{laid.device.version}")
-def test_the_runs_of_a_block_follow_one_another_without_a_hole(laid) -> None:  # type: ignore[no-untyped-def]
-    for held in spaces(laid):
-        for block in held.blocks:
+@pytest.mark.parametrize("layout", all_layouts(), ids=lambda layout: f"{layout.device.id}@{layout.device.version}")
+def test_the_runs_of_a_block_follow_one_another_without_a_hole(layout) -> None:  # type: ignore[no-untyped-def]
+    for space_map in spaces_of(layout):
+        for block in space_map.blocks:
             for before, behind in zip(block.runs, block.runs[1:], strict=False):
                 assert behind.first == before.last + 1
             assert {run.state for run in block.runs} <= STATES.keys()
 
 
 def test_a_request_reads_up_to_the_limit_and_divides_no_value() -> None:
-    made = polled(row(0, "a", "count: 9") + row(9, "wide", "type: u32") + row(11, "b"))
-    assert blocks(made) == [(0, 9), (9, 3)]
-    limit = made.limit("")
+    polling = polled(row(0, "a", "count: 9") + row(9, "wide", "type: u32") + row(11, "b"))
+    assert blocks(polling) == [(0, 9), (9, 3)]
+    limit = polling.limit("")
     assert limit is not None
     assert limit.words == 10
 
@@ -158,15 +159,15 @@ def test_a_request_ends_at_a_hole() -> None:
 )
 def test_a_request_does_not_touch_what_must_not_be_read(more: str, reason: str) -> None:
     words = 20 if "bytes" in more else 1
-    made = polled(row(0, "a") + row(1, "b", more) + row(1 + words, "c"))
-    assert blocks(made) == [(0, 1), (1 + words, 1)]
-    assert [(unit.name, unit.refused) for unit in made.left_out] == [("b", reason)]
+    polling = polled(row(0, "a") + row(1, "b", more) + row(1 + words, "c"))
+    assert blocks(polling) == [(0, 1), (1 + words, 1)]
+    assert [(unit.name, unit.refused) for unit in polling.left_out] == [("b", reason)]
 
 
 def test_a_register_of_which_nothing_says_that_it_can_be_read_is_left_out() -> None:
     text = "registers: [{group: all, section: '1', rows: [{at: 0, name: a, type: u16, source: L1}]}]\n" + LINK
-    made = polling(laid_at(gadget(text + MESSAGES % (10, 10)), "1"))
-    assert [unit.refused for unit in made.left_out] == [UNSAID]
+    polling = polling_of(layout_at(gadget(text + MESSAGES % (10, 10)), "1"))
+    assert [unit.refused for unit in polling.left_out] == [ACCESS_UNKNOWN]
 
 
 def test_reserved_words_are_read_between_values_and_not_at_the_ends() -> None:
@@ -178,33 +179,37 @@ def test_reserved_words_are_read_between_values_and_not_at_the_ends() -> None:
 
 def test_the_least_of_what_bounds_a_request_is_the_limit() -> None:
     text = registers(row(0, "a")) + LINK + MESSAGES % (10, 4)
-    made = polling(laid_at(gadget(text), "1"))
-    assert [(limit.words, limit.from_manual) for limit in made.limits] == [(4, True)]
+    polling = polling_of(layout_at(gadget(text), "1"))
+    assert [(limit.words, limit.from_manual) for limit in polling.limits] == [(4, True)]
 
 
 def test_a_limit_of_the_protocol_is_told_from_one_of_the_manual() -> None:
-    assert [(one.words, one.from_manual) for one in polling(newest(SPECS, "ck10")).limits] == [(125, False)]
-    (own,) = polling(newest(SPECS, "tc100")).limits
+    assert [(read_limit.words, read_limit.from_manual) for read_limit in polling_of(newest(SPECS, "ck10")).limits] == [
+        (125, False)
+    ]
+    (own,) = polling_of(newest(SPECS, "tc100")).limits
     assert (own.words, own.from_manual, [source.text() for source in own.sources]) == (60, True, ["8.5 L2026-2027"])
 
 
 @pytest.mark.parametrize("device", ["tc100", "ck10"])
 def test_the_poll_blocks_of_a_device_hold_every_readable_value_once(device: str) -> None:
-    laid = newest(SPECS, device)
-    made = polling(laid)
-    names = [name for block in made.blocks for name in block.names]
+    layout = newest(SPECS, device)
+    polling = polling_of(layout)
+    names = [name for block in polling.blocks for name in block.names]
     assert len(names) == len(set(names))
-    left_out = {unit.name for unit in made.left_out}
-    assert {register.name for register in laid.device.registers() if register.count == 1 and not register.reserved} <= {
+    left_out = {unit.name for unit in polling.left_out}
+    assert {
+        register.name for register in layout.device.registers() if register.count == 1 and not register.reserved
+    } <= {
         *names,
         *left_out,
     }
-    limit = made.limit("")
+    limit = polling.limit("")
     assert limit is not None
-    assert all(block.words <= (limit.words or 0) for block in made.blocks)
+    assert all(block.words <= (limit.words or 0) for block in polling.blocks)
 
 
 def test_equal_requests_at_equal_distances_are_one_row() -> None:
-    rows = poll_rows(polling(newest(SPECS, "tc100")).blocks)
-    (points,) = [one for one in rows if one.times > 1]
+    rows = poll_rows(polling_of(newest(SPECS, "tc100")).blocks)
+    (points,) = [poll_row for poll_row in rows if poll_row.times > 1]
     assert (points.first.start, points.first.words, points.times, points.apart) == (0x9010, 14, 127, 16)

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import gauge
-from fieldspec.audit.agreement import byte_pairs, hold, numbers, readings, words
+from fieldspec.audit.agreement import byte_pairs, has_word, numbers, readings, words
 from fieldspec.audit.manual_lines import ManualError, aligned, digest, index_line, index_of, index_text, parsed
 from fieldspec.audit.pattern import COLUMNS, FORMS, PatternError, row, template
 
@@ -68,18 +68,18 @@ def test_any_bytes_are_a_manual_or_refused(data: bytes) -> None:
 
 @given(LINES)
 def test_any_line_is_reduced_to_one_line_that_stays_as_it_is(line: str) -> None:
-    kept = index_line(line)
-    assert all(" " <= char <= "~" or char == "…" for char in kept)
+    text = index_line(line)
+    assert all(" " <= char <= "~" or char == "…" for char in text)
     assert digest(line) == digest(f" {line} ")
-    numbers(kept)
-    words(kept)
-    list(byte_pairs(kept))
+    numbers(text)
+    words(text)
+    list(byte_pairs(text))
 
 
 @given(LINES, LINES)
 def test_any_words_and_numbers_are_looked_for(line: str, wanted: str) -> None:
     for word in words(index_line(wanted)):
-        hold(index_line(line), word)
+        has_word(index_line(line), word)
     for number in readings(wanted):
         numbers(index_line(line)).holds(number)
 
@@ -87,14 +87,14 @@ def test_any_words_and_numbers_are_looked_for(line: str, wanted: str) -> None:
 @given(PATTERNS, LINES)
 def test_any_pattern_is_refused_or_finds_pieces_of_the_line(pattern: str, line: str) -> None:
     try:
-        made, cells = template(pattern), row(pattern.split("|"))
+        compiled, cells = template(pattern), row(pattern.split("|"))
     except PatternError:
         return
     text = index_line(line)
     cells.find(text)
-    made.whole(text)
-    for found in made.each(text) if made.pieces else ():
-        assert 0 <= found.start <= found.end <= len(text)
+    compiled.whole(text)
+    for match in compiled.each(text) if compiled.pieces else ():
+        assert 0 <= match.start <= match.end <= len(text)
 
 
 @given(st.lists(st.sampled_from([*gauge.MANUAL.splitlines(), "new", ""]), max_size=40).map("\n".join))
@@ -103,7 +103,7 @@ def test_any_edition_is_aligned(text: str) -> None:
         other = index_of("other", text.encode())
     except ManualError:
         return
-    made = aligned(gauge.index(), other)
-    assert len(made.known) == len(other.lines)
-    assert made.same + len(made.changed) + len(made.gone) == made.whole
-    assert all(1 <= here <= len(other.lines) for here in made.here.values())
+    manual = aligned(gauge.index(), other)
+    assert len(manual.known) == len(other.lines)
+    assert manual.same + len(manual.changed) + len(manual.gone) == manual.whole
+    assert all(1 <= here <= len(other.lines) for here in manual.here.values())

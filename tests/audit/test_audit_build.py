@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from command_line import MADE_UP
+from command_line import TEST_SPECS
 from fieldspec.audit.manual_lines import NAME, index_of, index_text
 from fieldspec.cli import main
 
@@ -72,7 +72,7 @@ def test_an_index_that_cannot_be_read_stops_the_build(specs: Path, capsys: pytes
 def test_a_device_at_some_of_its_versions_has_no_audit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("FIELDSPEC_CACHE", str(tmp_path / "cache"))
     out = tmp_path / "out"
-    assert main(["build", "glider-x@1.1", "--to", "docs", "--specs", str(MADE_UP), "--out", str(out)]) == 0
+    assert main(["build", "glider-x@1.1", "--to", "docs", "--specs", str(TEST_SPECS), "--out", str(out)]) == 0
     assert (out / "docs/glider-x/index.html").exists()
     assert not (out / "docs/glider-x/audit.html").exists()
 

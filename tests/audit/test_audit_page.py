@@ -18,8 +18,9 @@ from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 
 from audit.audit_pages import files, page, projects
-from command_line import MADE_UP, SPECS, CommandLine
-from fieldspec.audit.address_map import STATES, spaces
+from command_line import SPECS, TEST_SPECS, CommandLine
+from external_tools import require_tool
+from fieldspec.audit.address_map import STATES, spaces_of
 from fieldspec.audit.section import Figure, Report, Section, SectionTable
 from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic, Label
@@ -27,8 +28,7 @@ from fieldspec.model.fact import Citation
 from fieldspec.render.audit_html import rendered
 from fieldspec.render.audit_map import maps
 from fieldspec.source import SourceFile, Span
-from laid_out import all_layouts, newest
-from tools_available import require_tool
+from layouts import all_layouts, newest
 
 DEVICES = ("esc11", "widget", "glider-x", "gizmo", "hostile")
 STYLE = resources("fieldspec.render").joinpath("audit.css").read_text("utf-8")
@@ -58,8 +58,8 @@ def ids(text: str) -> set[str]:
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_page_is_valid_and_every_anchor_is_there_once(device: str) -> None:
-    found = Counter(node.get("id") for node in tree(device).iter() if node.get("id"))
-    assert [name for name, count in found.items() if count > 1] == []
+    anchors = Counter(node.get("id") for node in tree(device).iter() if node.get("id"))
+    assert [name for name, count in anchors.items() if count > 1] == []
 
 
 @pytest.mark.parametrize("device", DEVICES)
@@ -109,7 +109,7 @@ def test_every_table_has_a_caption_and_heads_of_all_columns(device: str) -> None
 @pytest.mark.parametrize("device", DEVICES)
 def test_every_drawing_says_in_words_what_it_shows(device: str) -> None:
     drawings = [node for node in tree(device).iter() if str(node.tag).endswith("svg") and node.get("role") == "img"]
-    assert bool(drawings) is bool(spaces(newest(projects()[device][0], device)))
+    assert bool(drawings) is bool(spaces_of(newest(projects()[device][0], device)))
     for drawing in drawings:
         named = (drawing.get("aria-labelledby") or "").split()
         texts = {child.get("id"): "".join(child.itertext()) for child in drawing}
@@ -140,9 +140,9 @@ def test_every_finding_leads_to_its_rule_its_file_and_its_section() -> None:
         assert any((link.get("href") or "").startswith("#") for link in node.iter("a"))
 
 
-@pytest.mark.parametrize("laid", all_layouts(), ids=lambda laid: f"{laid.device.id}@{laid.device.version}")
-def test_boxes_lie_within_their_drawing_and_not_on_each_other(laid) -> None:  # type: ignore[no-untyped-def]
-    for drawn in maps(spaces(laid)):
+@pytest.mark.parametrize("layout", all_layouts(), ids=lambda layout: f"{layout.device.id}@{layout.device.version}")
+def test_boxes_lie_within_their_drawing_and_not_on_each_other(layout) -> None:  # type: ignore[no-untyped-def]
+    for drawn in maps(spaces_of(layout)):
         for drawing in drawn.drawings:
             taken: set[tuple[int, int]] = set()
             for box in drawing.boxes:
@@ -155,9 +155,9 @@ def test_boxes_lie_within_their_drawing_and_not_on_each_other(laid) -> None:  # 
                     taken |= cells
 
 
-@pytest.mark.parametrize("laid", all_layouts(), ids=lambda laid: f"{laid.device.id}@{laid.device.version}")
-def test_rows_that_are_one_are_followed_by_what_comes_behind_them(laid) -> None:  # type: ignore[no-untyped-def]
-    for drawn in maps(spaces(laid)):
+@pytest.mark.parametrize("layout", all_layouts(), ids=lambda layout: f"{layout.device.id}@{layout.device.version}")
+def test_rows_that_are_one_are_followed_by_what_comes_behind_them(layout) -> None:  # type: ignore[no-untyped-def]
+    for drawn in maps(spaces_of(layout)):
         for drawing in drawn.drawings:
             if drawing.anchor == "map-overview":
                 continue
@@ -181,15 +181,17 @@ def test_whatever_a_report_says_is_a_text() -> None:
     table = SectionTable("table", HOSTILE, ("a", "b", HOSTILE, "d", "e"), (cells, cells), ("bad", ""))
     wrong = Diagnostic("some_rule", HOSTILE, span, (Label(span, HOSTILE),), HOSTILE)
     figures = (Figure(HOSTILE, 1, 2, True),)
-    held = Section("part", HOSTILE, (HOSTILE,), figures, (table, replace(table, detail=True, name="other")), (wrong,))
-    device = replace(newest(MADE_UP, "gizmo").device, name=HOSTILE, title=HOSTILE, vendor=HOSTILE)
+    section = Section(
+        "part", HOSTILE, (HOSTILE,), figures, (table, replace(table, detail=True, name="other")), (wrong,)
+    )
+    device = replace(newest(TEST_SPECS, "gizmo").device, name=HOSTILE, title=HOSTILE, vendor=HOSTILE)
     device = replace(device, manual=replace(device.manual, title=HOSTILE, edition=HOSTILE, file=HOSTILE))
-    text = rendered(Report("x", HOSTILE, HOSTILE, HOSTILE, (held,)), device, {HOSTILE: f"a.html#{HOSTILE}"})
-    made = html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse(text)
-    assert not list(made.iter("script"))
+    text = rendered(Report("x", HOSTILE, HOSTILE, HOSTILE, (section,)), device, {HOSTILE: f"a.html#{HOSTILE}"})
+    page = html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse(text)
+    assert not list(page.iter("script"))
     assert not re.search(r"[\x00-\x08\x0b\x0c\x0e-\x1f]", text)
-    shown = "".join(made.itertext())
-    assert shown.count("<script>alert(1)</script>") == shown.count("{{ 7 * 7 }}") > 30
+    text_of_page = "".join(page.itertext())
+    assert text_of_page.count("<script>alert(1)</script>") == text_of_page.count("{{ 7 * 7 }}") > 30
 
 
 def test_texts_of_a_hostile_spec_are_texts() -> None:
@@ -208,7 +210,7 @@ def test_the_same_specs_give_the_same_page() -> None:
 def test_a_page_is_printed_by_the_command(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    run = CommandLine(capsys, monkeypatch, MADE_UP)
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
     ran = run("audit", "gizmo", "--format", "html")
     path = tmp_path / "audit.html"
     assert run("audit", "gizmo", "--format", "html", "--out", str(path)).out == ""
@@ -218,7 +220,7 @@ def test_a_page_is_printed_by_the_command(
 
 def test_a_page_is_of_the_whole_audit(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     ran = CommandLine(capsys, monkeypatch, SPECS)("audit", "esc11", "--format", "html", "--table", "ledger")
-    assert (ran.code, ran.err[:44]) == (2, "fieldspec: html is of the whole audit; give ")
+    assert (ran.code, ran.err[:43]) == (2, "fieldspec: html shows the whole audit; use ")
 
 
 @pytest.fixture(scope="module")

@@ -10,9 +10,9 @@ from fieldspec.audit.section import SectionTable
 
 def without(text: str, *lines: str) -> str:
     """A text without the lines that hold some words."""
-    kept = [line for line in text.splitlines(keepends=True) if not any(word in line for word in lines)]
-    assert len(kept) < len(text.splitlines())
-    return "".join(kept)
+    remaining = [line for line in text.splitlines(keepends=True) if not any(word in line for word in lines)]
+    assert len(remaining) < len(text.splitlines())
+    return "".join(remaining)
 
 
 def changed(text: str, old: str, new: str) -> str:
@@ -21,14 +21,14 @@ def changed(text: str, old: str, new: str) -> str:
     return text.replace(old, new)
 
 
-def table(name: str, **given: str) -> SectionTable:
+def table(name: str, **texts: str) -> SectionTable:
     """A table of the coverage of the gauge."""
-    return next(one for one in gauge.covered(**given).tables if one.name == name)
+    return next(table for table in gauge.covered(**texts).tables if table.name == name)
 
 
 def test_a_manual_that_is_transcribed_is_accounted_for() -> None:
     section = gauge.covered()
-    assert gauge.said(section) == []
+    assert gauge.finding_texts(section) == []
     assert gauge.numbers(section) == [13, 0, 4, 0, 17]
 
 
@@ -44,16 +44,16 @@ REMOVED = [
 ]
 
 
-@pytest.mark.parametrize(("row", "message"), [one[1:] for one in REMOVED], ids=[one[0] for one in REMOVED])
+@pytest.mark.parametrize(("row", "message"), [case[1:] for case in REMOVED], ids=[case[0] for case in REMOVED])
 def test_a_fact_that_is_removed_is_not_accounted_for(row: str, message: str) -> None:
-    found = gauge.said(gauge.covered(without(gauge.DEVICE, row)))
-    assert next(text for text in found if "manual_accounted" in text).startswith(f"manual_accounted: {message}")
+    messages = gauge.finding_texts(gauge.covered(without(gauge.DEVICE, row)))
+    assert next(text for text in messages if "manual_accounted" in text).startswith(f"manual_accounted: {message}")
 
 
 def test_an_example_that_is_removed_is_not_accounted_for() -> None:
     spec = gauge.DEVICE.partition("examples:")[0]
-    (found,) = gauge.said(gauge.covered(spec))
-    assert found.startswith(
+    (messages,) = gauge.finding_texts(gauge.covered(spec))
+    assert messages.startswith(
         "manual_accounted: line 15 of the manual, section 2, prints `frame` 01 03 01 00 00 01 85 F6"
     )
 
@@ -67,10 +67,10 @@ WRONG = [
 ]
 
 
-@pytest.mark.parametrize(("old", "new", "column"), [one[1:] for one in WRONG], ids=[one[0] for one in WRONG])
+@pytest.mark.parametrize(("old", "new", "column"), [case[1:] for case in WRONG], ids=[case[0] for case in WRONG])
 def test_a_value_unlike_the_print_is_not_accounted_for(old: str, new: str, column: str) -> None:
-    found = gauge.said(gauge.covered(changed(gauge.DEVICE, old, new)))
-    assert [text for text in found if text.startswith("manual_accounted") and f"`{column}`" in text]
+    messages = gauge.finding_texts(gauge.covered(changed(gauge.DEVICE, old, new)))
+    assert [text for text in messages if text.startswith("manual_accounted") and f"`{column}`" in text]
 
 
 def test_an_erratum_accounts_for_what_is_printed_wrongly() -> None:
@@ -79,7 +79,7 @@ def test_an_erratum_accounts_for_what_is_printed_wrongly() -> None:
         "     confidence: certain, effect: range, proof: judgement, source: 1 L6}\n"
     )
     section = gauge.covered(spec)
-    assert gauge.said(section) == []
+    assert gauge.finding_texts(section) == []
     assert gauge.numbers(section) == [12, 1, 4, 0, 17]
     assert [row[1:4] for row in table("places", device=spec).rows if row[3] == "corrected"] == [
         (6, "rows of tables", "corrected")
@@ -91,27 +91,29 @@ def test_an_erratum_accounts_for_nothing_else() -> None:
         "errata:\n  - {id: digit, fact: registers/level, printed: {range: 0..10}, reason: A digit is missing.,\n"
         "     confidence: certain, effect: range, proof: judgement, source: 1 L6}\n"
     )
-    assert len(gauge.said(gauge.covered(spec))) == 1
+    assert len(gauge.finding_texts(gauge.covered(spec))) == 1
 
 
 def test_a_line_with_a_number_is_accounted_for_without_a_pattern() -> None:
     manual = gauge.MANUAL.replace("\n2 Frames", "Wait 50 ms after each write.\n2 Frames")
-    (found,) = gauge.said(gauge.covered(cited=manual))
-    assert found == "manual_accounted: line 10 of the manual, section 1, has numbers, and nothing in the spec cites it"
+    (messages,) = gauge.finding_texts(gauge.covered(cited=manual))
+    assert (
+        messages == "manual_accounted: line 10 of the manual, section 1, has numbers, and nothing in the spec cites it"
+    )
     noted = gauge.DEVICE + "notes:\n  - {name: wait, text: Wait 50 ms., source: 1 L10}\n"
-    assert gauge.said(gauge.covered(noted, cited=manual)) == []
+    assert gauge.finding_texts(gauge.covered(noted, cited=manual)) == []
 
 
 def test_a_remark_in_words_cites_a_line_too() -> None:
     manual = gauge.MANUAL.replace("\n2 Frames", "Wait 50 ms after each write.\n2 Frames")
     spec = changed(gauge.DEVICE, "printed_name: Level,", "printed_name: Level, doc: Wait 50 ms after writing (L10).,")
-    assert gauge.said(gauge.covered(spec, cited=manual)) == []
+    assert gauge.finding_texts(gauge.covered(spec, cited=manual)) == []
 
 
 def test_a_name_with_a_number_cites_nothing() -> None:
     manual = gauge.MANUAL.replace("\n2 Frames", "Wait 50 ms after each write.\n2 Frames")
     spec = changed(gauge.DEVICE, "printed_name: Level,", "printed_name: Level, label: Phase L10,")
-    assert len(gauge.said(gauge.covered(spec, cited=manual))) == 1
+    assert len(gauge.finding_texts(gauge.covered(spec, cited=manual))) == 1
 
 
 def test_what_is_left_out_says_why_and_how_often() -> None:
@@ -128,9 +130,9 @@ def test_a_section_that_is_left_out_hides_no_contradiction() -> None:
     spec = changed(
         gauge.DEVICE, "words: 2, source: L8}", "words: 2, source: L8, restated: [{source: 9 L19, at: 0x0102}]}"
     )
-    (found,) = gauge.said(gauge.covered(spec, audit, cited=manual))
-    assert found.startswith("manual_accounted: line 19 of the manual, section 9, prints `words` 3")
-    assert gauge.said(gauge.covered(audit=audit, cited=manual)) == []
+    (messages,) = gauge.finding_texts(gauge.covered(spec, audit, cited=manual))
+    assert messages.startswith("manual_accounted: line 19 of the manual, section 9, prints `words` 3")
+    assert gauge.finding_texts(gauge.covered(audit=audit, cited=manual)) == []
 
 
 def test_coverage_is_counted_by_section() -> None:
@@ -148,19 +150,19 @@ MOVED = [
 ]
 
 
-@pytest.mark.parametrize(("old", "new", "said"), [one[1:] for one in MOVED], ids=[one[0] for one in MOVED])
-def test_a_citation_that_leads_to_another_line_fails(old: str, new: str, said: str) -> None:
-    found = gauge.said(gauge.covered(changed(gauge.DEVICE, old, new)))
-    assert [text for text in found if text.startswith("citations_hold") and said in text]
+@pytest.mark.parametrize(("old", "new", "message"), [case[1:] for case in MOVED], ids=[case[0] for case in MOVED])
+def test_a_citation_that_leads_to_another_line_fails(old: str, new: str, message: str) -> None:
+    messages = gauge.finding_texts(gauge.covered(changed(gauge.DEVICE, old, new)))
+    assert [text for text in messages if text.startswith("citations_hold") and message in text]
 
 
 def test_a_fact_that_is_not_printed_as_such_says_why() -> None:
     spec = changed(gauge.DEVICE, "{value: 2, name: stop}", "{value: 2, name: stop, source: 2 L14}")
     audit = gauge.AUDIT + '  unprinted:\n    - {facts: ["enums/mode/st*"], reason: It follows.}\n'
     manual = changed(gauge.MANUAL, " 2 : stop", "")
-    before = gauge.said(gauge.covered(spec, cited=manual))
+    before = gauge.finding_texts(gauge.covered(spec, cited=manual))
     assert [text for text in before if "citations_hold" in text]
-    assert gauge.said(gauge.covered(spec, audit, cited=manual)) == []
+    assert gauge.finding_texts(gauge.covered(spec, audit, cited=manual)) == []
 
 
 UNSOUND = [
@@ -173,17 +175,17 @@ UNSOUND = [
 ]
 
 
-@pytest.mark.parametrize(("old", "new", "said"), [one[1:] for one in UNSOUND], ids=[one[0] for one in UNSOUND])
-def test_a_plan_that_is_wrong_is_found(old: str, new: str, said: str) -> None:
-    found = gauge.said(gauge.covered(audit=changed(gauge.AUDIT, old, new)))
-    assert [text for text in found if text.startswith("audit_sound") and said in text]
+@pytest.mark.parametrize(("old", "new", "message"), [case[1:] for case in UNSOUND], ids=[case[0] for case in UNSOUND])
+def test_a_plan_that_is_wrong_is_found(old: str, new: str, message: str) -> None:
+    messages = gauge.finding_texts(gauge.covered(audit=changed(gauge.AUDIT, old, new)))
+    assert [text for text in messages if text.startswith("audit_sound") and message in text]
 
 
 def test_an_exception_that_nothing_needs_is_found() -> None:
     audit = gauge.AUDIT + "  unprinted:\n    - {facts: [registers/level], reason: No reason.}\n"
-    assert ["does hold them" in text for text in gauge.said(gauge.covered(audit=audit))] == [True]
+    assert ["does hold them" in text for text in gauge.finding_texts(gauge.covered(audit=audit))] == [True]
 
 
 def test_a_device_without_a_plan_says_so() -> None:
-    (found,) = gauge.said(gauge.covered(audit=""))
-    assert found == "audit_sound: the spec does not say how an audit reads the manual"
+    (messages,) = gauge.finding_texts(gauge.covered(audit=""))
+    assert messages == "audit_sound: the spec does not say how an audit reads the manual"

@@ -9,7 +9,7 @@ import pytest
 
 from command_line import SPECS, CommandLine
 from fieldspec import checks
-from fieldspec.audit.detection import CLASSES, OF_WRITING, WIRE, Printed, as_printed, misprint
+from fieldspec.audit.detection import CLASSES, OF_WRITING, WIRE, PrintedDevice, as_printed, misprint
 from fieldspec.checks import table
 from fieldspec.model.texts import JUDGEMENT
 from fieldspec.proofs.running import errata_proofs
@@ -26,12 +26,12 @@ def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> 
     return CommandLine(capsys, monkeypatch, HERE / "right")
 
 
-def printed(spec: DeviceSpec) -> Printed:
+def printed(spec: DeviceSpec) -> PrintedDevice:
     return as_printed(spec, errata_proofs(spec), thorough=True)
 
 
 @cache
-def device(name: str) -> Printed:
+def device(name: str) -> PrintedDevice:
     """What the print of a device shows; all tests share it."""
     return printed(DEVICES[name])
 
@@ -47,24 +47,24 @@ def pump(**replaced: tuple[str, str]) -> DeviceSpec:
 
 @pytest.mark.parametrize("name", DEVICES)
 def test_most_errata_with_an_effect_on_the_wire_are_found_blindly(name: str) -> None:
-    wire = [one for one in device(name).detections if one.erratum.effect in WIRE]
-    assert sum(bool(one.alone) for one in wire) >= 0.85 * len(wire)
-    assert sum(one.together for one in wire) >= 0.85 * len(wire)
+    wire = [detection for detection in device(name).detections if detection.erratum.effect in WIRE]
+    assert sum(bool(detection.alone) for detection in wire) >= 0.85 * len(wire)
+    assert sum(detection.together for detection in wire) >= 0.85 * len(wire)
 
 
 @pytest.mark.parametrize("name", DEVICES)
 def test_what_is_proven_is_found_blindly_and_what_is_judged_is_not(name: str) -> None:
-    for one in device(name).detections:
-        if one.erratum.proof == JUDGEMENT:
-            assert one.checks == (), one.erratum.id
+    for detection in device(name).detections:
+        if detection.erratum.proof == JUDGEMENT:
+            assert detection.checks == (), detection.erratum.id
         else:
-            assert one.erratum.proof in one.checks, one.erratum.id
+            assert detection.erratum.proof in detection.checks, detection.erratum.id
 
 
 @pytest.mark.parametrize("name", DEVICES)
 def test_every_key_that_is_misprinted_has_a_class(name: str) -> None:
     classed = {key for keys in CLASSES.values() for key in keys}
-    used = {key for one in device(name).detections for key in one.erratum.printed}
+    used = {key for detection in device(name).detections for key in detection.erratum.printed}
     assert used <= classed
 
 
@@ -76,17 +76,19 @@ def test_no_key_has_two_classes() -> None:
 def test_checks_of_how_a_spec_is_written_do_not_count() -> None:
     assert set(OF_WRITING) < {name for name, _ in checks.CHECKS} | {"allowances_used"}
     for name in DEVICES:
-        assert {found.code for found in device(name).findings}.isdisjoint(OF_WRITING)
+        assert {finding.code for finding in device(name).findings}.isdisjoint(OF_WRITING)
 
 
 def test_without_its_check_a_misprint_is_not_found(monkeypatch: pytest.MonkeyPatch) -> None:
     spec = pump()
     proofs = errata_proofs(spec)
-    for held in ("CHECKS", "_BY_NAME"):
-        kept = dict(getattr(table, held))
-        kept["decimal_equals_hex"] = lambda device: iter(())
-        monkeypatch.setattr(table, held, tuple(kept.items()) if held == "CHECKS" else kept)
-    missed = [one.erratum.id for one in as_printed(spec, proofs, thorough=True).detections if not one.alone]
+    for name in ("CHECKS", "_BY_NAME"):
+        checks = dict(getattr(table, name))
+        checks["decimal_equals_hex"] = lambda device: iter(())
+        monkeypatch.setattr(table, name, tuple(checks.items()) if name == "CHECKS" else checks)
+    missed = [
+        detection.erratum.id for detection in as_printed(spec, proofs, thorough=True).detections if not detection.alone
+    ]
     assert missed == ["mode-decimal"]
 
 
@@ -101,9 +103,11 @@ def test_two_misprints_that_agree_hide_each_other() -> None:
     source: 2.2 L31
   - id: run-sum
 """
-    made = printed(pump(errata=("  - id: run-sum\n", erratum)))
-    found = {one.erratum.id: (bool(one.alone), one.together) for one in made.detections}
-    assert found["dose-range"] == found["dose-maximum"] == (True, False)
+    printed_device = printed(pump(errata=("  - id: run-sum\n", erratum)))
+    results = {
+        detection.erratum.id: (bool(detection.alone), detection.together) for detection in printed_device.detections
+    }
+    assert results["dose-range"] == results["dose-maximum"] == (True, False)
 
 
 def test_what_the_print_lacks_as_a_whole_is_taken_out() -> None:
@@ -117,21 +121,25 @@ def test_what_the_print_lacks_as_a_whole_is_taken_out() -> None:
     source: 2.4 L50
   - id: run-sum
 """
-    (one,) = [
-        one
-        for one in printed(pump(errata=("  - id: run-sum\n", erratum))).detections
-        if one.erratum.id == "running-missing"
+    (detection,) = [
+        detection
+        for detection in printed(pump(errata=("  - id: run-sum\n", erratum))).detections
+        if detection.erratum.id == "running-missing"
     ]
-    assert "enum_contiguous" in one.checks
-    assert misprint(one.erratum) == "left out"
+    assert "enum_contiguous" in detection.checks
+    assert misprint(detection.erratum) == "left out"
 
 
 @pytest.mark.parametrize("name", DEVICES)
 def test_the_report_counts_what_a_thorough_look_counts(name: str) -> None:
     spec = DEVICES[name]
     brief = as_printed(spec, errata_proofs(spec), thorough=False)
-    found = {one.erratum.id: (bool(one.alone), one.together) for one in device(name).detections}
-    assert {one.erratum.id: (bool(one.alone), one.together) for one in brief.detections} == found
+    results = {
+        detection.erratum.id: (bool(detection.alone), detection.together) for detection in device(name).detections
+    }
+    assert {
+        detection.erratum.id: (bool(detection.alone), detection.together) for detection in brief.detections
+    } == results
     assert brief.findings == device(name).findings
 
 
@@ -150,7 +158,10 @@ def test_the_page_about_audits_has_the_numbers() -> None:
     page = (SPECS.parent / "docs" / "audit.md").read_text("utf-8")
     for name in DEVICES:
         every = device(name).detections
-        wire = [one for one in every if one.erratum.effect in WIRE]
-        alone, together = sum(bool(one.alone) for one in wire), sum(one.together for one in wire)
-        found = sum(bool(one.alone) for one in every)
-        assert f"| `{name}` | {len(wire)} | {alone} | {together} | {len(every)} | {found} |\n" in page
+        wire = [detection for detection in every if detection.erratum.effect in WIRE]
+        alone, together = (
+            sum(bool(detection.alone) for detection in wire),
+            sum(detection.together for detection in wire),
+        )
+        count = sum(bool(detection.alone) for detection in every)
+        assert f"| `{name}` | {len(wire)} | {alone} | {together} | {len(every)} | {count} |\n" in page

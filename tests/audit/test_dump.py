@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 
-from command_line import CommandLine, Ran
-from fieldspec.audit.units import units
+from command_line import CommandLine, RunResult
+from fieldspec.audit.addressed_values import addressed_values
 from fieldspec.lists.workbook import workbook_sheet
 from fieldspec.reference.records import CodecError, decoded_value, value_construct
-from laid_out import MADE_UP, laid_at, newest
-from reading import DEVICE, gadget
+from layouts import TEST_SPECS, layout_at, newest
+from spec_files import DEVICE, gadget
 
 SPEC = """
 registers:
@@ -68,20 +68,20 @@ def run(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.
     return CommandLine(capsys, monkeypatch, tmp_path)
 
 
-def dumped(run: CommandLine, text: str | bytes, *options: str) -> Ran:
-    held = text if isinstance(text, bytes) else text.encode()
-    return run("audit", "gadget", "--dump", "-", *options, stdin=held)
+def dump(run: CommandLine, text: str | bytes, *options: str) -> RunResult:
+    data = text if isinstance(text, bytes) else text.encode()
+    return run("audit", "gadget", "--dump", "-", *options, stdin=data)
 
 
 def section(run: CommandLine, text: str | bytes, *options: str) -> dict[str, Any]:
-    data: dict[str, Any] = json.loads(dumped(run, text, "--format", "json", *options).out)
-    held: dict[str, Any] = data["sections"]["dump"]
-    return held
+    data: dict[str, Any] = json.loads(dump(run, text, "--format", "json", *options).out)
+    section: dict[str, Any] = data["sections"]["dump"]
+    return section
 
 
-def found(run: CommandLine, text: str | bytes, *options: str) -> list[tuple[str, str]]:
+def findings_of(run: CommandLine, text: str | bytes, *options: str) -> list[tuple[str, str]]:
     """The findings, as rule and message."""
-    return [(one["code"], one["message"]) for one in section(run, text, *options)["findings"]]
+    return [(finding["code"], finding["message"]) for finding in section(run, text, *options)["findings"]]
 
 
 def values(run: CommandLine, text: str | bytes, *options: str) -> dict[str, tuple[str, str]]:
@@ -102,7 +102,7 @@ def test_values_are_decoded_with_their_meanings(run: CommandLine) -> None:
         "status": ("1", "[ready]"),
         "limit": ("65535", "none"),
     }
-    assert dumped(run, text).code == 0
+    assert dump(run, text).code == 0
 
 
 @pytest.mark.parametrize(
@@ -125,26 +125,26 @@ def test_values_are_decoded_with_their_meanings(run: CommandLine) -> None:
     ],
 )
 def test_what_cannot_be_is_found(run: CommandLine, rows: str, expected: list[tuple[str, str]]) -> None:
-    assert found(run, f"{HEAD}{rows}\n") == expected
+    assert findings_of(run, f"{HEAD}{rows}\n") == expected
 
 
 @pytest.mark.parametrize(("rows", "code"), [("0x10,101", 1), ("0x17,5", 0), ("0x10,50\n0x40,1", 0), ("0x10,50", 0)])
 def test_the_exit_code_is_1_where_the_device_or_the_spec_is_wrong(run: CommandLine, rows: str, code: int) -> None:
-    assert dumped(run, f"{HEAD}{rows}\n").code == code
+    assert dump(run, f"{HEAD}{rows}\n").code == code
 
 
 def test_a_finding_points_to_the_row_of_the_dump_and_to_the_spec(run: CommandLine) -> None:
-    ran = dumped(run, HEAD + "0x10,50\n0x10,50\n0x13,5\n")
+    ran = dump(run, HEAD + "0x10,50\n0x10,50\n0x13,5\n")
     assert "standard input:4:1: error[dump_value_known]" in ran.out
     assert "name: mode" in ran.out
 
 
 def test_values_that_are_not_the_initial_ones_are_told_and_no_finding(run: CommandLine) -> None:
-    held = section(run, HEAD + "0x10,60\n")
-    assert [(row["name"], row["raw"], row["initial"]) for row in held["tables"]["defaults"]] == [
+    part = section(run, HEAD + "0x10,60\n")
+    assert [(row["name"], row["raw"], row["initial"]) for row in part["tables"]["defaults"]] == [
         ("percent", "60", "50")
     ]
-    assert held["findings"] == []
+    assert part["findings"] == []
 
 
 @pytest.mark.parametrize(
@@ -213,7 +213,7 @@ def test_a_value_of_two_words_may_be_written_in_many_ways(
     ],
 )
 def test_a_file_that_cannot_be_used_is_wrong_use(run: CommandLine, text: str | bytes, message: str) -> None:
-    ran = dumped(run, text)
+    ran = dump(run, text)
     assert ran.code == 2
     assert message in ran.err
     assert ran.out == ""
@@ -235,7 +235,7 @@ def test_a_dump_may_be_a_workbook(run: CommandLine) -> None:
 
     content = packed(Workbook((Worksheet("dump", (("address", "value"), ("0x10", 101))),)))
     assert workbook_sheet(content).rows
-    assert found(run, content) == [("dump_value_within_range", "percent is 101; it should be 0..100 %")]
+    assert findings_of(run, content) == [("dump_value_within_range", "percent is 101; it should be 0..100 %")]
 
 
 def test_the_parameters_of_a_device_are_judged_by_their_numbers_on_the_wire(
@@ -251,7 +251,7 @@ def test_the_parameters_of_a_device_are_judged_by_their_numbers_on_the_wire(
         "names[1]": ("2", ""),
         "names[2]": ("3", ""),
     }
-    assert [code for code, _ in found(run, text)] == ["dump_value_within_range", "dump_address_known"]
+    assert [code for code, _ in findings_of(run, text)] == ["dump_value_within_range", "dump_address_known"]
 
 
 def test_the_columns_of_compare_are_as_they_were(run: CommandLine, tmp_path: Path) -> None:
@@ -265,28 +265,28 @@ def test_the_columns_of_compare_are_as_they_were(run: CommandLine, tmp_path: Pat
 def test_a_value_is_wrong_exactly_where_the_reference_refuses_it(device: str, pattern: bytes) -> None:
     from fieldspec.explain.values import decode_value
 
-    laid = newest(MADE_UP, device)
+    layout = newest(TEST_SPECS, device)
     seen = 0
-    for unit in units(laid):
-        value = unit.value
-        if unit.reserved or unit.unread or value.size % 2:
+    for slot in addressed_values(layout):
+        value = slot.value
+        if slot.reserved or slot.unread or value.size % 2:
             continue
         data = pattern * (value.size // 2)
-        said = decode_value(laid.device, value, data, unit.order, unit.swapped)
-        raw = value_construct(value, unit.order, unit.swapped).parse(data)
+        decoded = decode_value(layout.device, value, data, slot.order, slot.swapped)
+        raw = value_construct(value, slot.order, slot.swapped).parse(data)
         try:
-            decoded_value(unit.name, value, raw, laid.device, None)
+            decoded_value(slot.name, value, raw, layout.device, None)
         except CodecError:
-            assert said.reason, unit.name
+            assert decoded.reason, slot.name
         else:
-            assert said.reason in ("", "out_of_range"), unit.name
+            assert decoded.reason in ("", "out_of_range"), slot.name
         seen += 1
-    assert seen or not laid.registers
+    assert seen or not layout.registers
 
 
 def test_every_value_of_a_table_has_an_address_of_its_own() -> None:
-    held = [unit for unit in units(newest(MADE_UP, "widget")) if unit.name.startswith("points[")]
-    assert len({(unit.address, unit.skip) for unit in held}) == len(held) == 5 * 6
+    values = [slot for slot in addressed_values(newest(TEST_SPECS, "widget")) if slot.name.startswith("points[")]
+    assert len({(slot.address, slot.skip) for slot in values}) == len(values) == 5 * 6
 
 
 def test_bytes_in_one_word_are_read_apart() -> None:
@@ -294,5 +294,7 @@ def test_bytes_in_one_word_are_read_apart() -> None:
 records: [{name: pair, section: "1", source: L1, fields: [{name: high, type: u8}, {name: low, type: u8}]}]
 tables: [{name: pairs, section: "1", source: L2, base: 0, stride: 1, count: 1, record: pair, access: rw}]
 """
-    found = [(unit.name, unit.address, unit.words, unit.skip) for unit in units(laid_at(gadget(text), "1"))]
-    assert found == [("pairs[0].high", 0, 1, 0), ("pairs[0].low", 0, 1, 1)]
+    values = [
+        (slot.name, slot.address, slot.words, slot.skip) for slot in addressed_values(layout_at(gadget(text), "1"))
+    ]
+    assert values == [("pairs[0].high", 0, 1, 0), ("pairs[0].low", 0, 1, 1)]

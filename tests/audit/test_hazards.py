@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.audit.hazards import KINDS, hazards, undivided
-from fieldspec.audit.sources import inferred, sourced
-from laid_out import SPECS, laid_at, newest
-from reading import gadget
+from fieldspec.audit.sources import inferred_keys, sourced_facts
+from layouts import SPECS, layout_at, newest
+from spec_files import gadget
 
 HEAD = "registers:\n  - group: all\n    section: '1'\n    defaults: {type: u16, access: rw}\n    rows:\n"
 SAVE = "      - {at: 99, name: save, trigger: true, const: 1, memory: nonvolatile, source: L9}\n"
@@ -15,8 +15,8 @@ FLAGS = "flags: [{name: word, type: u16, section: '1', source: L1, bits: [{bit: 
 
 
 def kinds(text: str, name: str) -> list[tuple[str, str]]:
-    found = hazards(laid_at(gadget(text), "1"))
-    return [(hazard.kind.name, hazard.why) for hazard in found if hazard.name == name]
+    hazards_of_device = hazards(layout_at(gadget(text), "1"))
+    return [(hazard.kind.name, hazard.why) for hazard in hazards_of_device if hazard.name == name]
 
 
 @pytest.mark.parametrize(
@@ -78,8 +78,8 @@ links:
     request: [{name: code, role: code, type: u8}, {name: body, role: body}]
     response: [{name: code, role: code, type: u8}, {name: body, role: body}]
 """
-    found = {(hazard.kind.name, hazard.path, hazard.where) for hazard in hazards(laid_at(gadget(text), "1"))}
-    assert found == {
+    places = {(hazard.kind.name, hazard.path, hazard.where) for hazard in hazards(layout_at(gadget(text), "1"))}
+    assert places == {
         ("atomic", "records/point/x", "points"),
         ("save", "tables/points", "0000h, 3 times"),
         ("wear", "messages/keep", "07h"),
@@ -91,12 +91,12 @@ links:
 def test_registers_of_which_nothing_says_whether_they_may_be_divided_are_listed() -> None:
     rows = "      - {at: 1, name: a, type: u32, source: L2}\n"
     rows += "      - {at: 3, name: b, type: u32, atomic: true, source: L3}\n"
-    assert [register.name for register in undivided(laid_at(gadget(HEAD + rows), "1").device)] == ["a"]
+    assert [register.name for register in undivided(layout_at(gadget(HEAD + rows), "1").device)] == ["a"]
 
 
 def test_the_gravest_hazards_come_first() -> None:
-    found = [list(KINDS).index(hazard.kind.name) for hazard in hazards(newest(SPECS, "ck10"))]
-    assert found == sorted(found)
+    ranks = [list(KINDS).index(hazard.kind.name) for hazard in hazards(newest(SPECS, "ck10"))]
+    assert ranks == sorted(ranks)
 
 
 @pytest.mark.parametrize(
@@ -132,9 +132,9 @@ errata:
   - {id: unit, fact: registers/differing/restated/0, printed: {unit: rpm}, reason: It is a length., confidence: certain,
      effect: range, proof: restatements_agree, source: 2 L7}
 """
-    device = laid_at(gadget(text), "1").device
-    found = {fact.path.removeprefix("registers/"): fact.standing for fact in sourced(device)}
-    assert found == {
+    device = layout_at(gadget(text), "1").device
+    standings = {fact.path.removeprefix("registers/"): fact.standing for fact in sourced_facts(device)}
+    assert standings == {
         "all": "one_place",
         "once": "one_place",
         "together": "together",
@@ -142,13 +142,13 @@ errata:
         "differing": "differing",
         "nowhere": "nowhere",
     }
-    assert [(one.path, one.key, one.reason) for one in inferred(device)] == [
+    assert [(inferred_key.path, inferred_key.key, inferred_key.reason) for inferred_key in inferred_keys(device)] == [
         ("registers/nowhere", "type", "It is one word.")
     ]
 
 
 def test_a_bit_without_a_place_of_its_own_has_that_of_its_word() -> None:
-    facts = {fact.path: fact for fact in sourced(laid_at(gadget(FLAGS % ""), "1").device)}
+    facts = {fact.path: fact for fact in sourced_facts(layout_at(gadget(FLAGS % ""), "1").device)}
     assert [source.text() for source in facts["flags/word/a"].sources] == ["1 L1"]
     assert facts["flags/word/a"].inherited
     assert not facts["flags/word"].inherited

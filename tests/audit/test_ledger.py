@@ -46,7 +46,7 @@ def test_every_erratum_of_a_device_has_one_verdict_and_none_is_unproven(spec: De
 @pytest.mark.parametrize("spec", DEVICES.values(), ids=list(DEVICES))
 def test_what_is_proven_has_the_finding_of_the_named_check_as_its_evidence(spec: DeviceSpec) -> None:
     for proof in errata_proofs(spec):
-        named = {found.code for found in proof.evidence}
+        named = {finding.code for finding in proof.evidence}
         assert named == ({proof.erratum.proof} if verdict(proof) == "proven" else set())
 
 
@@ -152,23 +152,23 @@ def test_hostile_cells_are_no_formulas_and_stay_in_their_rows(text: str) -> None
 
 
 @pytest.mark.parametrize(
-    ("arguments", "said"),
+    ("arguments", "message"),
     [
-        (("--format", "csv"), "csv holds one table; name it with --table"),
-        (("--table", "ledger", "--format", "sarif"), "give --table with text, json, csv or xlsx"),
+        (("--format", "csv"), "csv holds a single table; name it with --table"),
+        (("--table", "ledger", "--format", "sarif"), "use --table with text, json, csv or xlsx"),
         (("--out", "x.csv"), "such as --table ledger"),
-        (("--table", "ledger", "--out", "x"), "a table in a file has a format"),
+        (("--table", "ledger", "--out", "x"), "--out needs a format for the table"),
         (("--table", "legder"), "there is no table legder; did you mean ledger?"),
         (("--as-printed", "--table", "ledger"), "there is no table ledger"),
     ],
 )
 def test_wrong_use_says_what_to_do_and_writes_nothing(
-    run: CommandLine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: tuple[str, ...], said: str
+    run: CommandLine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: tuple[str, ...], message: str
 ) -> None:
     monkeypatch.chdir(tmp_path)
     ran = run("audit", "pump", *arguments)
     assert ran.code == 2
-    assert said in ran.err
+    assert message in ran.err
     assert list(tmp_path.iterdir()) == []
 
 

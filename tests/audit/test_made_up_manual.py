@@ -49,22 +49,24 @@ def spec(folder: str) -> DeviceSpec:
     return read(files(folder)).devices["pump"]
 
 
-def placed(found: list[Diagnostic]) -> set[tuple[str, int, str]]:
-    return {(one.span.file.path.rpartition("/")[2], one.span.position()[0], one.code) for one in found}
+def placed(findings: list[Diagnostic]) -> set[tuple[str, int, str]]:
+    return {
+        (finding.span.file.path.rpartition("/")[2], finding.span.position()[0], finding.code) for finding in findings
+    }
 
 
-FOUND = checked(load(files("printed")))
+FINDINGS_IN_PRINT = checked(load(files("printed")))
 
 
 @pytest.mark.parametrize(("file", "line", "checks"), [row[2:] for row in MISPRINTS], ids=[row[0] for row in MISPRINTS])
 def test_a_misprint_is_found_at_its_place(file: str, line: int, checks: set[str]) -> None:
-    assert {(file, line, check) for check in checks} <= placed(FOUND)
+    assert {(file, line, check) for check in checks} <= placed(FINDINGS_IN_PRINT)
 
 
 def test_nothing_else_is_found() -> None:
     expected = {(file, line, check) for _, _, file, line, checks in MISPRINTS for check in checks}
-    assert placed(FOUND) == expected
-    assert len(FOUND) == len(expected)
+    assert placed(FINDINGS_IN_PRINT) == expected
+    assert len(FINDINGS_IN_PRINT) == len(expected)
 
 
 def test_nothing_is_found_where_all_is_right() -> None:
@@ -83,21 +85,25 @@ def test_every_erratum_is_proven() -> None:
 
 def test_every_erratum_is_found_blindly_alone_and_together() -> None:
     right = spec("right")
-    made = as_printed(right, errata_proofs(right), thorough=True)
-    assert [one.erratum.id for one in made.detections if not one.alone or not one.together] == []
+    printed_device = as_printed(right, errata_proofs(right), thorough=True)
+    assert [
+        detection.erratum.id for detection in printed_device.detections if not detection.alone or not detection.together
+    ] == []
 
 
 def test_the_right_spec_with_all_prints_put_back_is_the_printed_one() -> None:
     right = spec("right")
-    made = as_printed(right, errata_proofs(right), thorough=True)
-    assert {(one.code, one.message) for one in made.findings} == {(one.code, one.message) for one in FOUND}
+    printed_device = as_printed(right, errata_proofs(right), thorough=True)
+    assert {(finding.code, finding.message) for finding in printed_device.findings} == {
+        (finding.code, finding.message) for finding in FINDINGS_IN_PRINT
+    }
 
 
 @pytest.mark.parametrize("folder", ["printed", "right"])
 def test_the_specs_are_about_this_very_text(folder: str) -> None:
     text = MANUAL.read_bytes()
-    told = spec(folder).at("1")[0].manual
-    assert (told.sha256, told.lines) == (hashlib.sha256(text).hexdigest(), text.count(b"\n"))
+    manual = spec(folder).at("1")[0].manual
+    assert (manual.sha256, manual.lines) == (hashlib.sha256(text).hexdigest(), text.count(b"\n"))
 
 
 @pytest.mark.parametrize("more", [(), ("--manual", str(MANUAL))], ids=["index", "text"])

@@ -6,10 +6,10 @@ from decimal import Decimal
 
 import pytest
 
-from fieldspec.audit.agreement import byte_pairs, hold, numbers, readings
+from fieldspec.audit.agreement import byte_pairs, has_word, numbers, readings
 from fieldspec.audit.manual_lines import LONGEST, digest, index_line, index_of
 
-REDUCED = [
+INDEX_LINES = [
     ("words of prose are left out", "Set the speed before you start the motor.", "Set …."),
     ("so is what is not written in Latin letters", "設定速度 ServoOn 之前", "… ServoOn …"),
     ("a row keeps its cells", "| 1000 H | 1 | ActionStatus | the state |", "1000 H | 1 | ActionStatus | …"),
@@ -27,16 +27,16 @@ REDUCED = [
 ]
 
 
-@pytest.mark.parametrize(("line", "kept"), [row[1:] for row in REDUCED], ids=[row[0] for row in REDUCED])
-def test_an_index_keeps_what_can_be_a_fact(line: str, kept: str) -> None:
-    assert index_line(line) == kept
+@pytest.mark.parametrize(("line", "text"), [row[1:] for row in INDEX_LINES], ids=[row[0] for row in INDEX_LINES])
+def test_an_index_keeps_what_can_be_a_fact(line: str, text: str) -> None:
+    assert index_line(line) == text
 
 
 def test_an_index_keeps_no_sentence() -> None:
-    kept = index_line(
+    text = index_line(
         "When the motor has come to a stop, wait until the controller answers, and write the value again."
     )
-    assert [word for word in kept.split() if word.isalpha()] == ["When"]
+    assert [word for word in text.split() if word.isalpha()] == ["When"]
 
 
 def test_a_line_without_an_end_is_cut() -> None:
@@ -74,7 +74,7 @@ def test_a_form_says_how_a_bare_number_is_read() -> None:
     assert readings("10", "hex") == (16,)
 
 
-HELD = [
+HAS_NUMBERS = [
     ("0..5 is an interval", "Bits 0~5", 3),
     ("so is -5 to -2", "-5 ~ -2", -3),
     ("so is what an ellipsis leaves out", "Bit0 = … - ... - Bit8 = …", 4),
@@ -88,7 +88,7 @@ HELD = [
 ]
 
 
-@pytest.mark.parametrize(("line", "number"), [row[1:] for row in HELD], ids=[row[0] for row in HELD])
+@pytest.mark.parametrize(("line", "number"), [row[1:] for row in HAS_NUMBERS], ids=[row[0] for row in HAS_NUMBERS])
 def test_a_line_holds_a_number_in_any_way_to_print_it(line: str, number: int) -> None:
     assert numbers(line).holds(number)
 
@@ -99,10 +99,10 @@ def test_a_line_does_not_hold_other_numbers(line: str, number: int) -> None:
 
 
 def test_a_series_of_words_holds_those_between() -> None:
-    assert hold("IN1 ~ IN14", "in5")
-    assert hold("ALM_LOG0", "log")
-    assert not hold("IN1, IN14", "in5")
-    assert not hold("IN1 ~ IN14", "in15")
+    assert has_word("IN1 ~ IN14", "in5")
+    assert has_word("ALM_LOG0", "log")
+    assert not has_word("IN1, IN14", "in5")
+    assert not has_word("IN1 ~ IN14", "in15")
 
 
 @pytest.mark.parametrize("line", ["01 | 06 | 20", "01H+06H+20H", "0x01, 0x06, 0x20", "01 06 20"])

@@ -10,9 +10,9 @@ import pytest
 from fieldspec.audit.pattern import COLUMNS, FORMS, Match, PatternError, row, template
 
 
-def held(found: Match | None) -> list[str] | None:
+def texts(match: Match | None) -> list[str] | None:
     """The values of what is found."""
-    return None if found is None else [one.text for one in found.values]
+    return None if match is None else [value.text for value in match.values]
 
 
 ROWS = [
@@ -27,9 +27,9 @@ ROWS = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("cells", "line", "values"), [one[1:] for one in ROWS], ids=[one[0] for one in ROWS])
+@pytest.mark.parametrize(("cells", "line", "values"), [case[1:] for case in ROWS], ids=[case[0] for case in ROWS])
 def test_a_row_is_found(cells: list[str], line: str, values: list[str]) -> None:
-    assert held(row(cells).find(line)) == values
+    assert texts(row(cells).find(line)) == values
 
 
 NO_ROWS = [
@@ -41,7 +41,7 @@ NO_ROWS = [
 ]
 
 
-@pytest.mark.parametrize(("cells", "line"), [one[1:] for one in NO_ROWS], ids=[one[0] for one in NO_ROWS])
+@pytest.mark.parametrize(("cells", "line"), [case[1:] for case in NO_ROWS], ids=[case[0] for case in NO_ROWS])
 def test_another_row_is_not_found(cells: list[str], line: str) -> None:
     assert row(cells).find(line) is None
 
@@ -56,13 +56,13 @@ EACH = [
 ]
 
 
-@pytest.mark.parametrize(("pattern", "line", "values"), [one[1:] for one in EACH], ids=[one[0] for one in EACH])
+@pytest.mark.parametrize(("pattern", "line", "values"), [case[1:] for case in EACH], ids=[case[0] for case in EACH])
 def test_all_pieces_of_a_line_are_found(pattern: str, line: str, values: list[list[str]]) -> None:
-    assert [held(found) for found in template(pattern).each(line)] == values
+    assert [texts(match) for match in template(pattern).each(line)] == values
 
 
 @pytest.mark.parametrize(
-    ("pattern", "said"),
+    ("pattern", "message"),
     [
         ("{adress}", "nothing is called `adress`"),
         ("{address:hexa}", "there is no form `hexa`"),
@@ -71,8 +71,8 @@ def test_all_pieces_of_a_line_are_found(pattern: str, line: str, values: list[li
         ("{Address}", "a placeholder is written as"),
     ],
 )
-def test_a_pattern_that_is_not_understood_says_why(pattern: str, said: str) -> None:
-    with pytest.raises(PatternError, match=said):
+def test_a_pattern_that_is_not_understood_says_why(pattern: str, message: str) -> None:
+    with pytest.raises(PatternError, match=message):
         template(pattern)
 
 
@@ -88,10 +88,10 @@ HOSTILE = "*".join("{name:text}" for _ in range(18))
 @pytest.mark.parametrize("pattern", [HOSTILE, "*".join("{code:decimal}" * 2 for _ in range(12)), "*" * 200, "*a" * 100])
 @pytest.mark.parametrize("line", ["a" * 4000, "1" * 4000, "1 " * 2000, "a b " * 1000 + "|"])
 def test_no_pattern_takes_long(pattern: str, line: str) -> None:
-    made = template(pattern)
+    compiled = template(pattern)
     before = time.perf_counter()
-    made.whole(line)
-    list(made.each(line)) if made.pieces else None
+    compiled.whole(line)
+    list(compiled.each(line)) if compiled.pieces else None
     assert time.perf_counter() - before < 3
 
 

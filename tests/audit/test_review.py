@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from command_line import CommandLine
-from fieldspec.audit.review import State, reviewed, reviews, since, state_hash, states, uncited
+from fieldspec.audit.review import State, reviewed, reviews_of, since, state_hash, states, uncited
 from fieldspec.facts import rows
 from fieldspec.reading.project import DeviceSpec
-from laid_out import laid_at
-from reading import DEVICE, codes, gadget
+from layouts import layout_at
+from spec_files import DEVICE, codes, gadget
 
 ROWS = """
 registers:
@@ -31,7 +31,7 @@ def run(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.
 
 
 def state(text: str) -> dict[str, State]:
-    return states([rows(laid_at(gadget(text), "1"))])
+    return states([rows(layout_at(gadget(text), "1"))])
 
 
 def change(run: CommandLine, old: str, new: str) -> None:
@@ -41,18 +41,18 @@ def change(run: CommandLine, old: str, new: str) -> None:
     path.write_text(text.replace(old, new), "utf-8")
 
 
-def told(run: CommandLine) -> list[tuple[str, str]]:
+def rows_since(run: CommandLine) -> list[tuple[str, str]]:
     """The sections with what has changed in them since they were compared."""
     tables = run.json("audit", "gadget")["sections"]["sign_off"]["tables"]
     return [(row["section"], row["since"]) for row in tables["reviewed"]]
 
 
-def written(run: CommandLine) -> str:
+def review_file(run: CommandLine) -> str:
     return (run.folder / "gadget" / "review.yaml").read_text("utf-8")
 
 
 def test_facts_are_of_the_section_that_prints_them() -> None:
-    assert {section: len(held.digests) for section, held in state(ROWS % "2 L2").items()} == {"1": 1, "2": 1}
+    assert {section: len(state.digests) for section, state in state(ROWS % "2 L2").items()} == {"1": 1, "2": 1}
 
 
 def test_a_state_is_of_what_facts_say_and_not_of_the_lines() -> None:
@@ -62,13 +62,13 @@ def test_a_state_is_of_what_facts_say_and_not_of_the_lines() -> None:
 
 def test_a_section_that_was_signed_is_as_it_was(run: CommandLine) -> None:
     assert run("audit", "gadget", "--sign", "1", "--by", "second reader", "--on", "2026-05-03").code == 0
-    assert told(run) == [("1", "as it was"), ("2", "nobody has compared it")]
+    assert rows_since(run) == [("1", "as it was"), ("2", "nobody has compared it")]
 
 
 def test_a_fact_that_changes_after_the_review_is_told(run: CommandLine) -> None:
     run("audit", "gadget", "--sign", "all", "--by", "second reader", "--on", "2026-05-03")
     change(run, "name: b, type: u16", "name: b, type: i16")
-    texts = dict(told(run))
+    texts = dict(rows_since(run))
     assert texts["1"] == "as it was"
     assert texts["2"] == "1 facts are new or say something else; 1 are gone or said something else"
     tables = run.json("audit", "gadget")["sections"]["sign_off"]["tables"]
@@ -78,7 +78,7 @@ def test_a_fact_that_changes_after_the_review_is_told(run: CommandLine) -> None:
 def test_another_text_of_the_manual_is_told(run: CommandLine) -> None:
     run("audit", "gadget", "--sign", "1", "--by", "second reader", "--on", "2026-05-03")
     change(run, "0" * 64, "1" * 64)
-    assert dict(told(run))["1"] == "compared with another text of the manual"
+    assert dict(rows_since(run))["1"] == "compared with another text of the manual"
 
 
 def test_several_reviews_follow_each_other_and_a_state_is_written_once(run: CommandLine) -> None:
@@ -95,7 +95,7 @@ def test_several_reviews_follow_each_other_and_a_state_is_written_once(run: Comm
         "--how",
         "By eye.",
     )
-    assert written(run).count("facts: ") == 1
+    assert review_file(run).count("facts: ") == 1
     tables = run.json("audit", "gadget")["sections"]["sign_off"]["tables"]
     assert [(row["by"], row["date"], row["how"]) for row in tables["readings"]] == [
         ("first transcription", "2026-05-03", ""),
@@ -109,25 +109,25 @@ def test_a_chapter_stands_for_its_sections() -> None:
     rows = "".join(
         f"      - {{at: {n}, name: r{n}, type: u16, source: {s}}}\n" for n, s in enumerate(sections.values())
     )
-    held = state("registers:\n  - group: all\n    rows:\n" + rows)
-    from fieldspec.commands.signing import _picked
+    sections_by_name = state("registers:\n  - group: all\n    rows:\n" + rows)
+    from fieldspec.commands.audit_files import _picked
 
-    assert list(_picked(held, "9")) == ["9", "9.1", "9.10"]
+    assert list(_picked(sections_by_name, "9")) == ["9", "9.1", "9.10"]
 
 
 @pytest.mark.parametrize(
     ("arguments", "expected"),
     [
-        (("--sign", "1"), "--sign needs to know who has compared it"),
-        (("--sign", "1", "--by", " "), "--sign needs to know who has compared it"),
+        (("--sign", "1"), "--sign records who made the comparison"),
+        (("--sign", "1", "--by", " "), "--sign records who made the comparison"),
         (("--sign", "7", "--by", "x"), "there is no section of the manual that facts cite 7"),
-        (("--sign", "1", "--by", "x", "--on", "2026-02-30"), "--on 2026-02-30 is no day"),
-        (("--sign", "1", "--by", "x", "--on", "9998-02-03"), "--on 9998-02-03 is still to come"),
-        (("--sign", "1", "--by", "x", "--dump", "d.csv"), "--sign and --dump do not go together"),
-        (("--sign", "1", "--by", "x", "--as-printed"), "--sign and --as-printed do not go together"),
-        (("--sign", "1", "--by", "x", "--manual", "m.txt"), "--sign looks into no manual, so --manual has no use"),
-        (("--sign", "1", "--by", "x", "--format", "json"), "--sign prints no report, so --format has no use"),
-        (("--record", "--manual", "m.txt", "--table", "ledger"), "--record prints no report, so --table has no use"),
+        (("--sign", "1", "--by", "x", "--on", "2026-02-30"), "--on 2026-02-30 is not a date"),
+        (("--sign", "1", "--by", "x", "--on", "9998-02-03"), "--on 9998-02-03 is in the future"),
+        (("--sign", "1", "--by", "x", "--dump", "d.csv"), "--sign and --dump cannot be combined"),
+        (("--sign", "1", "--by", "x", "--as-printed"), "--sign and --as-printed cannot be combined"),
+        (("--sign", "1", "--by", "x", "--manual", "m.txt"), "--sign reads no manual, so --manual has no effect"),
+        (("--sign", "1", "--by", "x", "--format", "json"), "--sign prints no report, so --format has no effect"),
+        (("--record", "--manual", "m.txt", "--table", "ledger"), "--record prints no report, so --table has no effect"),
         (("--by", "x"), "--by goes with --sign SECTION"),
         (("--on", "2026-02-03"), "--on goes with --sign SECTION"),
     ],
@@ -151,8 +151,8 @@ def test_a_file_behind_which_no_entry_can_follow_is_left_alone(run: CommandLine)
 
 
 def with_review(**changed: str) -> DeviceSpec:
-    held = state(ROWS % "2 L2")["1"]
-    entry = {"section": '"1"', "state": f'"{held.hash}"', "facts": "".join(held.digests)}
+    state_of_section = state(ROWS % "2 L2")["1"]
+    entry = {"section": '"1"', "state": f'"{state_of_section.hash}"', "facts": "".join(state_of_section.digests)}
     signed = ", ".join(f"{key}: {value}" for key, value in {**entry, **changed}.items() if key != "date")
     day = changed.get("date", "2026-05-03")
     text = f"reviews: [{{by: x, date: {day}, manual: {'0' * 64}, sections: [{{{signed}}}]}}]\n"
@@ -169,29 +169,29 @@ def with_review(**changed: str) -> DeviceSpec:
     ],
 )
 def test_a_review_that_was_written_by_hand_is_found(changed: dict[str, str], message: list[str]) -> None:
-    _, found = reviews(with_review(**changed))
-    assert [one.message[: len(text)] for one, text in zip(found, message, strict=False)] == message
-    assert set(codes(found)) <= {"reviews_sound"}
-    assert bool(found) is bool(message)
+    _, findings = reviews_of(with_review(**changed))
+    assert [finding.message[: len(text)] for finding, text in zip(findings, message, strict=False)] == message
+    assert set(codes(findings)) <= {"reviews_sound"}
+    assert bool(findings) is bool(message)
 
 
 def test_a_review_of_a_section_that_no_fact_cites_is_found() -> None:
-    found, _ = reviews(with_review(section='"8.22"'))
-    assert codes(list(uncited(state(ROWS % "2 L2"), found))) == ["reviews_sound"]
+    reviews, _ = reviews_of(with_review(section='"8.22"'))
+    assert codes(list(uncited(state(ROWS % "2 L2"), reviews))) == ["reviews_sound"]
 
 
 def test_the_latest_review_comes_first() -> None:
-    held = state(ROWS % "2 L2")
-    one = reviews(with_review())[0][0]
-    (section,) = [r for r in reviewed(held, [one, one], one.manual) if r.section == "1"]
+    states = state(ROWS % "2 L2")
+    review = reviews_of(with_review())[0][0]
+    (section,) = [r for r in reviewed(states, [review, review], review.manual) if r.section == "1"]
     assert len(section.reviews) == 2
-    assert all(told.same for _, told in section.reviews)
+    assert all(changes.same for _, changes in section.reviews)
 
 
 def test_nothing_is_the_same_as_a_state_with_other_facts() -> None:
-    held = state(ROWS % "2 L2")["1"]
-    signed = reviews(with_review())[0][0].sections[0]
+    state_of_section = state(ROWS % "2 L2")["1"]
+    signed = reviews_of(with_review())[0][0].sections[0]
     other = State({"AAAA": ("registers/x",)})
-    assert since(held, signed, False).same
+    assert since(state_of_section, signed, False).same
     assert since(other, signed, False).changed == ("registers/x",)
-    assert state_hash(held.digests) == held.hash
+    assert state_hash(state_of_section.digests) == state_of_section.hash

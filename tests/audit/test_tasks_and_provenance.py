@@ -7,14 +7,14 @@ from typing import Any
 import pytest
 
 from fieldspec.audit.manual_lines import index_of
+from fieldspec.audit.print_gaps import empty_cells, labels_elsewhere, without_unit
 from fieldspec.audit.section import Section, Subject
 from fieldspec.audit.sources import sources
 from fieldspec.audit.tasks import tasks
-from fieldspec.audit.unsaid import empty_cells, labels_elsewhere, without_unit
 from fieldspec.model.operand import Operands
 from fieldspec.reading.project import DeviceSpec
-from laid_out import MADE_UP, SPECS, laid_at, newest
-from reading import gadget
+from layouts import SPECS, TEST_SPECS, layout_at, newest
+from spec_files import gadget
 
 DEVICES = ("ck10", "esc11", "hiwin-e", "tc100")
 MODES = """
@@ -40,13 +40,13 @@ lookups:
 
 
 def subject(spec: DeviceSpec) -> Subject:
-    layout = laid_at(spec, spec.versions()[-1])
+    layout = layout_at(spec, spec.versions()[-1])
     return Subject(spec, layout, (layout,), ((),))
 
 
 def column(section: Section, table: str, name: str) -> list[Any]:
-    held = next(one for one in section.tables if one.name == table)
-    return [row[held.columns.index(name)] for row in held.rows]
+    rows_of = next(candidate for candidate in section.tables if candidate.name == table)
+    return [row[rows_of.columns.index(name)] for row in rows_of.rows]
 
 
 def test_a_task_that_nothing_answers_is_missing() -> None:
@@ -56,22 +56,22 @@ def test_a_task_that_nothing_answers_is_missing() -> None:
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_every_device_answers_every_task(device: str) -> None:
-    held = {task.kind for task in newest(SPECS, device).device.tasks}
+    kinds = {task.kind for task in newest(SPECS, device).device.tasks}
     section = tasks(subject(gadget("registers: []\n")))
-    assert held == set(column(section, "tasks", "task"))
+    assert kinds == set(column(section, "tasks", "task"))
 
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_every_target_of_a_step_is_one_operand(device: str) -> None:
     model = newest(SPECS, device).device
-    held = Operands(model)
+    operands = Operands(model)
     steps = [(step, name) for task in model.tasks for step in task.steps for name in task.messages or ("",)]
     assert steps
-    assert {len(held.target(step.target, name)) for step, name in steps} == {1}
+    assert {len(operands.target(step.target, name)) for step, name in steps} == {1}
 
 
 def test_what_is_not_printed_has_tables_of_its_own() -> None:
-    model = newest(MADE_UP, "widget").device
+    model = newest(TEST_SPECS, "widget").device
     assert [fact.name for fact in model.limits if fact.reported] == ["reply_time"]
     text = "limits: [{name: a, source: 1 L1, reported: [{by: A user, how: Seen., doc: It is so.}]}]\n"
     section = sources(subject(gadget(text)))

@@ -1,4 +1,4 @@
-"""A program for the tests: it decodes what a line says, encodes it again, and prints both verdicts."""
+"""A C program for the tests: it decodes the bytes of each input line, encodes them again, and prints both results."""
 
 from __future__ import annotations
 
@@ -51,32 +51,33 @@ int main(void)
 
 
 def records(layout: DeviceLayout) -> dict[str, RecordLayout]:
-    """Everything of a device that is decoded without a frame."""
-    found = dict(layout.records)
+    """The records and message bodies of a device, which are decoded without a frame."""
+    records = dict(layout.records)
     for message in layout.messages.values():
-        found |= {data.name: data for data in (message.request, message.response)}
-    return found
+        records |= {data.name: data for data in (message.request, message.response)}
+    return records
 
 
 def settled(layout: DeviceLayout) -> Naming:
-    """The names that the header of a layout has."""
+    """The C names in the header of a layout."""
     naming = Naming(layout.device.id)
     header(layout, naming)
     return naming
 
 
 def source(layout: DeviceLayout) -> str:
-    """The text of the program."""
+    """The source of the program."""
     naming = settled(layout)
     cases = []
     for name, record in records(layout).items():
         decode, encode = naming.function("record", name, "decode"), naming.function("record", name, "encode")
-        held = bool(members(record))
+        has_members = bool(members(record))
+        argument = "&value, " if has_members else ""
         cases.append(
             f'if (strcmp(name, "{name}") == 0) {{'
-            + (f" {naming.type('record', name)} value; memset(&value, 0, sizeof value);" if held else "")
-            + f" status = (int){decode}(data, (size_t)size{', &value' if held else ''});"
-            + f" if (status == 0) second = (int){encode}({'&value, ' if held else ''}again, sizeof again, &length); }}"
+            + (f" {naming.type('record', name)} value; memset(&value, 0, sizeof value);" if has_members else "")
+            + f" status = (int){decode}(data, (size_t)size{', &value' if has_members else ''});"
+            + f" if (status == 0) second = (int){encode}({argument}again, sizeof again, &length); }}"
         )
     for link in layout.links.values():
         wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end

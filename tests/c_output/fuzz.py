@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from fieldspec.backends.c.backend import files
 from fieldspec.backends.c.naming import stem
-from laid_out import SPECS, newest
+from layouts import SPECS, newest
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SECONDS = 60
@@ -29,21 +29,21 @@ FLAGS = [
 
 
 def built(clang: str, folder: Path, source: Path, *more: str) -> Path:
-    """The fuzzer of a target that lies beside its header."""
+    """Builds the fuzzer of a target; the header is in the same folder."""
     program = folder / source.stem
     subprocess.run([clang, *FLAGS, *more, "-o", str(program), str(source)], check=True)
     return program
 
 
 def command(program: Path, seconds: int, corpus: Path) -> list[str]:
-    """How a fuzzer is run for a time. The largest frame has some 500 bytes."""
+    """The command that runs a fuzzer for some seconds. The largest frame has some 500 bytes."""
     corpus.mkdir(exist_ok=True)
     artifacts = f"-artifact_prefix={program.parent}/"
     return [str(program), f"-max_total_time={seconds}", "-max_len=600", artifacts, str(corpus)]
 
 
 def main(seconds: int = SECONDS) -> int:
-    """Fuzzes all devices and gives the exit code: 1 where something broke, 2 without clang."""
+    """Fuzzes all devices and returns the exit code: 1 if an input breaks something, 2 without clang."""
     clang = shutil.which("clang")
     if clang is None:
         print("clang is not installed; on Debian: apt-get install clang libclang-rt-dev", file=sys.stderr)
@@ -63,8 +63,8 @@ def main(seconds: int = SECONDS) -> int:
             return 2
         call = command(program, seconds, folder / "corpus")
         log = folder / "log.txt"
-        with log.open("w", encoding="utf-8") as said:
-            running.append((layout.device.id, log, subprocess.Popen(call, stdout=said, stderr=subprocess.STDOUT)))
+        with log.open("w", encoding="utf-8") as log_file:
+            running.append((layout.device.id, log, subprocess.Popen(call, stdout=log_file, stderr=subprocess.STDOUT)))
     broken = 0
     for device, log, process in running:
         code = process.wait()

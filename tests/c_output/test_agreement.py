@@ -1,4 +1,4 @@
-"""Compiled C and the reference agree on random bytes: on what is refused and why, and on what is written again."""
+"""Compiled C and the reference agree on random bytes: what is refused and why, and what is encoded again."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import require_tool
+from compilers import require_tool
 from driver import records, settled, source
 
 from fieldspec.backends.c.backend import files
@@ -23,11 +23,11 @@ from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Kind
 from fieldspec.reference import CodecError, codec
 from fieldspec.reference.records import decoded, encoded
-from laid_out import MADE_UP, SPECS, newest
+from layouts import SPECS, TEST_SPECS, newest
 
-REAL = ["ck10", "esc11", "hiwin-e", "tc100"]
-MADE = ["gadget", "gizmo", "glider-x", "widget"]
-DEVICES = [*((SPECS, device) for device in REAL), *((MADE_UP, device) for device in MADE)]
+REAL_DEVICES = ["ck10", "esc11", "hiwin-e", "tc100"]
+INVENTED_DEVICES = ["gadget", "gizmo", "glider-x", "widget"]
+DEVICES = [*((SPECS, device) for device in REAL_DEVICES), *((TEST_SPECS, device) for device in INVENTED_DEVICES)]
 TRIES = 60
 NUMBERS = {name.removeprefix("err_"): number for number, name in enumerate(status_names())}
 
@@ -46,45 +46,47 @@ def driver(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
 
 
 def answers(program: Path, lines: list[str]) -> Iterator[tuple[int, str | None]]:
-    """For each line the status of decoding, and what was written again, None where that was refused."""
+    """For each line, the status of decoding and the bytes encoded again, None where encoding is refused."""
     text = "".join(f"{line}\n" for line in lines)
     result = subprocess.run([str(program)], input=text, capture_output=True, text=True, check=True)
-    found = result.stdout.splitlines()
-    assert len(found) == len(lines)
-    for line in found:
+    output_lines = result.stdout.splitlines()
+    assert len(output_lines) == len(lines)
+    for line in output_lines:
         status, second, again = line.split(" ")
         yield int(status), again if second == "0" else None
 
 
-def given(record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
-    """The values without those that nobody gives: reserved, constant and measuring fields."""
-    kept = {}
+def values_to_encode(record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
+    """The values that an encoder takes: those of reserved, constant and measuring fields are left out."""
+    result = {}
     for field in record.fields:
         constant = field.value is not None and field.value.const is not None
         if constant or field.field.measures or field.field.reserved:
             continue
-        held = values[field.name]
+        value = values[field.name]
         if field.record is not None:
             inner = field.record
-            held = [given(inner, item) for item in held] if field.is_list else given(inner, held)
-        kept[field.name] = held
-    return kept
+            value = (
+                [values_to_encode(inner, item) for item in value] if field.is_list else values_to_encode(inner, value)
+            )
+        result[field.name] = value
+    return result
 
 
 def expected(layout: DeviceLayout, record: RecordLayout, data: bytes) -> tuple[int, str | None]:
-    """The status of decoding as the reference has it, and what it writes again, None where it refuses that."""
+    """The status of decoding in the reference and the bytes that it encodes again, None where it refuses to."""
     try:
         values = decoded(record, data, layout.device)
     except CodecError as error:
         return NUMBERS[error.reason], None
     try:
-        return 0, encoded(record, given(record, values), layout.device).hex()
+        return 0, encoded(record, values_to_encode(record, values), layout.device).hex()
     except CodecError:
         return 0, None
 
 
 def random_bytes(record: RecordLayout, dice: random.Random) -> bytes:
-    """Bytes near what a record may be: often of the right size, often small numbers, often with a right measure."""
+    """Bytes that resemble a record: often of the right size, of small numbers, with a correct length or count field."""
     form = record
     if record.selector is not None and dice.random() < 0.8:
         number = dice.choice(list(record.chosen))
@@ -125,23 +127,23 @@ def comparable(record: RecordLayout) -> bool:
 def test_c_and_the_reference_agree_on_random_bytes(driver: tuple[DeviceLayout, Path]) -> None:
     layout, program = driver
     dice = random.Random(layout.device.id)
-    held = records(layout)
+    layouts_by_name = records(layout)
     cases = [
         (name, random_bytes(record, dice))
-        for name, record in held.items()
+        for name, record in layouts_by_name.items()
         for _ in range(TRIES * max(1, len(record.chosen)))
     ]
     taken = set()
     for (name, data), answer in zip(
         cases, answers(program, [f"{name} {data.hex()}" for name, data in cases]), strict=True
     ):
-        record = held[name].of_data(data)
-        status, written = expected(layout, held[name], data)
+        record = layouts_by_name[name].of_data(data)
+        status, expected_text = expected(layout, layouts_by_name[name], data)
         assert answer[0] == status, (name, data.hex(), answer)
         if status == 0 and record is not None and comparable(record):
-            assert answer[1] == written, (name, data.hex(), answer)
+            assert answer[1] == expected_text, (name, data.hex(), answer)
             taken.add(name)
-    assert taken >= {name for name, record in held.items() if record.selector is not None}
+    assert taken >= {name for name, record in layouts_by_name.items() if record.selector is not None}
 
 
 def test_c_and_the_reference_agree_on_damaged_frames(driver: tuple[DeviceLayout, Path]) -> None:
@@ -174,8 +176,8 @@ def test_c_and_the_reference_agree_on_damaged_frames(driver: tuple[DeviceLayout,
             assert status == NUMBERS[reason], (example.id, frame.hex(), reason, status)
 
 
-def test_a_name_that_would_be_there_twice_gets_a_number() -> None:
-    naming = settled(newest(MADE_UP, "widget"))
+def test_a_name_that_would_occur_twice_gets_a_number() -> None:
+    naming = settled(newest(TEST_SPECS, "widget"))
     first, second = naming.macro("enum", "a_b", "c"), naming.macro("enum", "a", "b_c")
     assert [first, second] == ["WIDGET_A_B_C", "WIDGET_A_B_C_2"]
     assert naming.macro("enum", "a_b", "c") == first

@@ -1,6 +1,6 @@
 """The C headers without an operating system: small, big-endian and 64-bit machines, and int of 16 bits.
 
-What can be run is run, by an emulator: the self-test that is generated with each header, without any library.
+Whatever an emulator can run is run: the self-test that is generated with each header, without any library.
 """
 
 from __future__ import annotations
@@ -14,15 +14,15 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import STRICT, require_tool
+from compilers import STRICT, require_tool
 
 from fieldspec.backends.c.backend import files
 from fieldspec.backends.c.naming import stem
 from fieldspec.names import Name
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
 BARE = Path(__file__).parent / "bare"
-DEVICES = {name: versions[-1] for root in (SPECS, MADE_UP) for name, versions in layouts(root).items()}
+DEVICES = {name: versions[-1] for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()}
 TEXTS = {name: files([layout]) for name, layout in DEVICES.items()}
 STEMS = {name: stem(name, layout.device.version) for name, layout in DEVICES.items()}
 
@@ -37,7 +37,7 @@ class Machine:
     emulator: tuple[str, ...]
 
 
-# It has a Cortex-M3, which is told to trap unaligned accesses as a Cortex-M0 does.
+# The emulated machine has a Cortex-M3, set to trap unaligned accesses as a Cortex-M0 does.
 BOARD = ("-M", "mps2-an385", "-nographic", "-monitor", "none", "-serial", "none")
 BOARD += ("-semihosting-config", "enable=on,target=native")
 LINUX = ("-static", "-Wl,-estart")
@@ -51,7 +51,7 @@ MACHINES = {
     "big-endian, 32 bits": Machine("m68k-linux-gnu-gcc", ("-Os",), LINUX, ("qemu-m68k",)),
     "int of 16 bits": Machine(
         "m68k-linux-gnu-gcc",
-        # The passes that are left out break down where int has 16 bits.
+        # The disabled passes fail where int has 16 bits.
         ("-O1", "-fno-ivopts", "-fno-tree-slsr", "-mshort", "-include", str(BARE / "short_int.h")),
         LINUX,
         ("qemu-m68k",),
@@ -69,15 +69,15 @@ def run(machine: Machine, folder: Path, device: str, *more: str) -> subprocess.C
 
 
 def run_again(machine: Machine, folder: Path, source: Path, *more: str) -> subprocess.CompletedProcess[str]:
-    """Compiles a self-test that lies there with its header, and runs it."""
+    """Compiles a self-test beside its header and runs it."""
     compiler = [require_tool(machine.compiler), "-ffreestanding", *machine.flags, *more]
     objects = []
     for file, standard in ((source, ["-std=c99", *STRICT]), (BARE / "start.c", ["-std=gnu99"])):
         objects.append(str(folder / f"{file.stem}.o"))
-        made = subprocess.run(
+        build = subprocess.run(
             [*compiler, *standard, "-c", "-o", objects[-1], str(file)], capture_output=True, text=True, check=False
         )
-        assert made.returncode == 0, made.stderr[:4000]
+        assert build.returncode == 0, build.stderr[:4000]
     program = str(folder / "program")
     linked = [*compiler, "-nostdlib", *machine.linking, *objects, "-lgcc", "-o", program]
     subprocess.run(linked, check=True, capture_output=True)
@@ -85,9 +85,9 @@ def run_again(machine: Machine, folder: Path, source: Path, *more: str) -> subpr
     return subprocess.run(emulator, capture_output=True, text=True, check=False, timeout=60)
 
 
-# Made-up devices have what real ones have not: floats, swapped words, choices. One machine of each kind is enough.
+# Made-up devices have features that real ones lack: floats, swapped words, choices. One machine of each kind is enough.
 CASES = [(device, machine) for device in layouts(SPECS) for machine in MACHINES]
-CASES += [(device, machine) for device in layouts(MADE_UP) for machine in ("big-endian, 32 bits", "int of 16 bits")]
+CASES += [(device, machine) for device in layouts(TEST_SPECS) for machine in ("big-endian, 32 bits", "int of 16 bits")]
 
 
 @pytest.mark.parametrize(("device", "machine"), CASES)
@@ -96,13 +96,13 @@ def test_the_self_test_passes_without_an_operating_system(device: str, machine: 
     assert (result.returncode, result.stdout + result.stderr) == (0, "")
 
 
-def test_an_unaligned_access_would_be_trapped(tmp_path: Path) -> None:
+def test_an_unaligned_access_is_trapped(tmp_path: Path) -> None:
     result = run(MACHINES["Cortex-M0"], tmp_path, "esc11", "-DUNALIGNED_ON_PURPOSE")
     assert result.returncode == 2
     assert "unaligned" in result.stdout + result.stderr
 
 
-def test_numbers_that_lie_as_in_the_machine_would_be_found(tmp_path: Path) -> None:
+def test_stores_in_the_byte_order_of_the_machine_fail_the_self_test(tmp_path: Path) -> None:
     result = run(MACHINES["big-endian, 32 bits"], tmp_path, "esc11", "-DESC11_STORES_AT_ONCE")
     assert result.returncode == 1
     assert result.stdout.startswith("failed: ")
@@ -114,17 +114,17 @@ def test_no_number_needs_a_function_of_the_library(device: str, optimized: str, 
     assert [name for name in called(device, tmp_path, optimized) if "mem" in name] == []
 
 
-def test_stores_at_once_would_call_functions_of_the_library(tmp_path: Path) -> None:
+def test_stores_of_whole_numbers_would_call_functions_of_the_library(tmp_path: Path) -> None:
     assert "memcpy" in called("ck10", tmp_path, "-O2", "-DCK10_STORES_AT_ONCE")
 
 
 def called(device: str, folder: Path, *flags: str) -> list[str]:
-    """What all functions of a header together call beside each other, on a Cortex-M0+."""
+    """The external functions that the functions of a header call on a Cortex-M0+."""
     for path, text in TEXTS[device].items():
         (folder / path).write_text(text, encoding="utf-8", newline="\n")
     (folder / "all.c").write_text(f'#include "{STEMS[device]}.h"\n', encoding="utf-8")
     machine = ["-std=c99", "-ffreestanding", "-mcpu=cortex-m0plus", "-mthumb", "-fkeep-inline-functions"]
-    made = [str(folder / "all.c"), "-c", "-o", str(folder / "all.o")]
-    subprocess.run([require_tool("arm-none-eabi-gcc"), *machine, *flags, *made], check=True)
+    arguments = [str(folder / "all.c"), "-c", "-o", str(folder / "all.o")]
+    subprocess.run([require_tool("arm-none-eabi-gcc"), *machine, *flags, *arguments], check=True)
     tool = [require_tool("arm-none-eabi-nm"), "--undefined-only", "--format=just-symbols", str(folder / "all.o")]
     return subprocess.run(tool, capture_output=True, text=True, check=True).stdout.split()

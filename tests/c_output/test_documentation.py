@@ -1,4 +1,4 @@
-"""The code in the documentation of the C headers compiles without a warning, and does what it says."""
+"""The code in the documentation of the C headers compiles without a warning and does what the text says."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import compiled
+from compilers import compiled
 
 from fieldspec.backends.c.backend import files
-from laid_out import SPECS, newest
+from layouts import SPECS, newest
 
 TEXT = (Path(__file__).resolve().parent.parent.parent / "docs" / "c.md").read_text("utf-8")
 PROGRAMS = re.findall(r"```c\n(.*?)```", TEXT, re.DOTALL)
@@ -27,5 +27,5 @@ def test_a_program_of_the_documentation_runs(program: str, compiler: str, tmp_pa
         for path, text in files([newest(SPECS, device)]).items():
             (tmp_path / path).write_text(text, encoding="utf-8", newline="\n")
     (tmp_path / "program.c").write_text(program, encoding="utf-8")
-    made = compiled(compiler, tmp_path / "program.c", tmp_path / "program")
-    assert subprocess.run([str(made)], check=False).returncode == 0
+    compilation = compiled(compiler, tmp_path / "program.c", tmp_path / "program")
+    assert subprocess.run([str(compilation)], check=False).returncode == 0

@@ -1,4 +1,4 @@
-"""The fuzz targets: they find nothing in the headers, and find what is put there."""
+"""The fuzz targets find nothing in the headers, and find defects that are put into them."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import STRICT, require_tool
+from compilers import STRICT, require_tool
 from fuzz import built, command
 
+from external_tools import without
 from fieldspec.backends.c.backend import files
 from fieldspec.backends.c.naming import stem
-from laid_out import MADE_UP, SPECS, newest
-from tools_available import without
+from layouts import SPECS, TEST_SPECS, newest
 
 DEVICES = [*((SPECS, name) for name in ("ck10", "esc11", "hiwin-e", "tc100"))]
-DEVICES += [(MADE_UP, name) for name in ("gadget", "glider-x", "widget")]
+DEVICES += [(TEST_SPECS, name) for name in ("gadget", "glider-x", "widget")]
 SECONDS = 1
 
 
 def clang() -> str:
-    """The compiler, if it has its fuzzer."""
+    """The path of clang; skips the test if clang has no fuzzer."""
     tool = require_tool("clang")
     folder = subprocess.run([tool, "-print-resource-dir"], capture_output=True, text=True, check=True).stdout.strip()
     return (
@@ -34,7 +34,7 @@ def clang() -> str:
 
 
 def fuzzed(folder: Path, root: Path, device: str, seconds: int, right: str = "", wrong: str = "") -> str:
-    """What a fuzzer says at its end, in whose header something may have been replaced first."""
+    """The last output of a fuzzer; before it runs, a text of its header may be replaced."""
     tool, layout = clang(), newest(root, device)
     name = stem(device, layout.device.version)
     for path, text in files([layout]).items():
@@ -50,22 +50,22 @@ def fuzzed(folder: Path, root: Path, device: str, seconds: int, right: str = "",
 
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=[device for _, device in DEVICES])
 def test_a_fuzzer_finds_nothing(root: Path, device: str, tmp_path: Path) -> None:
-    said = fuzzed(tmp_path, root, device, SECONDS)
-    assert "SUMMARY" not in said, said[-3000:]
-    assert re.search(r"^Done \d{4,} runs", said, re.MULTILINE)
+    output = fuzzed(tmp_path, root, device, SECONDS)
+    assert "SUMMARY" not in output, output[-3000:]
+    assert re.search(r"^Done \d{4,} runs", output, re.MULTILINE)
 
 
 @pytest.mark.parametrize(
-    ("root", "device", "right", "wrong", "found"),
+    ("root", "device", "right", "wrong", "expected_text"),
     [
         (SPECS, "tc100", "if (length != 28u)", "if (length > 28u)", "heap-buffer-overflow"),
         (SPECS, "tc100", "if (size < 3u)", "if (size < 1u)", "SUMMARY"),
         (SPECS, "tc100", "tc100_store_u16_be(out + 6, ", "tc100_store_u16_be(out + 8, ", "deadly signal"),
         (SPECS, "esc11", "if (capacity < ", "if (capacity + 1u < ", "SUMMARY"),
-        (MADE_UP, "glider-x", "if (!(count > ", "if ((count != count) && !(count > ", "outside the range"),
+        (TEST_SPECS, "glider-x", "if (!(count > ", "if ((count != count) && !(count > ", "outside the range"),
     ],
 )
 def test_a_fuzzer_finds_what_is_wrong(
-    root: Path, device: str, right: str, wrong: str, found: str, tmp_path: Path
+    root: Path, device: str, right: str, wrong: str, expected_text: str, tmp_path: Path
 ) -> None:
-    assert found in fuzzed(tmp_path, root, device, 60, right, wrong)
+    assert expected_text in fuzzed(tmp_path, root, device, 60, right, wrong)

@@ -1,4 +1,4 @@
-"""Trees of C are printed with the parentheses that C needs, and with no other variable than those that are used."""
+"""Trees of C are printed with the parentheses that C needs, and declare only the variables that they use."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def test_a_function_declares_the_variables_that_it_uses_in_their_order() -> None
     ]
 
 
-def test_a_long_condition_goes_on_in_the_next_line() -> None:
+def test_a_long_condition_continues_on_the_next_line() -> None:
     names = [Identifier(f"{letter * 30}") for letter in "abcde"]
     lines = Printer().print_statements([If(any_of(names), ())], "    ")
     assert lines == [
@@ -94,7 +94,7 @@ def test_a_long_condition_goes_on_in_the_next_line() -> None:
     ]
 
 
-def test_an_else_that_is_a_condition_stands_on_the_line_of_the_else() -> None:
+def test_an_else_with_a_condition_is_an_else_if_on_one_line() -> None:
     printed = Printer().print_statements([If(A, (Return(A),), (If(B, (Return(B),), (Return(C),)),))], "")
     assert [line for line in printed if line.startswith("}")] == ["} else if (b) {", "} else {", "}"]
 

@@ -1,4 +1,4 @@
-"""A closed enum and a range are both tested only where the enum has a member beside the range."""
+"""A closed enum and a range are both tested only where the enum has a member outside the range."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from fieldspec.backends.c.backend import header
 from fieldspec.backends.c.naming import Naming
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.value import Kind, Value
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
-NEWEST = [versions[-1] for root in (SPECS, MADE_UP) for versions in layouts(root).values()]
+NEWEST = [versions[-1] for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]
 
 
 def expected_errors(layout: DeviceLayout, value: Value) -> tuple[bool, bool]:
-    """Whether a number that the enum does not know, and one that it takes and that is out of range, can be written."""
+    """Whether a number outside the enum, and a member of the enum outside the range, can be written."""
     sentinels = {sentinel.value for sentinel in value.sentinels}
     enum = layout.device.enums[value.enum] if value.enum else None
     closed = enum is not None and not enum.open

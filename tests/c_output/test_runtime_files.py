@@ -1,4 +1,4 @@
-"""The files of C that headers, self-tests and fuzz targets are made of compile on their own, without a warning."""
+"""The C files from which headers, self-tests and fuzz targets are built compile on their own, without a warning."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import compiled
+from compilers import compiled
 
 from fieldspec.backends.c import runtime_files
 
@@ -19,7 +19,7 @@ FOLDER = Path(runtime_files.__file__).parent
 RUNTIME = FOLDER / "runtime"
 STANDARD = ["stdbool.h", "stddef.h", "stdint.h", "stdlib.h", "string.h"]
 
-# What a file needs before it, and statements that use all of it.
+# The declarations that a file needs before it, and statements that use all of it.
 PROGRAMS = {
     "machine.h": ([], "uint8_t out[2] = {1, 2}, in[2] = {0, 0}; DEVICE_COPY(in, out, 2); DEVICE_CLEAR(out, 2);"),
     "status.h": ([], "device_codec_status status = DEVICE_OK; (void)status;"),
@@ -98,8 +98,8 @@ def test_every_order_of_bytes_has_a_function_that_loads_and_one_that_stores() ->
     assert [part for part in parts for verb in ("load", "store") if f" device_{verb}_{part}(" not in text] == []
 
 
-def test_no_generator_looks_at_what_it_has_written() -> None:
-    # These look at texts of specs and at files of C, before anything is written.
+def test_no_generator_inspects_its_own_output() -> None:
+    # These inspect texts of specs and C files before anything is generated.
     readers = {"declarations.py", "expressions.py", "runtime_files.py"}
     users = set()
     for path in FOLDER.glob("*.py"):

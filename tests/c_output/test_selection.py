@@ -1,4 +1,4 @@
-"""One header of a device takes the header of the version that is asked for when a program is compiled."""
+"""A common header of a device includes the header of the version that is selected at compile time."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import compiled
+from compilers import compiled
 
 from fieldspec.backends.c.backend import files
-from laid_out import SPECS, layouts
+from layouts import SPECS, layouts
 
 VERSIONS = layouts(SPECS)["esc11"]
 PROGRAM = """
@@ -25,21 +25,21 @@ int main(void) { puts(ESC11_VERSION); puts(ESC11_IDENTITY); return 0; }
 
 
 def program(folder: Path, compiler: str, *flags: str, code: str = PROGRAM) -> list[str]:
-    """What a program says that is compiled with some flags."""
+    """The output lines of a program that is compiled with some flags."""
     for path, text in files(VERSIONS).items():
         (folder / path).write_text(text, encoding="utf-8", newline="\n")
     source = folder / "program.c"
     source.write_text(code, encoding="utf-8")
-    made = compiled(compiler, source, folder / "program", "-Wno-unused-function", *flags)
-    return subprocess.run([str(made)], capture_output=True, text=True, check=True).stdout.split()
+    compilation = compiled(compiler, source, folder / "program", "-Wno-unused-function", *flags)
+    return subprocess.run([str(compilation)], capture_output=True, text=True, check=True).stdout.split()
 
 
 @pytest.mark.parametrize("compiler", ["gcc", "clang", "g++"])
 @pytest.mark.parametrize(("name", "version"), [("V1_17", "1.17"), ("BEFORE_1_17", "before-1.17"), ("LATEST", "1.17")])
-def test_the_version_that_is_asked_for_is_taken(name: str, version: str, compiler: str, tmp_path: Path) -> None:
-    (laid,) = (laid for laid in VERSIONS if laid.device.version == version)
-    said = program(tmp_path, compiler, f"-DESC11_SELECT=ESC11_SELECT_{name}")
-    assert said == [version, laid.identity]
+def test_the_selected_version_is_included(name: str, version: str, compiler: str, tmp_path: Path) -> None:
+    (layout,) = (layout for layout in VERSIONS if layout.device.version == version)
+    output = program(tmp_path, compiler, f"-DESC11_SELECT=ESC11_SELECT_{name}")
+    assert output == [version, layout.identity]
 
 
 def test_the_version_may_be_named_in_the_program(tmp_path: Path) -> None:
@@ -48,6 +48,6 @@ def test_the_version_may_be_named_in_the_program(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("flags", [(), ("-DESC11_SELECT=ESC11_SELECT_V9_9", "-Wno-undef"), ("-DESC11_SELECT=",)])
-def test_a_version_that_is_unknown_or_not_named_stops_the_compiler(flags: tuple[str, ...], tmp_path: Path) -> None:
+def test_an_unknown_or_missing_version_stops_the_compiler(flags: tuple[str, ...], tmp_path: Path) -> None:
     with pytest.raises(AssertionError, match="one of ESC11_SELECT_BEFORE_1_17, ESC11_SELECT_V1_17 or"):
         program(tmp_path, "gcc", *flags)

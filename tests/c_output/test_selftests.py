@@ -11,23 +11,23 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import COMPILERS, compiled, require_tool
+from compilers import COMPILERS, compiled, require_tool
 
 from fieldspec.backends.c.backend import files
 from fieldspec.backends.c.naming import stem
 from fieldspec.reading.project import read
-from laid_out import MADE_UP, SPECS, laid_at, layouts
+from layouts import SPECS, TEST_SPECS, layout_at, layouts
 
 KNOT = read({"knot-1/device.yaml": (Path(__file__).parent / "knot.yaml").read_bytes()}).devices["knot-1"]
-VERSIONS = [versions for root in (SPECS, MADE_UP) for versions in layouts(root).values()]
-VERSIONS.append([laid_at(KNOT, version) for version in KNOT.versions()])
+VERSIONS = [versions for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]
+VERSIONS.append([layout_at(KNOT, version) for version in KNOT.versions()])
 TEXTS = {path: text for versions in VERSIONS for path, text in files(versions).items()}
 HEADERS = sorted(path for path in TEXTS if path.endswith(".h") and path.replace(".h", "_selftest.c") in TEXTS)
 NEWEST = {stem(versions[-1].device.id, versions[-1].device.version) + ".h" for versions in VERSIONS}
 
 
-def written(folder: Path, header: str) -> Path:
-    """The self-test of a header, with the header beside it."""
+def write_selftest(folder: Path, header: str) -> Path:
+    """Writes the self-test of a header and the header beside it; returns the path of the self-test."""
     source = header.replace(".h", "_selftest.c")
     for path in (header, source):
         (folder / path).write_text(TEXTS[path], encoding="utf-8", newline="\n")
@@ -41,7 +41,7 @@ def written(folder: Path, header: str) -> Path:
 def test_a_header_compiles_without_a_warning_and_passes_its_self_test(
     header: str, compiler: str, tmp_path: Path
 ) -> None:
-    program = compiled(compiler, written(tmp_path, header), tmp_path / "selftest")
+    program = compiled(compiler, write_selftest(tmp_path, header), tmp_path / "selftest")
     result = subprocess.run([str(program)], capture_output=True, text=True, check=False)
     assert result.returncode == 0, result.stdout
     assert result.stdout.endswith(" passed, 0 failed\n")
@@ -61,7 +61,7 @@ def test_a_header_compiles_without_a_warning_and_passes_its_self_test(
     ],
 )
 def test_a_self_test_fails_when_the_header_is_wrong(name: str, right: str, wrong: str, tmp_path: Path) -> None:
-    source = written(tmp_path, f"{name}.h")
+    source = write_selftest(tmp_path, f"{name}.h")
     header = tmp_path / f"{name}.h"
     text, times = re.subn(re.escape(right), wrong, header.read_text("utf-8"), count=1)
     assert times == 1
@@ -71,7 +71,7 @@ def test_a_self_test_fails_when_the_header_is_wrong(name: str, right: str, wrong
 
 
 def test_a_machine_without_double_gets_none(tmp_path: Path) -> None:
-    source = written(tmp_path, "glider_x_v1_1.h")
+    source = write_selftest(tmp_path, "glider_x_v1_1.h")
     assert compiled("gcc", source, tmp_path / "selftest.o", "-DGLIDER_X_WITHOUT_DOUBLE", "-ffreestanding", "-c")
     command = [require_tool("gcc"), "-E", "-P", "-DGLIDER_X_WITHOUT_DOUBLE", str(tmp_path / "glider_x_v1_1.h")]
     text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
@@ -88,7 +88,7 @@ def test_two_versions_of_a_device_cannot_be_included_together(tmp_path: Path) ->
         compiled("gcc", source, tmp_path / "both")
 
 
-def test_the_wide_table_gives_the_same_check(tmp_path: Path) -> None:
-    source = written(tmp_path, "tc100_v2_0.h")
+def test_the_wide_table_gives_the_same_checksum(tmp_path: Path) -> None:
+    source = write_selftest(tmp_path, "tc100_v2_0.h")
     program = compiled("gcc", source, tmp_path / "selftest", "-DTC100_WIDE_CRC_TABLE")
     assert subprocess.run([str(program)], capture_output=True, check=False).returncode == 0

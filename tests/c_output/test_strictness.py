@@ -10,15 +10,15 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import STRICT, require_tool
+from compilers import STRICT, require_tool
 
 from fieldspec.backends.c.backend import files
 from fieldspec.backends.c.naming import stem
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
-DEVICES = {name: versions[-1] for root in (SPECS, MADE_UP) for name, versions in layouts(root).items()}
+DEVICES = {name: versions[-1] for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()}
 
-# Padding is the machine's affair; the other one says that the linker of a machine may lack a library.
+# Padding depends on the machine; the other warning says that the linker of a machine may lack a library.
 EVERYTHING = ["-Weverything", "-Wno-padded", "-Wno-unknown-warning-option", "-Wno-avr-rtlib-linking-quirks"]
 FREESTANDING = "-ffreestanding"
 MACHINES = {
@@ -45,7 +45,7 @@ def source(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
 
 
 def complaints(command: list[str]) -> str:
-    """What a tool says, the first of it."""
+    """The beginning of the messages of a tool."""
     result = subprocess.run(command, capture_output=True, text=True, check=False)
     return (result.stdout + result.stderr)[:4000] or (
         "" if result.returncode == 0 else f"exit code {result.returncode}"
@@ -53,13 +53,13 @@ def complaints(command: list[str]) -> str:
 
 
 @pytest.mark.parametrize("machine", MACHINES)
-def test_no_warning_of_clang_is_given(source: Path, machine: str) -> None:
+def test_clang_gives_no_warning(source: Path, machine: str) -> None:
     command = [require_tool("clang"), "-std=c99", *EVERYTHING, *MACHINES[machine], "-fsyntax-only", str(source)]
     assert complaints(command) == ""
 
 
 @pytest.mark.parametrize("standard", STANDARDS)
-def test_every_standard_of_cpp_takes_the_header(source: Path, standard: str) -> None:
+def test_every_standard_of_cpp_accepts_the_header(source: Path, standard: str) -> None:
     command = [
         require_tool(STANDARDS[standard]),
         f"-std={standard}",
@@ -82,7 +82,7 @@ def test_cppcheck_finds_nothing(source: Path) -> None:
     assert complaints([*command, *(f"--suppress={name}" for name in UNMINDED), header]) == ""
 
 
-def test_cppcheck_would_find_a_read_behind_the_end(tmp_path: Path) -> None:
+def test_cppcheck_finds_a_read_past_the_end(tmp_path: Path) -> None:
     (tmp_path / "wrong.h").write_text(
         "static int last(void) { int all[2] = {1, 2}; return all[2]; }\n", encoding="utf-8"
     )

@@ -6,7 +6,7 @@ import re
 from functools import cache
 
 from fieldspec.backends.docs.backend import files
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
 
 @cache
@@ -14,7 +14,7 @@ def documentation() -> dict[str, str]:
     """The texts of the documentation by path."""
     return {
         path: text
-        for root in (SPECS, MADE_UP)
+        for root in (SPECS, TEST_SPECS)
         for versions in layouts(root).values()
         for path, text in files(versions).items()
     }

@@ -13,7 +13,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 from docs_output.documented import documentation
-from tools_available import require_tool
+from external_tools import require_tool
 
 FLAGS = (
     "--headless=new",

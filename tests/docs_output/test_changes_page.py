@@ -17,7 +17,7 @@ from fieldspec.backends.docs.document import innermost
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.texts import Acceptance
 from fieldspec.reading.project import read
-from laid_out import MADE_UP, all_layouts, laid_at, layouts
+from layouts import TEST_SPECS, all_layouts, layout_at, layouts
 
 LAYOUTS = {f"{laid.device.id}/{laid.device.version}.html": laid for laid in all_layouts()}
 
@@ -88,7 +88,7 @@ def test_there_are_badges_to_be_seen() -> None:
 def mill() -> list[DeviceLayout]:
     """A device of three versions."""
     spec = read({"mill/device.yaml": SPEC.encode()}).devices["mill"]
-    return [laid_at(spec, version) for version in spec.versions()]
+    return [layout_at(spec, version) for version in spec.versions()]
 
 
 def test_each_version_is_compared_with_the_one_before_it() -> None:
@@ -139,12 +139,12 @@ def test_a_change_that_is_accepted_says_why() -> None:
             "mill/accepts.yaml": ACCEPTS.encode(),
         }
     ).devices["mill"]
-    page = files([laid_at(spec, version) for version in spec.versions()])["mill/changes.html"]
+    page = files([layout_at(spec, version) for version in spec.versions()])["mill/changes.html"]
     assert "Nobody &lt;b&gt;used&lt;/b&gt; it." in page
 
 
 def test_a_device_of_one_version_has_no_page_of_changes() -> None:
-    assert not [path for path in files(layouts(MADE_UP)["gadget"]) if "changes" in path]
+    assert not [path for path in files(layouts(TEST_SPECS)["gadget"]) if "changes" in path]
 
 
 def test_examples_notes_and_errata_say_which_versions_have_them() -> None:

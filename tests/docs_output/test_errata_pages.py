@@ -12,7 +12,7 @@ from fieldspec.backends.docs.changes import page_name
 from fieldspec.backends.docs.errata import EFFECTS, VERDICTS
 from fieldspec.commands import specs
 from fieldspec.proofs.running import errata_proofs
-from laid_out import SPECS
+from layouts import SPECS
 
 DEVICES = specs.project(str(SPECS)).devices
 

@@ -17,7 +17,7 @@ from docs_output.documented import documentation, shown, with_ending
 from fieldspec.backends.docs.backend import files
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Fact
-from laid_out import MADE_UP, SPECS, all_layouts, layouts, newest
+from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
 
 PAGES = with_ending(".html")
 LAYOUTS = {f"{laid.device.id}/{laid.device.version}.html": laid for laid in all_layouts()}
@@ -227,5 +227,5 @@ def test_the_list_of_versions_leads_to_all_of_them() -> None:
 
 
 def test_the_same_specs_give_the_same_pages() -> None:
-    versions = layouts(MADE_UP)["widget"]
+    versions = layouts(TEST_SPECS)["widget"]
     assert files(versions) == files(versions)

@@ -12,9 +12,9 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from docs_output.documented import documentation, shown, with_ending
-from fieldspec.backends.docs.document import clean
 from fieldspec.backends.docs.markdown import escaped
-from laid_out import MADE_UP, newest
+from fieldspec.html_text import clean
+from layouts import TEST_SPECS, newest
 
 PAGES = with_ending(".md")
 OWN = re.compile(r'<br>|<a id="[\w/.-]+">|</a>|<!-- Written by fieldspec .* -->')
@@ -75,7 +75,7 @@ def test_every_table_of_the_text_is_a_table_of_the_page(path: str) -> None:
 
 
 def test_labels_arrive_as_the_text_that_they_are() -> None:
-    device = newest(MADE_UP, "hostile").device
+    device = newest(TEST_SPECS, "hostile").device
     page = flowing(tokens("hostile/1.md"))
     for enum in device.enums.values():
         for member in enum.members:

@@ -9,9 +9,9 @@ from fieldspec.backends.docs.context import Holding
 from fieldspec.backends.docs.document import Document, Section, code, text_piece
 from fieldspec.backends.docs.page import page
 from fieldspec.layout.device import DeviceLayout
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
-SEVERAL = [versions for root in (SPECS, MADE_UP) for versions in layouts(root).values() if len(versions) > 1]
+SEVERAL = [versions for root in (SPECS, TEST_SPECS) for versions in layouts(root).values() if len(versions) > 1]
 
 
 def forms(document: Document) -> tuple[str, str]:

@@ -21,9 +21,9 @@ from fieldspec.plc.routines.expressions import BOOL, BYTE, DINT, INT, LINT, Arra
 from fieldspec.plc.structs import Struct, StructMember
 from fieldspec.reference import codec
 from fieldspec.reference.records import value_construct
-from laid_out import MADE_UP, SPECS, layouts, newest
+from layouts import SPECS, TEST_SPECS, layouts, newest
 
-LAYOUTS = [versions[-1] for root in (SPECS, MADE_UP) for versions in layouts(root).values()]
+LAYOUTS = [versions[-1] for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]
 PAIRS = [
     pytest.param(layout, memory, id=f"{layout.device.id}-{memory.name}")
     for layout in LAYOUTS

@@ -20,14 +20,14 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from s7_text import Member, blocks, step7, types
 
+from external_tools import without
 from fieldspec.backends.scl.backend import files
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.names import Name, stem
 from fieldspec.reference import codec
 from fieldspec.reference.records import encoded
-from laid_out import SPECS, layouts
-from tools_available import without
+from layouts import SPECS, layouts
 
 TRIES = 3
 

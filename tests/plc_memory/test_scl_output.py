@@ -27,12 +27,14 @@ from fieldspec.plc.declarations import declarations
 from fieldspec.plc.dialects import SIEMENS
 from fieldspec.reference.records import encoded
 from fieldspec.spreadsheet import Workbook
-from laid_out import MADE_UP, SPECS, layouts, newest
-from reading import DEVICE
+from layouts import SPECS, TEST_SPECS, layouts, newest
+from spec_files import DEVICE
 
 CASES = Path(__file__).parent.parent / "cases"
 RULES = sorted(path.name for path in CASES.glob("plc_*"))
-LAYOUTS = [pytest.param(versions[-1], id=name) for root in (SPECS, MADE_UP) for name, versions in layouts(root).items()]
+LAYOUTS = [
+    pytest.param(versions[-1], id=name) for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()
+]
 ELEMENTARY = "BOOL|BYTE|WORD|DWORD|USINT|SINT|UINT|INT|UDINT|DINT|REAL|LREAL"
 
 
@@ -148,7 +150,7 @@ def test_constants_are_those_of_the_device() -> None:
 
 
 def test_numbers_of_64_bits_are_split_in_the_order_of_the_wire() -> None:
-    layout = newest(MADE_UP, "gadget")
+    layout = newest(TEST_SPECS, "gadget")
     whole = layout.messages["cycle"].response
     declared = declarations(layout, SIEMENS)
     halves = declared.layout.messages["cycle"].response
@@ -205,7 +207,7 @@ def test_only_what_the_rules_name_is_refused(layout: DeviceLayout) -> None:
 
 
 def test_two_functions_of_one_name_are_refused() -> None:
-    layout = newest(MADE_UP, "widget")
+    layout = newest(TEST_SPECS, "widget")
     held = project(layout)
     (found,) = clashes(replace(held, routines=(*held.routines, held.routines[0])))
     assert found.code == "plc_names_distinct"

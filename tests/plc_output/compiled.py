@@ -21,8 +21,8 @@ from st_machine import Machine
 from st_syntax import Unit, parsed
 from standard_text import anonymous
 
+from external_tools import require_tool
 from matiec import matiec
-from tools_available import require_tool
 
 FORMATS = {
     "bool": "?",

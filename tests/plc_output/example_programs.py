@@ -20,7 +20,7 @@ from fieldspec.backends.iec.backend import source
 from fieldspec.backends.iec.backend import text as standard_text
 from fieldspec.backends.scl.backend import files as scl_files
 from fieldspec.backends.st.backend import text
-from laid_out import SPECS, newest
+from layouts import SPECS, newest
 
 STATUS_BITS = (
     *("readyToSwitchOn", "readyToOperate", "operationEnabled", "alarm", "homingComplete"),

@@ -21,11 +21,11 @@ from fieldspec.backends.iec.backend import text as standard_text
 from fieldspec.backends.st.backend import text
 from fieldspec.plc.structured.program import Program, program
 from fieldspec.reference import CodecError
-from laid_out import MADE_UP, SPECS, newest
+from layouts import SPECS, TEST_SPECS, newest
 
 REAL = ["ck10", "esc11", "hiwin-e", "tc100"]
 MADE = ["gadget", "gizmo", "glider-x", "widget"]
-DEVICES = [*((SPECS, device) for device in REAL), *((MADE_UP, device) for device in MADE)]
+DEVICES = [*((SPECS, device) for device in REAL), *((TEST_SPECS, device) for device in MADE)]
 NAMES = [device for _, device in DEVICES]
 WAYS = [(root, device, way) for root, device in DEVICES for way in ("interpreted", "compiled")]
 """Every device by both ways: Structured Text by our interpreter, and the standard's dialect by matiec and gcc."""

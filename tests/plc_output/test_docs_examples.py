@@ -23,7 +23,7 @@ from scans import Scans, of_siemens
 
 from fieldspec.backends.st.backend import text
 from fieldspec.reference import codec
-from laid_out import SPECS, newest
+from layouts import SPECS, newest
 
 CHANNEL = "xExecute : BOOL; iChannelIndex : INT; xDone : BOOL; xError : BOOL;"
 SERIAL = {

@@ -16,7 +16,7 @@ from scans import Scans, of_siemens
 from fieldspec.backends.scl.backend import files as scl_files
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.reference import codec
-from laid_out import SPECS, newest
+from layouts import SPECS, newest
 
 SIZES = {"word": 2, "uint": 2, "int": 2, "dint": 4, "udint": 4}
 

@@ -22,7 +22,7 @@ from test_scl_execution import siemens_text
 from fieldspec.backends.iec.backend import source, text
 from fieldspec.plc.routines.exchanges import ERRORS
 from fieldspec.reference import codec
-from laid_out import SPECS, newest
+from layouts import SPECS, newest
 
 DEVICES = [(device, link) for device in ("tc100", "ck10") for link in ("rtu", "ascii")]
 TRY = 10

@@ -26,7 +26,7 @@ from fieldspec.plc.routines.registers import answer_name, answer_type
 from fieldspec.plc.routines.scaling import quantities
 from fieldspec.reference import CodecError
 from fieldspec.reference.records import decoded, decoded_value, encoded, encoded_value, value_construct
-from laid_out import MADE_UP, SPECS
+from layouts import SPECS, TEST_SPECS
 
 TRIES = 25
 READ, WRITTEN = ("ro", "rw"), ("wo", "rw")
@@ -273,7 +273,7 @@ def counts(prover: Proof, name: str, quantity: float) -> tuple[str, int]:
 
 @pytest.mark.parametrize("way", COMPUTING)
 def test_of_two_equally_near_counts_the_even_one_is_taken(way: str, tmp_path_factory: pytest.TempPathFactory) -> None:
-    prover = computing(MADE_UP, "widget", way, tmp_path_factory)
+    prover = computing(TEST_SPECS, "widget", way, tmp_path_factory)
     found = [counts(prover, "temperature", -40 + half / 4) for half in (1, 3, 5, -1, -3, -5)]
     assert found == [("ok", number) for number in (0, 2, 2, 0, -2, -2)]
 
@@ -295,7 +295,7 @@ def test_conversions_by_a_reference_agree_with_their_formula(
 
 @pytest.mark.parametrize("way", COMPUTING)
 def test_floats_are_made_of_their_bits_and_back_exactly(way: str, tmp_path_factory: pytest.TempPathFactory) -> None:
-    prover, dice = computing(MADE_UP, "widget", way, tmp_path_factory), random.Random(4)
+    prover, dice = computing(TEST_SPECS, "widget", way, tmp_path_factory), random.Random(4)
     numbers = [0, 1, 0x7FFFFF, 0x800000, 0x3F800000, 0x7F7FFFFF, 0x80000001, 0xFF7FFFFF, 0xC0490FDB]
     for bits in [*numbers, *(dice.randrange(1 << 32) for _ in range(300)), 0x7F800000, 0xFF800000, 0x7FC00000]:
         (exact,) = struct.unpack(">f", bits.to_bytes(4, "big"))

@@ -31,20 +31,20 @@ from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.plc.structured.objects import length, string
 from fieldspec.reading.project import read
-from laid_out import MADE_UP, SPECS, newest
+from layouts import SPECS, TEST_SPECS, newest
 
 HERE = Path(__file__).parent
 TC6_NAMESPACE = "http://www.plcopen.org/xml/tc6_0200"
 INTERFACE = ("returnType", "inputVars", "outputVars", "inOutVars", "localVars", "documentation")
 """The parts of a function in the order in which CODESYS exports them."""
 PARTS = 4
-ALL = [*DEVICES, (MADE_UP, "hostile")]
+ALL = [*DEVICES, (TEST_SPECS, "hostile")]
 NASTY = "a *) b (* c ]]> d $' e $N f {attribute 'x'} g // h\\ni \\u4f3a \\\" j &amp; <k> ${l} {{m}}"
 
 
 def hostile() -> DeviceLayout:
     """A device whose texts try to end comments, strings, pragmas and CDATA."""
-    text = (MADE_UP / "hostile" / "device.yaml").read_text(encoding="utf-8")
+    text = (TEST_SPECS / "hostile" / "device.yaml").read_text(encoding="utf-8")
     for key in ("label", "doc", "title", "edition"):
         text = text.replace(f'{key}: "', f'{key}: "{NASTY} ')
     text = text.replace("name: codec_error\n", "name: codec_error\n    kind: alarm\n")
@@ -52,7 +52,7 @@ def hostile() -> DeviceLayout:
     assert text.count("]]>") > 10
     files = {
         "hostile/device.yaml": text.encode(),
-        "protocols/wire.yaml": (MADE_UP / "protocols/wire.yaml").read_bytes(),
+        "protocols/wire.yaml": (TEST_SPECS / "protocols/wire.yaml").read_bytes(),
     }
     device, found = read(files).devices["hostile"].at("1")
     assert not has_errors(found), found[0].message
@@ -150,7 +150,7 @@ def said(literal: str) -> str:
 def test_hostile_labels_stay_within_comments_and_texts() -> None:
     laid = hostile()
     (text,) = (text for name, text in st_files([laid]).items() if name.endswith(".st"))
-    plain = newest(MADE_UP, "hostile")
+    plain = newest(TEST_SPECS, "hostile")
     (other,) = (text for name, text in st_files([plain]).items() if name.endswith(".st"))
     assert list(parsed(text).functions) == list(parsed(other).functions)
     Machine(parsed(text))
@@ -160,7 +160,7 @@ def test_hostile_labels_stay_within_comments_and_texts() -> None:
 
 @pytest.mark.parametrize("name", ["plain", "hostile", *REAL])
 def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) -> None:
-    laid = hostile() if name == "hostile" else newest(MADE_UP, "widget") if name == "plain" else newest(SPECS, name)
+    laid = hostile() if name == "hostile" else newest(TEST_SPECS, "widget") if name == "plain" else newest(SPECS, name)
     schema = etree.XMLSchema(etree.parse(str(HERE / "tc6_xml_v201.xsd")))
     (text,) = (text for path, text in plcopen_files([laid]).items() if path.endswith(".xml"))
     document = etree.fromstring(text.encode())

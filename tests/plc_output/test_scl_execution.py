@@ -23,7 +23,7 @@ from standard_text import named, without_comments
 
 from fieldspec.backends.scl.backend import files
 from fieldspec.backends.st.backend import text
-from laid_out import SPECS, newest
+from layouts import SPECS, newest
 
 TRIES = 20
 PADDING = "abypadding"

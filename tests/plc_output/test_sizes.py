@@ -17,14 +17,14 @@ from loaded import DEVICES, NAMES, REAL, held_in, made_of, proof
 from st_declared import NATURAL, size_of
 from standard_text import named, without_comments
 
+from external_tools import require_tool
 from fieldspec.backends.st.backend import files, text
 from fieldspec.layout.record import RecordLayout
 from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.structured.layout_table import rows
 from fieldspec.plc.structured.program import Program
-from laid_out import SPECS, newest
+from layouts import SPECS, newest
 from matiec import matiec
-from tools_available import require_tool
 
 
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)

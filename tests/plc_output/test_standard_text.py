@@ -16,7 +16,7 @@ from test_judges import hostile
 
 from fieldspec.backends.iec.backend import constants, files, source, text
 from fieldspec.plc.routines.printer import implementation
-from laid_out import newest
+from layouts import newest
 from matiec import matiec
 
 

@@ -1,1 +1,1 @@
-"""Audits: what shows that a spec is right, one section a question. `report.py` is the table of contents."""
+"""Audits: evidence that a spec is right, one section for each question. `report.py` is the table of contents."""

@@ -1,4 +1,4 @@
-"""Everything in a manual that looks like a fact, and what the spec has of it."""
+"""Everything in a manual that looks like a fact, and whether the spec accounts for it."""
 
 from __future__ import annotations
 
@@ -7,18 +7,20 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
 from typing import TypeVar
 
-from fieldspec.audit.agreement import corrects, figures, readings, says
-from fieldspec.audit.line_facts import Cited, OnLine
-from fieldspec.audit.manual_lines import Aligned
+from fieldspec.audit.agreement import corrects, has_printed_value, number_places, readings
+from fieldspec.audit.line_facts import LineCitations, LineFacts
+from fieldspec.audit.manual_lines import AlignedManual
 from fieldspec.audit.pattern import Match, PieceValue
-from fieldspec.audit.plan import LeftOut, Pattern, Plan
+from fieldspec.audit.plan import Omission, Pattern, Plan
 from fieldspec.classes import dataclass
 
 COVERED, CORRECTED, LEFT_OUT, OPEN = "covered", "corrected", "left out", "not accounted for"
 STATUSES = (COVERED, CORRECTED, LEFT_OUT, OPEN)
-Placed = TypeVar("Placed", Pattern, LeftOut)
+Ruled = TypeVar("Ruled", Pattern, Omission)
 
 LONGEST_SERIES = 4096
+"""The most numbers of a series; a longer one counts as its two ends."""
+
 _DIGIT = re.compile("[0-9]")
 LINE = "line"
 """The kind of a line that has a number, and of which no pattern says what it is."""
@@ -26,10 +28,11 @@ LINE = "line"
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """Something that looks like a fact: the line of the text at hand, the cited line, and how it stands.
+    """A piece of a line that looks like a fact.
 
-    `missing` are the values that no fact and no erratum has; there are none for a line with a number. `out` is what
-    leaves it out.
+    `line` is its line in the text at hand, `cited` the number by which the spec cites that line. `status` is one of
+    STATUSES. `missing` are the values that no fact and no erratum has; a line with a number and no pattern has none.
+    `omission` is the omission that applies.
     """
 
     kind: str
@@ -41,32 +44,34 @@ class Candidate:
     status: str
     missing: tuple[PieceValue, ...] = ()
     pattern: Pattern | None = None
-    out: LeftOut | None = None
+    omission: Omission | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Accounts:
-    """All candidates, the patterns that have found none, and what is left out without being there.
+    """All candidates. `unused` are the patterns and omissions that apply to nothing in the manual.
 
-    `needed` are the paths of the facts without which something would not be accounted for. `beside` are the numbers of
-    lines that patterns know which no pattern finds, and no fact has that cites the line: line, start and end.
+    `needed` are the paths of the facts without which a candidate would be open. `beside` are places of numbers (line,
+    start, end) on lines with candidates: no pattern finds them, and no fact that cites the line has them.
     """
 
     candidates: Sequence[Candidate]
-    unused: Sequence[Pattern | LeftOut]
+    unused: Sequence[Pattern | Omission]
     needed: frozenset[str]
     beside: Sequence[tuple[int, int, int]]
 
 
-def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
-    """Looks through the manual line by line: its patterns first, then whatever else has a number."""
-    made: list[Candidate] = []
+def accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Accounts:
+    """Accounts for a manual line by line: first by patterns, then by any number on a line without a match."""
+    candidates: list[Candidate] = []
     used: set[int] = set()
     needed: set[str] = set()
     beside: list[tuple[int, int, int]] = []
     patterns = _by_line(plan.patterns)
     left_out = _by_line((*plan.left_out, plan.headings))
-    of_changed = _by_line((*(one for one in plan.left_out if not one.exact), plan.headings) if manual.changed else ())
+    of_changed = _by_line(
+        (*(entry for entry in plan.left_out if not entry.exact), plan.headings) if manual.changed else ()
+    )
     of_new = _by_line(plan.left_out if manual.new else ())
     for number, text in enumerate(manual.index.lines, 1):
         if not text:
@@ -74,112 +79,121 @@ def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
         at = manual.known[number - 1]
         section = plan.section(at)
         if number in manual.new:
-            outs = [one for one in of_new.get(at, ()) if one in of_new.get(at + 1, ())]
+            omissions = [entry for entry in of_new.get(at, ()) if entry in of_new.get(at + 1, ())]
         else:
-            outs = (of_changed if at in manual.changed else left_out).get(at, [])
-        out = _left_out(outs, text)
-        before = len(made)
-        told = OnLine() if number in manual.new else cited.at(at)
+            omissions = (of_changed if at in manual.changed else left_out).get(at, [])
+        omission = _left_out(omissions, text)
+        before = len(candidates)
+        line_facts = LineFacts() if number in manual.new else cited.at(at)
         pieces = list(_pieces(patterns.get(at, ()), text))
         used.update(id(pattern) for pattern, _ in pieces)
-        for (pattern, found), (status, missing) in zip(pieces, _standings(pieces, told, cited, needed), strict=True):
-            if status == OPEN and out is not None and not (told.facts and "sections" in out.place):
+        for (pattern, match), (status, missing) in zip(
+            pieces, _standings(pieces, line_facts, cited, needed), strict=True
+        ):
+            if status == OPEN and omission is not None and not (line_facts.facts and "sections" in omission.place):
                 status, missing = LEFT_OUT, ()
-            place = number, at, section, found.start, found.end
-            made.append(Candidate(pattern.kind, *place, status, missing, pattern, out if status == LEFT_OUT else None))
+            place = number, at, section, match.start, match.end
+            candidates.append(
+                Candidate(pattern.kind, *place, status, missing, pattern, omission if status == LEFT_OUT else None)
+            )
         if pieces:
-            beside += ((number, *place) for place in _beside(text, pieces, told, cited))
+            beside += ((number, *place) for place in _beside(text, pieces, line_facts, cited))
         elif _DIGIT.search(text):
             known = number not in manual.new and at not in manual.changed and at in cited.lines
-            status = COVERED if known else LEFT_OUT if out is not None else OPEN
-            kept = out if status == LEFT_OUT else None
-            made.append(Candidate(LINE, number, at, section, 0, len(text), status, out=kept))
-        used.update(id(one.out) for one in made[before:])
-    declared: list[Pattern | LeftOut] = [*plan.patterns, *plan.left_out]
-    return Accounts(made, [one for one in declared if id(one) not in used], frozenset(needed), beside)
+            status = COVERED if known else LEFT_OUT if omission is not None else OPEN
+            applied = omission if status == LEFT_OUT else None
+            candidates.append(Candidate(LINE, number, at, section, 0, len(text), status, omission=applied))
+        used.update(id(entry.omission) for entry in candidates[before:])
+    declared: list[Pattern | Omission] = [*plan.patterns, *plan.left_out]
+    return Accounts(candidates, [entry for entry in declared if id(entry) not in used], frozenset(needed), beside)
 
 
-def _by_line(held: Sequence[Placed]) -> dict[int, list[Placed]]:
-    """What is about each line, in its order."""
-    made: dict[int, list[Placed]] = defaultdict(list)
-    for one in held:
-        for first, last in one.lines:
+def _by_line(entries: Sequence[Ruled]) -> dict[int, list[Ruled]]:
+    """The patterns or omissions that apply to each line, in their order."""
+    by_line: dict[int, list[Ruled]] = defaultdict(list)
+    for entry in entries:
+        for first, last in entry.lines:
             for line in range(first, last + 1):
-                made[line].append(one)
-    return made
+                by_line[line].append(entry)
+    return by_line
 
 
-def _left_out(outs: Sequence[LeftOut], text: str) -> LeftOut | None:
-    """What leaves a line out."""
-    return next((out for out in outs if out.template is None or out.template.whole(text) is not None), None)
+def _left_out(omissions: Sequence[Omission], text: str) -> Omission | None:
+    """The first omission that applies to a text."""
+    return next(
+        (omission for omission in omissions if omission.template is None or omission.template.whole(text) is not None),
+        None,
+    )
 
 
 def _pieces(patterns: Sequence[Pattern], text: str) -> Iterator[tuple[Pattern, Match]]:
-    """The pieces of a line that patterns find."""
+    """The matches of patterns in a line."""
     for pattern in patterns:
         if pattern.row is not None:
-            found = pattern.row.find(text)
-            if found is not None:
-                yield pattern, _whole(pattern, found)
+            match = pattern.row.find(text)
+            if match is not None:
+                yield pattern, _whole(pattern, match)
         elif pattern.each is not None:
-            for one in pattern.each.each(text):
-                yield pattern, _whole(pattern, one)
+            for piece in pattern.each.each(text):
+                yield pattern, _whole(pattern, piece)
 
 
 def _beside(
-    text: str, pieces: Sequence[tuple[Pattern, Match]], told: OnLine, cited: Cited
+    text: str, pieces: Sequence[tuple[Pattern, Match]], line_facts: LineFacts, cited: LineCitations
 ) -> Iterator[tuple[int, int]]:
-    """The numbers of a line that are no part of what patterns find, and that nothing says which cites the line."""
-    texts = {held.text for _, found in pieces for held in found.values}
-    for start, end in figures(text):
-        held = PieceValue("value", "", text[start:end])
-        if any(held.text in other for other in texts):
+    """Places of numbers that are in no match, and in no fact or erratum that cites the line."""
+    texts = {value.text for _, match in pieces for value in match.values}
+    for start, end in number_places(text):
+        value = PieceValue("value", "", text[start:end])
+        if any(value.text in other for other in texts):
             continue
-        if any(corrects(erratum, held) for erratum in told.errata):
+        if any(corrects(erratum, value) for erratum in line_facts.errata):
             continue
-        if not any(says(row, held, cited.elided) for row in told.facts):
+        if not any(has_printed_value(row, value, cited.elided) for row in line_facts.facts):
             yield start, end
 
 
 def _owners(paths: set[str]) -> set[str]:
-    """Facts without those that are parts of others: a message and its fields have one code."""
+    """Paths without those of parts of other facts: a message and its fields share a code."""
     return {path for path in paths if not any(path.startswith(f"{other}/") for other in paths)}
 
 
-def _whole(pattern: Pattern, found: Match) -> Match:
-    """A piece; of a series, with all numbers from the first to the last in place of those two."""
-    if not pattern.series or len(found.values) != 2:
-        return found
-    low, high = (readings(held.text, held.form)[:1] for held in found.values)
+def _whole(pattern: Pattern, match: Match) -> Match:
+    """A match; that of a series has all numbers from the first to the last in place of these two."""
+    if not pattern.series or len(match.values) != 2:
+        return match
+    low, high = (readings(value.text, value.form)[:1] for value in match.values)
     if not low or not high or not 0 <= high[0] - low[0] <= LONGEST_SERIES:
-        return found
-    column = found.values[0].column
+        return match
+    column = match.values[0].column
     numbers = range(int(low[0]), int(high[0]) + 1)
-    return Match(tuple(PieceValue(column, "decimal", str(number)) for number in numbers), found.start, found.end)
+    return Match(tuple(PieceValue(column, "decimal", str(number)) for number in numbers), match.start, match.end)
 
 
 def _standings(
-    pieces: Sequence[tuple[Pattern, Match]], told: OnLine, cited: Cited, needed: set[str]
+    pieces: Sequence[tuple[Pattern, Match]], line_facts: LineFacts, cited: LineCitations, needed: set[str]
 ) -> Iterator[tuple[str, tuple[PieceValue, ...]]]:
-    """How the pieces of a line stand: each value must be one of a fact, or of an erratum, that cites the line.
+    """Status and missing values of each match: a fact, or an erratum, that cites the line must have each value.
 
-    What a pattern finds in several pieces of the line must be said by as many facts. Paths of facts go to `needed`.
+    A value that a pattern finds several times on the line needs as many facts. Adds paths of facts to `needed`.
     """
-    times = Counter((pattern.name, held) for pattern, found in pieces for held in {*found.values})
+    times = Counter((pattern.name, value) for pattern, match in pieces for value in {*match.values})
     seen: Counter[tuple[str, PieceValue]] = Counter()
-    for pattern, found in pieces:
+    for pattern, match in pieces:
         corrected, missing = False, []
-        for held in dict.fromkeys(found.values):
-            key = pattern.name, held
+        for value in dict.fromkeys(match.values):
+            key = pattern.name, value
             seen[key] += 1
-            paths = _owners({str(row["path"]) for row in told.facts if says(row, held, cited.elided)})
-            put_right = any(corrects(erratum, held) for erratum in told.errata)
+            paths = _owners(
+                {str(row["path"]) for row in line_facts.facts if has_printed_value(row, value, cited.elided)}
+            )
+            put_right = any(corrects(erratum, value) for erratum in line_facts.errata)
             if len(paths) == times[key] and not put_right:
                 needed.update(path.partition("/restated/")[0] for path in paths)
             if len(paths) < seen[key]:
                 corrected = corrected or put_right
-                missing += [] if put_right else [held]
-        if found.values:
+                missing += [] if put_right else [value]
+        if match.values:
             yield (OPEN if missing else CORRECTED if corrected else COVERED), tuple(missing)
         else:
-            yield (COVERED if told.facts or told.errata else OPEN), ()
+            yield (COVERED if line_facts.facts or line_facts.errata else OPEN), ()

@@ -1,11 +1,12 @@
-"""What is at which address or number: used, reserved, left out, and held twice, block by block."""
+"""The occupants of all addresses and numbers, block by block: what is used, reserved, a gap, or occupied twice."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
+from typing import NamedTuple
 
-from fieldspec.audit.holders import Holder, element_runs, of_message, of_parameter, of_register
+from fieldspec.audit.occupants import Occupant, element_runs, of_message, of_parameter, of_register
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.model.device import Device
@@ -31,38 +32,38 @@ STATES = {
     UNDECLARED: "undeclared gap",
     UNLISTED: "not listed",
 }
-"""How an address may stand, with the words for it."""
-
+"""The states of an address, with the words for them."""
 
 HOLES_MEANT = 4
-"""Where at least one of so many steps in a set of parameters skips numbers, it lists some of them only."""
+"""Where at least one step in this many skips numbers, a set of parameters lists only some of its numbers."""
 
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """Neighbouring addresses, `first` to `last`, that stand alike and have the same holders.
+    """Neighbouring addresses, `first` to `last`, in the same state and with the same occupants.
 
-    `reason` is why they are left out, or why they may be held twice. One that is not `own` belongs to another block.
+    `reason` is why the manual leaves them out, or why they may have several occupants. A run is not `is_own` where its
+    addresses belong to another block.
     """
 
     first: int
     last: int
     state: str
-    holders: tuple[Holder, ...] = ()
+    occupants: tuple[Occupant, ...] = ()
     reason: str = ""
-    is_device_specific: bool = True
+    is_own: bool = True
 
     @property
     def size(self) -> int:
-        """How many addresses it has."""
+        """The number of addresses."""
         return self.last - self.first + 1
 
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """Addresses that the manual lists together, run by run without a hole.
+    """Addresses that the manual lists together, as runs without a hole between them.
 
-    A table's block has the runs of its first element, which stands `repeats` times, `stride` addresses apart.
+    The block of a record table has the runs of the first element, which repeats every `stride` addresses.
     """
 
     name: str
@@ -81,30 +82,32 @@ class Block:
     @property
     def last(self) -> int:
         """The last address, of the last element."""
-        return max(run.last for run in self.runs if run.holders or self.repeats == 1) + (self.repeats - 1) * self.stride
+        return (
+            max(run.last for run in self.runs if run.occupants or self.repeats == 1) + (self.repeats - 1) * self.stride
+        )
 
     def count(self, state: str) -> int:
-        """How many of its own addresses stand so."""
-        own = sum(run.size for run in self.runs if run.state == state and run.is_device_specific)
-        if self.repeats > 1 and state == DECLARED:  # nothing is left out behind the last element
+        """The number of its own addresses in a state."""
+        own = sum(run.size for run in self.runs if run.state == state and run.is_own)
+        if self.repeats > 1 and state == DECLARED:  # there is no gap after the last element
             return own * (self.repeats - 1)
         return own * self.repeats
 
 
 @dataclass(frozen=True, slots=True)
 class Alias:
-    """A value that stands at two addresses, by name and address."""
+    """A value with two addresses: `occupant` at `address` is the same as, or a copy of, `of` at `of_address`."""
 
-    holder: Holder
+    occupant: Occupant
     address: int
-    of: Holder
+    of: Occupant
     of_address: int
     copied: bool
 
 
 @dataclass(frozen=True, slots=True)
 class Space:
-    """All addresses, numbers or codes of one kind: what they are called, and their number of hexadecimal digits."""
+    """All addresses, numbers or codes of one kind. `what` is their plural, `digits` the width of a printed number."""
 
     name: str
     title: str
@@ -114,45 +117,67 @@ class Space:
     aliases: tuple[Alias, ...] = ()
 
     def count(self, state: str) -> int:
-        """How many addresses stand so."""
+        """The number of addresses in a state."""
         return sum(block.count(state) for block in self.blocks)
 
     def number_text(self, number: int) -> str:
-        """A number as reports show it."""
+        """A number as reports print it."""
         return f"{number:0{self.digits}X}h"
 
 
-def spaces(layout: DeviceLayout) -> tuple[Space, ...]:
-    """The spaces of registers and of parameters, and the codes and numbers of messages, as far as there are such."""
+class Extent(NamedTuple):
+    """The first and the last address of an occupant, and the path of its block."""
+
+    first: int
+    last: int
+    occupant: Occupant
+    block: str
+
+
+class GapExtent(NamedTuple):
+    """The first and the last address that the manual leaves out, and why."""
+
+    first: int
+    last: int
+    reason: str
+
+
+def spaces_of(layout: DeviceLayout) -> tuple[Space, ...]:
+    """The spaces of registers and parameters, and those of the codes and numbers of messages; no empty ones."""
     device = layout.device
     own = list(device.spaces) if device.several_spaces else [""]
-    found = [_registers(layout, name) for name in own] if device.groups or device.tables else []
-    names = dict.fromkeys(held.space for held in device.parameters.values())
-    found += [_parameters(name, [one for one in device.parameters.values() if one.space == name]) for name in names]
-    found += _messages(device)
-    return tuple(space for space in found if space.blocks)
+    spaces = [_registers(layout, name) for name in own] if device.groups or device.tables else []
+    names = dict.fromkeys(parameter_set.space for parameter_set in device.parameters.values())
+    spaces += [
+        _parameters(
+            name, [parameter_set for parameter_set in device.parameters.values() if parameter_set.space == name]
+        )
+        for name in names
+    ]
+    spaces += _messages(device)
+    return tuple(space for space in spaces if space.blocks)
 
 
 def _registers(layout: DeviceLayout, name: str) -> Space:
-    """A space of registers; an empty name means the only one."""
+    """A space of registers; the name is empty where a device has only one."""
     device = layout.device
 
     def own(space: str) -> bool:
         return not name or device.space_name(space) == name
 
     groups = [group for group in device.groups if own(group.space)]
-    tables = [laid for laid in layout.tables.values() if own(laid.table.space)]
-    held = [
-        (first, last, holder, group.place.path)
+    tables = [table for table in layout.tables.values() if own(table.table.space)]
+    extents = [
+        Extent(first, last, occupant, group.place.path)
         for group in groups
         for register in group.registers
-        for first, last, holder in of_register(register)
+        for first, last, occupant in of_register(register)
     ]
-    for laid in tables:
-        last = laid.table.address(laid.table.indexes[-1]) + max(laid.words, 1) - 1
-        held.append((laid.table.base, last, Holder.of(laid.table, "table"), laid.table.place.path))
-    blocks = [_group(group, held) for group in groups if group.registers]
-    blocks += [_table(laid, held) for laid in tables]
+    for table in tables:
+        last = table.table.address(table.table.indexes[-1]) + max(table.words, 1) - 1
+        extents.append(Extent(table.table.base, last, Occupant.of(table.table, "table"), table.table.place.path))
+    blocks = [_group(group, extents) for group in groups if group.registers]
+    blocks += [_table(table, extents) for table in tables]
     ordered = tuple(sorted(blocks, key=lambda block: block.first))
     aliases = tuple(alias for register, alias in _aliases(device) if own(register.space))
     if not name:
@@ -160,136 +185,143 @@ def _registers(layout: DeviceLayout, name: str) -> Space:
     return Space(name, device.space(name).title or name, "words", 4, ordered, aliases)
 
 
-Occupant = tuple[int, int, Holder, str]
-
-
-def _group(group: RegisterGroup, held: Sequence[Occupant]) -> Block:
-    ends = [(first, last) for first, last, _, path in held if path == group.place.path]
-    low, high = min(first for first, _ in ends), max(last for _, last in ends)
-    gaps = [(*pair, gap.reason) for gap in group.gaps for pair in gap.addresses.intervals]
-    runs = tuple(_runs(low, high, held, gaps, group.place.path))
+def _group(group: RegisterGroup, extents: Sequence[Extent]) -> Block:
+    own = [extent for extent in extents if extent.block == group.place.path]
+    low, high = min(extent.first for extent in own), max(extent.last for extent in own)
+    gaps = [GapExtent(*interval, gap.reason) for gap in group.gaps for interval in gap.addresses.intervals]
+    runs = tuple(_runs(low, high, extents, gaps, group.place.path))
     return Block(group.name, group.title or group.name, group.place.path, group.place, runs)
 
 
-def _table(laid: TableLayout, held: Sequence[Occupant]) -> Block:
-    table = laid.table
-    runs = [Run(first, last, RESERVED if one.reserved else USED, (one,)) for first, last, one in element_runs(laid)]
+def _table(table_layout: TableLayout, extents: Sequence[Extent]) -> Block:
+    table = table_layout.table
+    runs = [
+        Run(first, last, RESERVED if occupant.reserved else USED, (occupant,))
+        for first, last, occupant in element_runs(table_layout)
+    ]
     end = runs[-1].last + 1 if runs else table.base
     behind = table.base + table.stride - 1
     if end <= behind and table.count > 1:
         reason = f"an element has {end - table.base} words, the next one begins {table.stride} words behind it"
-        runs += _runs(end, behind, [one for one in held if one[3] != table.place.path], [(end, behind, reason)], "")
+        others = [extent for extent in extents if extent.block != table.place.path]
+        runs += _runs(end, behind, others, [GapExtent(end, behind, reason)], "")
     return Block(
         table.name, table.title or table.name, table.place.path, table.place, tuple(runs), table.count, table.stride
     )
 
 
-def _runs(
-    low: int, high: int, held: Iterable[Occupant], gaps: Iterable[tuple[int, int, str]], own: str
-) -> Iterator[Run]:
-    """The runs of some addresses: what holds each, or why nothing does. `own` is the path of the block."""
-    inside = [one for one in held if one[0] <= high and one[1] >= low]
-    cut = {low, high + 1}
-    for first, last in (*((one[0], one[1]) for one in inside), *((one[0], one[1]) for one in gaps)):
-        cut |= {max(first, low), min(last, high) + 1}
-    bounds = sorted(bound for bound in cut if low <= bound <= high + 1)
-    starting = sorted(enumerate(inside), key=lambda pair: pair[1][0], reverse=True)
-    current: list[tuple[int, Occupant]] = []
+def _runs(low: int, high: int, extents: Iterable[Extent], gaps: Sequence[GapExtent], own: str) -> Iterator[Run]:
+    """The runs from `low` to `high`: occupants, or the reason of a gap. `own` is the path of the block."""
+    inside = [extent for extent in extents if extent.first <= high and extent.last >= low]
+    cuts = {low, high + 1}
+    parts: tuple[Extent | GapExtent, ...] = (*inside, *gaps)
+    for part in parts:
+        cuts |= {max(part.first, low), min(part.last, high) + 1}
+    bounds = sorted(cut for cut in cuts if low <= cut <= high + 1)
+    starting = sorted(enumerate(inside), key=lambda pair: pair[1].first, reverse=True)
+    current: list[tuple[int, Extent]] = []
     pieces = []
     for first, behind in pairwise(bounds):
-        # Bounds are cut wherever something begins or ends, so what reaches into a piece holds all of it.
-        while starting and starting[-1][1][0] <= first:
+        # There is a bound wherever an extent begins or ends, so one that reaches into a piece covers all of it.
+        while starting and starting[-1][1].first <= first:
             current.append(starting.pop())
-        current = [pair for pair in current if pair[1][1] >= first]
-        here = [one for _, one in sorted(current, key=lambda pair: pair[0])]
+        current = [pair for pair in current if pair[1].last >= first]
+        here = [extent for _, extent in sorted(current, key=lambda pair: pair[0])]
         pieces.append(_piece(first, behind - 1, here, gaps, own))
-    for _, alike in groupby(pieces, key=lambda run: (run.state, run.holders, run.reason, run.is_device_specific)):
-        some = list(alike)
-        yield replace(some[0], last=some[-1].last)
+    for _, equal in groupby(pieces, key=lambda run: (run.state, run.occupants, run.reason, run.is_own)):
+        runs = list(equal)
+        yield replace(runs[0], last=runs[-1].last)
 
 
-def _piece(first: int, last: int, held: Iterable[Occupant], gaps: Iterable[tuple[int, int, str]], own: str) -> Run:
-    here = [(holder, path) for a, b, holder, path in held if a <= first and last <= b]
-    holders = tuple(holder for holder, _ in here)
-    if not holders:
-        reason = next((text for a, b, text in gaps if a <= first and last <= b), None)
+def _piece(first: int, last: int, extents: Iterable[Extent], gaps: Iterable[GapExtent], own: str) -> Run:
+    here = [extent for extent in extents if extent.first <= first and last <= extent.last]
+    occupants = tuple(extent.occupant for extent in here)
+    if not occupants:
+        reason = next((gap.reason for gap in gaps if gap.first <= first and last <= gap.last), None)
         return Run(first, last, UNDECLARED if reason is None else DECLARED, (), reason or "")
-    mine = not own or any(path == own for _, path in here)
-    if len(holders) > 1:
-        reasons = [reason for holder in holders if (reason := holder.allowed.get("addresses_disjoint"))]
-        return Run(first, last, OVERLAP, holders, "; ".join(dict.fromkeys(reasons)), mine)
-    return Run(first, last, RESERVED if holders[0].reserved else USED, holders, "", mine)
+    is_own = not own or any(extent.block == own for extent in here)
+    if len(occupants) > 1:
+        reasons = [reason for occupant in occupants if (reason := occupant.allowed.get("addresses_disjoint"))]
+        return Run(first, last, OVERLAP, occupants, "; ".join(dict.fromkeys(reasons)), is_own)
+    return Run(first, last, RESERVED if occupants[0].reserved else USED, occupants, "", is_own)
 
 
 def _aliases(device: Device) -> Iterator[tuple[Register, Alias]]:
-    """The registers that hold the same value as another one, and those of blocks that stand twice."""
+    """The registers with the value of another one, and the copies of registers."""
     named = {register.name: register for register in device.registers()}
     for register in device.registers():
         for name, copied in ((register.same_as, False), (register.copy_of, True)):
             other = named.get(name)
             if other is not None:
-                one, two = Holder.of(register, ""), Holder.of(other, "")
-                yield register, Alias(one, register.address, two, other.address, copied)
+                occupant, original = Occupant.of(register, ""), Occupant.of(other, "")
+                yield register, Alias(occupant, register.address, original, other.address, copied)
 
 
 def _parameters(name: str, sets: Sequence[ParameterSet]) -> Space:
-    blocks = sorted((_set(held) for held in sets if held.parameters), key=lambda block: block.first)
+    blocks = sorted(
+        (_set(parameter_set) for parameter_set in sets if parameter_set.parameters), key=lambda block: block.first
+    )
     highest = max((block.last for block in blocks), default=0)
     title = sets[0].title if len(sets) == 1 and sets[0].title else f"Parameters: {name.replace('_', ' ')}"
     return Space(name, title, "numbers", 4 if highest > 0xFF else 2, tuple(blocks))
 
 
-def _set(held: ParameterSet) -> Block:
-    rows = [
-        (first + held.base, last + held.base, holder, held.place.path)
-        for parameter in held.parameters
-        for first, last, holder in of_parameter(parameter)
+def _set(parameter_set: ParameterSet) -> Block:
+    base = parameter_set.base
+    extents = [
+        Extent(first + base, last + base, occupant, parameter_set.place.path)
+        for parameter in parameter_set.parameters
+        for first, last, occupant in of_parameter(parameter)
     ]
     gaps = []
-    ordered = sorted(held.parameters, key=lambda one: one.number)
-    for one, after in pairwise(ordered):
-        reason = one.allowed.get("parameter_numbers_ascending") or after.allowed.get("parameter_numbers_ascending")
+    ordered = sorted(parameter_set.parameters, key=lambda parameter: parameter.number)
+    for before, after in pairwise(ordered):
+        reason = before.allowed.get("parameter_numbers_ascending") or after.allowed.get("parameter_numbers_ascending")
         if reason:
-            gaps.append((held.base + one.number + one.count, held.base + after.number - 1, reason))
-    low, high = min(first for first, *_ in rows), max(last for _, last, *_ in rows)
-    whole = held.numbers.intervals if held.numbers is not None else ()
-    low, high = min((low, *(held.base + a for a, _ in whole))), max((high, *(held.base + b for _, b in whole)))
-    runs = tuple(_runs(low, high, rows, gaps, held.place.path))
-    skips = sum(1 for one, after in pairwise(ordered) if after.number > one.number + one.count)
-    if held.numbers is not None:
-        runs = tuple(replace(run, state=UNDESCRIBED) if not run.holders else run for run in runs)
+            gaps.append(GapExtent(base + before.number + before.count, base + after.number - 1, reason))
+    numbers = parameter_set.numbers.intervals if parameter_set.numbers is not None else ()
+    low = min((*(extent.first for extent in extents), *(base + first for first, _ in numbers)))
+    high = max((*(extent.last for extent in extents), *(base + last for _, last in numbers)))
+    runs = tuple(_runs(low, high, extents, gaps, parameter_set.place.path))
+    skips = sum(1 for before, after in pairwise(ordered) if after.number > before.number + before.count)
+    if parameter_set.numbers is not None:
+        runs = tuple(replace(run, state=UNDESCRIBED) if not run.occupants else run for run in runs)
     elif skips * HOLES_MEANT > len(ordered) - 1:
         runs = tuple(replace(run, state=UNLISTED) if run.state == UNDECLARED else run for run in runs)
-    return Block(held.name, held.title or held.name, held.place.path, held.place, runs)
+    return Block(
+        parameter_set.name,
+        parameter_set.title or parameter_set.name,
+        parameter_set.place.path,
+        parameter_set.place,
+        runs,
+    )
 
 
 def _messages(device: Device) -> Iterator[Space]:
-    """The codes of messages, or the numbers of those without a code, link by link where they differ."""
+    """The codes of messages, and the numbers of messages without a code, by link where links differ."""
     seen: set[tuple[str, ...]] = set()
     for link in device.links.values():
-        sent = [one for one in device.messages.values() if not one.links or link.name in one.links]
+        sent = [message for message in device.messages.values() if not message.links or link.name in message.links]
         for coded in (True, False):
             numbered = [
-                (number, number, of_message(one), "")
-                for one in sent
-                if (number := one.code if coded else one.number) is not None and coded == (one.code is not None)
+                Extent(number, number, of_message(message), "")
+                for message in sent
+                if (number := message.code if coded else message.number) is not None
+                and coded == (message.code is not None)
             ]
-            names = tuple(holder.name for *_, holder, _ in numbered)
+            names = tuple(extent.occupant.name for extent in numbered)
             if numbered and names not in seen:
                 seen.add(names)
-                yield _codes(link, coded, sorted(numbered, key=lambda one: one[:2]))
+                yield _codes(link, coded, sorted(numbered, key=lambda extent: extent[:2]))
 
 
-def _codes(link: Link, coded: bool, held: Sequence[Occupant]) -> Space:
-    part = next((one.name for one in link.request if one.role == "code"), link.message_name)
+def _codes(link: Link, coded: bool, extents: Sequence[Extent]) -> Space:
+    part = next((header_part.name for header_part in link.request if header_part.role == "code"), link.message_name)
     word = (part if coded else link.message_name).replace("_", " ")
     what = f"{word} codes" if coded else f"{word} numbers"
-    low, high = held[0][0], held[-1][1]
-    runs = _runs(low, high, held, [], "")
-    listed = tuple(run if run.holders else replace(run, state=UNLISTED) for run in runs)
-    block = Block(word, what, link.place.path, link.place, listed)
+    low, high = extents[0][0], extents[-1][1]
+    runs = _runs(low, high, extents, [], "")
+    all_runs = tuple(run if run.occupants else replace(run, state=UNLISTED) for run in runs)
+    block = Block(word, what, link.place.path, link.place, all_runs)
     title = what[:1].upper() + what[1:]
     return Space(f"{link.name}_{what}".replace(" ", "_"), title, what, 2 if high <= 0xFF else 4, (block,))
-
-
-__all__ = ["STATES", "Alias", "Block", "Run", "Space", "spaces"]

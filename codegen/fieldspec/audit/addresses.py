@@ -1,51 +1,51 @@
-"""The sections of the report about addresses: the map of each space, and the reads that one request can make."""
+"""The sections of the report about addresses: the map of each space, and the poll blocks."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from fieldspec.audit.address_map import DECLARED, OVERLAP, STATES, UNDECLARED, USED, Block, Run, Space, spaces
-from fieldspec.audit.poll_blocks import PollBlock, Polling, ReadLimit, Unit, polling
+from fieldspec.audit.address_map import DECLARED, OVERLAP, STATES, UNDECLARED, USED, Block, Run, Space, spaces_of
+from fieldspec.audit.poll_blocks import PollBlock, Polling, PollUnit, ReadLimit, polling_of
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 
 _NAMES = 4
-"""How many names of a poll block are listed; of more, the first and the last."""
+"""The most names of a poll block that are printed in full; of more names, the first two and the last."""
 
-_SAYS = (
+_INTRODUCTION = (
     "Every address, number and code that the spec knows, block by block as the manual lists them. A gap is declared "
     "where the spec says that the manual leaves it out; one that is not declared may be a row that is missing."
 )
-_POLL_SAYS = (
+_POLL_INTRODUCTION = (
     "Each row is one request. It begins and ends at a value with a meaning, touches no address of which the manual "
     "says nothing, and divides no value. Equal requests at equal distances are one row."
 )
 
 
 def addresses(subject: Subject) -> Section:
-    """The address map."""
-    found = spaces(subject.layout)
+    """The section with the address map."""
+    spaces = spaces_of(subject.layout)
     figures = []
-    for space in found:
+    for space in spaces:
         figures.append(Figure(f"{space.what} in use ({space.title})", space.count(USED)))
-        overlaps = [
-            run for block in space.blocks for run in block.runs if run.state == OVERLAP and run.is_device_specific
-        ]
+        overlaps = [run for block in space.blocks for run in block.runs if run.state == OVERLAP and run.is_own]
         if overlaps:
-            unsaid = sum(1 for run in overlaps if not run.reason)
-            figures.append(Figure(f"{space.what} held twice ({space.title})", space.count(OVERLAP), good=not unsaid))
+            unexplained = sum(1 for run in overlaps if not run.reason)
+            figures.append(
+                Figure(f"{space.what} held twice ({space.title})", space.count(OVERLAP), good=not unexplained)
+            )
         if space.what == "words":
             gaps = space.count(UNDECLARED)
             where = f" ({space.title})" if subject.device.several_spaces else ""
             figures.append(Figure(f"words in gaps that nothing declares{where}", gaps, good=gaps == 0))
-    tables = (_blocks(found), _gaps(found), _overlaps(found), _aliases(found), _runs(found))
-    return Section("addresses", "Address map", (_SAYS,), tuple(figures), tables, drawn=found)
+    tables = (_blocks(spaces), _gaps(spaces), _overlaps(spaces), _aliases(spaces), _runs(spaces))
+    return Section("addresses", "Address map", (_INTRODUCTION,), tuple(figures), tables, spaces=spaces)
 
 
-def _blocks(found: Sequence[Space]) -> SectionTable:
+def _blocks(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
-    for space in found:
+    for space in spaces:
         for block in space.blocks:
             shape = f"{block.repeats} elements, {block.stride} apart" if block.repeats > 1 else ""
             counts = [block.count(state) or None for state in STATES]
@@ -55,11 +55,11 @@ def _blocks(found: Sequence[Space]) -> SectionTable:
     return SectionTable("blocks", "Blocks", columns, tuple(rows))
 
 
-def _gaps(found: Sequence[Space]) -> SectionTable:
+def _gaps(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
-    for space, block, run in _each(found):
-        if run.state in (DECLARED, UNDECLARED) and run.is_device_specific:
+    for space, block, run in _each(spaces):
+        if run.state in (DECLARED, UNDECLARED) and run.is_own:
             reason = run.reason or "nothing says why"
             rows.append((space.title, block.title, *_ends(space, run), run.size, STATES[run.state], reason))
             kinds.append("warning" if run.state == UNDECLARED else "")
@@ -67,12 +67,12 @@ def _gaps(found: Sequence[Space]) -> SectionTable:
     return SectionTable("gaps", "Gaps", columns, tuple(rows), tuple(kinds), detail=len(rows) > 40)
 
 
-def _overlaps(found: Sequence[Space]) -> SectionTable:
+def _overlaps(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
-    for space, block, run in _each(found):
-        if run.state == OVERLAP and run.is_device_specific:
-            names = " and ".join(holder.name for holder in run.holders)
+    for space, block, run in _each(spaces):
+        if run.state == OVERLAP and run.is_own:
+            names = " and ".join(occupant.name for occupant in run.occupants)
             rows.append((block.title, *_ends(space, run), names, run.reason or "nothing says why"))
             kinds.append("" if run.reason else "warning")
     return SectionTable(
@@ -84,40 +84,40 @@ def _overlaps(found: Sequence[Space]) -> SectionTable:
     )
 
 
-def _aliases(found: Sequence[Space]) -> SectionTable:
+def _aliases(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = [
         (
             space.number_text(alias.address),
-            alias.holder.name,
+            alias.occupant.name,
             "a copy of" if alias.copied else "the same as",
             space.number_text(alias.of_address),
             alias.of.name,
-            alias.holder.place["copy_of" if alias.copied else "same_as"],
-            alias.holder.sources[0] if alias.holder.sources else None,
+            alias.occupant.place["copy_of" if alias.copied else "same_as"],
+            alias.occupant.sources[0] if alias.occupant.sources else None,
         )
-        for space in found
+        for space in spaces
         for alias in space.aliases
     ]
     columns = ("address", "name", "is", "of_address", "of", "spec", "source")
     return SectionTable("aliases", "Values at two addresses", columns, tuple(rows), detail=len(rows) > 40)
 
 
-def _runs(found: Sequence[Space]) -> SectionTable:
+def _runs(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
-    for space, block, run in _each(found):
-        names = " and ".join(holder.name for holder in run.holders)
-        about = " and ".join(dict.fromkeys(holder.about for holder in run.holders if holder.about))
-        holder = run.holders[0] if run.holders else None
-        source = holder.sources[0] if holder is not None and holder.sources else None
-        place = holder.place["name"] if holder is not None else None
+    for space, block, run in _each(spaces):
+        names = " and ".join(occupant.name for occupant in run.occupants)
+        about = " and ".join(dict.fromkeys(occupant.about for occupant in run.occupants if occupant.about))
+        occupant = run.occupants[0] if run.occupants else None
+        source = occupant.sources[0] if occupant is not None and occupant.sources else None
+        place = occupant.place["name"] if occupant is not None else None
         rows.append((space.title, block.title, *_ends(space, run), STATES[run.state], names, about, place, source))
     columns = ("space", "block", "first", "last", "state", "name", "type", "spec", "source")
     title = "Every address, of tables those of the first element"
     return SectionTable("address_map", title, columns, tuple(rows), detail=True)
 
 
-def _each(found: Sequence[Space]) -> Iterator[tuple[Space, Block, Run]]:
-    for space in found:
+def _each(spaces: Sequence[Space]) -> Iterator[tuple[Space, Block, Run]]:
+    for space in spaces:
         for block in space.blocks:
             for run in block.runs:
                 yield space, block, run
@@ -129,7 +129,7 @@ def _ends(space: Space, run: Run) -> tuple[str, str]:
 
 @dataclass(frozen=True, slots=True)
 class PollRow:
-    """Equal requests at equal distances, as one row: the first of them, how many there are, and how far apart."""
+    """Equal requests at equal distances: the first one, how many there are, and how many addresses they are apart."""
 
     first: PollBlock
     times: int
@@ -137,7 +137,7 @@ class PollRow:
 
 
 def poll_rows(blocks: Sequence[PollBlock]) -> list[PollRow]:
-    """Poll blocks with those in one row that only an index tells apart."""
+    """Poll blocks as rows; blocks that differ only in an index share a row."""
     rows: list[PollRow] = []
     for block in blocks:
         last = rows[-1] if rows else None
@@ -151,31 +151,31 @@ def poll_rows(blocks: Sequence[PollBlock]) -> list[PollRow]:
 
 
 def _shape(block: PollBlock) -> tuple[str, int, int, int, str]:
-    """What equal requests of a table have in common."""
+    """What equal requests of a record table have in common."""
     return block.space, block.words, block.reserved, len(block.names), block.names[0].partition("[")[0]
 
 
 def polls(subject: Subject) -> Section:
-    """The poll blocks."""
-    made = polling(subject.layout)
-    says = [_POLL_SAYS, *(_limit_text(one) for one in made.limits)] if made.limits else []
-    says += _asked(subject.layout)
-    if not says:
-        says = ["No message of the device reads registers or parameters."]
+    """The section with the poll blocks."""
+    polling = polling_of(subject.layout)
+    paragraphs = [_POLL_INTRODUCTION, *(_limit_text(limit) for limit in polling.limits)] if polling.limits else []
+    paragraphs += _parameter_reads(subject.layout)
+    if not paragraphs:
+        paragraphs = ["No message of the device reads registers or parameters."]
     figures = []
-    for space in made.spaces:
-        limit, blocks = made.limit(space), [block for block in made.blocks if block.space == space]
+    for space in polling.spaces:
+        limit, blocks = polling.limit(space), [block for block in polling.blocks if block.space == space]
         if limit is not None:
             values = sum(len(block.names) for block in blocks)
             where = f" of {space}" if space else ""
             text = f"requests of up to {limit.words} words read all {values} values{where}"
             figures.append(Figure(text, len(blocks)))
-    tables = (_limits(made), _poll_table(made), _left_out(made)) if made.limits else ()
-    return Section("poll_blocks", "Poll blocks", tuple(says), tuple(figures), tables)
+    tables = (_limits(polling), _poll_table(polling), _left_out(polling)) if polling.limits else ()
+    return Section("poll_blocks", "Poll blocks", tuple(paragraphs), tuple(figures), tables)
 
 
 def _limit_text(limit: ReadLimit) -> str:
-    """Where the number of words that one request may read is from."""
+    """A sentence about the most words of a request, with its source."""
     if limit.words is None:
         return f"Nothing says how many words one request of {limit.message} may read, so that there is no list."
     place = ""
@@ -191,7 +191,7 @@ def _limit_text(limit: ReadLimit) -> str:
     return f"One request of {limit.message} reads up to {limit.words} words ({cited or place})."
 
 
-def _limits(made: Polling) -> SectionTable:
+def _limits(polling: Polling) -> SectionTable:
     rows = tuple(
         (
             limit.message,
@@ -200,13 +200,13 @@ def _limits(made: Polling) -> SectionTable:
             limit.span,
             limit.sources[0] if limit.sources else None,
         )
-        for limit in made.limits
+        for limit in polling.limits
     )
     return SectionTable("read_limits", "Limits", ("message", "words", "said_by", "spec", "source"), rows)
 
 
-def _poll_table(made: Polling) -> SectionTable:
-    several = len(made.spaces) > 1
+def _poll_table(polling: Polling) -> SectionTable:
+    several = len(polling.spaces) > 1
     rows: list[tuple[Cell, ...]] = [
         (
             *([row.first.space] if several else []),
@@ -219,7 +219,7 @@ def _poll_table(made: Polling) -> SectionTable:
             row.first.reserved or None,
             _names(row.first.names),
         )
-        for row in poll_rows(made.blocks)
+        for row in poll_rows(polling.blocks)
     ]
     columns = (
         *(["space"] if several else []),
@@ -239,30 +239,31 @@ def _names(names: Sequence[str]) -> str:
     return ", ".join(names) if len(names) <= _NAMES else f"{names[0]}, {names[1]}, … {names[-1]}"
 
 
-def _left_out(made: Polling) -> SectionTable:
-    units: dict[tuple[str, str], list[Unit]] = {}
-    for unit in made.left_out:
+def _left_out(polling: Polling) -> SectionTable:
+    units: dict[tuple[str, str], list[PollUnit]] = {}
+    for unit in polling.left_out:
         name, _, behind = unit.name.partition("[")
         units.setdefault((name + behind.partition("]")[2], unit.refused), []).append(unit)
     rows = tuple(
-        (f"{held[0].first:04X}h", held[0].words, len(held), name, refused) for (name, refused), held in units.items()
+        (f"{poll_units[0].first:04X}h", poll_units[0].words, len(poll_units), name, refused)
+        for (name, refused), poll_units in units.items()
     )
     return SectionTable("not_polled", "What is not polled", ("start", "words", "times", "name", "reason"), rows)
 
 
-def _asked(layout: DeviceLayout) -> Iterator[str]:
-    """How parameters are read: one by one, several elements of one, or all at once."""
+def _parameter_reads(layout: DeviceLayout) -> Iterator[str]:
+    """Sentences about how messages read parameters: one, several elements of one, or all of a set."""
     for message in layout.device.messages.values():
         for field in message.response.fields:
             part = field.value.parameter if field.value is not None else None
             parts = [case.value.parameter for case in field.choice.cases] if field.choice is not None else [part]
-            held = next((one for one in parts if one is not None), None)
-            if held is None or held.part not in ("value", "values"):
+            parameter_part = next((parameter_part for parameter_part in parts if parameter_part is not None), None)
+            if parameter_part is None or parameter_part.part not in ("value", "values"):
                 continue
-            if held.part == "values":
+            if parameter_part.part == "values":
                 many = field.count or (field.repeat.high if field.repeat is not None else 1)
-                yield f"One request of {message.name} reads all {many} parameters of {held.set}."
+                yield f"One request of {message.name} reads all {many} parameters of {parameter_part.set}."
             else:
                 many = field.repeat.high if field.repeat is not None else field.count or 1
                 more = f", up to {many} elements of it" if many > 1 else ""
-                yield f"One request of {message.name} reads one parameter of {held.set}{more}."
+                yield f"One request of {message.name} reads one parameter of {parameter_part.set}{more}."

@@ -32,9 +32,9 @@ _BYTES = re.compile(r"(?<![0-9A-Za-z])(?:0x)?([0-9A-Fa-f]{2})[Hh]?(?![0-9A-Za-z]
 
 @dataclass(frozen=True, slots=True)
 class Numbers:
-    """What a line can be read to say: numbers, and intervals from one number to another.
+    """The numbers of a line in all their readings, and intervals from one number to another.
 
-    `characters` are hexadecimal digits that stand one by one, as in a row of characters.
+    `characters` are runs of single hexadecimal digits, as a row of a table of characters prints them.
     """
 
     values: frozenset[Decimal]
@@ -42,7 +42,7 @@ class Numbers:
     characters: tuple[str, ...]
 
     def holds(self, number: int | Decimal) -> bool:
-        """Whether the number stands in the line, as such, within an interval, or digit by digit."""
+        """Whether the line has a number: as such, within an interval, or digit by digit."""
         if number in self.values or any(low <= number <= high for low, high in self.intervals):
             return True
         if number < 0 or number != int(number):
@@ -53,7 +53,7 @@ class Numbers:
 
 @lru_cache(maxsize=16384)
 def readings(text: str, form: str = "") -> tuple[Decimal, ...]:
-    """The numbers that a spelling may mean: `10h` and `0x10` are sixteen, `1,000` is a thousand.
+    """The numbers that a text may mean: `10h` and `0x10` are sixteen, `1,000` is a thousand.
 
     `10` is ten or sixteen, unless the form of a pattern says that it is decimal or hexadecimal.
     """
@@ -66,49 +66,49 @@ def readings(text: str, form: str = "") -> tuple[Decimal, ...]:
     marked = re.fullmatch(r"(?:0[xX]|&H)([0-9A-Fa-f]{1,16})|([0-9A-Fa-f]{1,16})[Hh]", bare)
     if marked:
         return (sign * Decimal(int(marked[1] or marked[2], 16)),)
-    found: list[Decimal] = []
+    values: list[Decimal] = []
     hexadecimal = form.startswith("hex")
     if not hexadecimal and re.fullmatch(r"[0-9]{1,3}(?:,[0-9]{3})+|[0-9]{1,20}(?:\.[0-9]{1,10})?", bare):
-        found.append(sign * Decimal(bare.replace(",", "")))
+        values.append(sign * Decimal(bare.replace(",", "")))
     if (hexadecimal or not form) and re.fullmatch(r"[0-9A-Fa-f]{1,16}", bare):
-        found.append(sign * Decimal(int(bare, 16)))
-    return tuple(found)
+        values.append(sign * Decimal(int(bare, 16)))
+    return tuple(values)
 
 
 @lru_cache(maxsize=16384)
 def numbers(line: str) -> Numbers:
-    """All numbers of a reduced line in all their readings."""
+    """All numbers of an index line in all their readings."""
     values: set[Decimal] = set()
     intervals: list[tuple[Decimal, Decimal]] = []
     before: tuple[int, tuple[Decimal, ...]] | None = None
-    for found in _NUMBER.finditer(line):
-        text = found[0]
-        negative = found.start() and line[found.start() - 1] == "-"
+    for match in _NUMBER.finditer(line):
+        text = match[0]
+        negative = match.start() and line[match.start() - 1] == "-"
         means = readings(text)
         values.update(means)
         if negative:
-            values.update(-one for one in means)
-        if before is not None and (between := _TO.fullmatch(line, before[0], found.start())):
-            ends = tuple(-one for one in means) if "-" in (between[1] or "") else means
+            values.update(-number for number in means)
+        if before is not None and (between := _TO.fullmatch(line, before[0], match.start())):
+            ends = tuple(-number for number in means) if "-" in (between[1] or "") else means
             intervals += ((low, high) for low, high in zip(before[1], ends, strict=False) if low < high)
-        before = found.end(), tuple(-one for one in means) if negative else means
-    single = tuple(re.sub(r"[^0-9A-F]", "", found[0]) for found in _SINGLE.finditer(line))
+        before = match.end(), tuple(-number for number in means) if negative else means
+    single = tuple(re.sub(r"[^0-9A-F]", "", match[0]) for match in _SINGLE.finditer(line))
     return Numbers(frozenset(values), tuple(intervals), single)
 
 
-def figures(line: str) -> Iterator[tuple[int, int]]:
-    """Where the numbers of a reduced line stand."""
-    for found in _NUMBER.finditer(line):
-        yield found.span()
+def number_places(line: str) -> Iterator[tuple[int, int]]:
+    """The start and end of each number in an index line."""
+    for match in _NUMBER.finditer(line):
+        yield match.span()
 
 
 def words(text: str) -> tuple[str, ...]:
-    """The words of a text as they are compared: in lower case, without what stands between them."""
+    """The words of a text for comparisons: in lower case, without the characters between them."""
     return tuple(word.lower() for word in _WORD.findall(text))
 
 
-def hold(line: str, word: str) -> bool:
-    """Whether a word stands in a reduced line, or in a series of such words: `IN5`, or `IN`, in `IN1 ~ IN14`."""
+def has_word(line: str, word: str) -> bool:
+    """Whether an index line has a word, also within a series: `IN1 ~ IN14` has `IN5` and `IN`."""
     have = words(line)
     if word in have:
         return True
@@ -124,15 +124,15 @@ def hold(line: str, word: str) -> bool:
 
 
 def in_order(part: bytes, frame: bytes) -> bool:
-    """Whether some bytes are those of a frame in their order, with others between them."""
+    """Whether a frame has all bytes of a part in the same order, with any bytes between them."""
     left = iter(frame)
     return all(byte in left for byte in part)
 
 
 def byte_pairs(line: str) -> Iterator[int]:
     """The bytes of a frame: `01 | 06`, `04H+00H`, `0x3A`."""
-    for found in _BYTES.finditer(line):
-        yield int(found[1], 16)
+    for match in _BYTES.finditer(line):
+        yield int(match[1], 16)
 
 
 _ALSO = {"code": ("code", "number"), "number": ("number", "code")}
@@ -144,28 +144,30 @@ _BOUNDS = re.compile(r"(?:(?<![0-9A-Fa-f])-)?(?:0[xX][0-9A-Fa-f]+|[0-9][0-9A-Fa-
 _FIGURES = re.compile(r"[0-9]+")
 
 
-def says(row: FactRow, held: PieceValue, elided: Collection[str]) -> bool:
-    """Whether a fact says what is printed. `elided` are the paths of examples of which some bytes are not."""
-    if held.column == "frame":
-        printed, frame = bytes(byte_pairs(held.text)), _frame(row)
+def has_printed_value(row: FactRow, value: PieceValue, elided: Collection[str]) -> bool:
+    """Whether a fact has a printed value. `elided` are the paths of examples that the manual prints with gaps."""
+    if value.column == "frame":
+        printed, frame = bytes(byte_pairs(value.text)), _frame(row)
         if printed == frame or (row["path"] in elided and in_order(printed, frame)):
             return True
         broken = len({*lines_of(citations(str(row["sources"] or ""), ""))}) > 1
         return broken and printed in frame
-    if held.column == "name":
-        return _named(row, held.text)
-    if held.column == "access":
-        return row["access"] == held.text.lower()
-    if held.column == "type":
-        kind = _INTEGER.sub("i", held.text.lower()).replace("ui", "u")
+    if value.column == "name":
+        return _named(row, value.text)
+    if value.column == "access":
+        return row["access"] == value.text.lower()
+    if value.column == "type":
+        kind = _INTEGER.sub("i", value.text.lower()).replace("ui", "u")
         return str(row["type"]) in (kind, f"bool{kind[1:]}")
-    if held.column == "range":
-        return _ranges(row, held)
-    if held.column == "value":
+    if value.column == "range":
+        return _ranges(row, value)
+    if value.column == "value":
         if row["kind"] == "example":
-            return row["path"] in elided and any(int(one) in _frame(row) for one in _means(held) if one in range(256))
-        return _in_text(row, held) or any(_counts(row, column, held) for column in _VALUES)
-    return any(_counts(row, column, held) for column in _ALSO.get(held.column, (held.column,)))
+            return row["path"] in elided and any(
+                int(number) in _frame(row) for number in _means(value) if number in range(256)
+            )
+        return _in_text(row, value) or any(_counts(row, column, value) for column in _VALUES)
+    return any(_counts(row, column, value) for column in _ALSO.get(value.column, (value.column,)))
 
 
 _index_line = lru_cache(maxsize=16384)(index_line)
@@ -173,29 +175,31 @@ _index_line = lru_cache(maxsize=16384)(index_line)
 
 @lru_cache(maxsize=16384)
 def _words(text: str) -> tuple[str, ...]:
-    """The words of a text, as far as an index has them."""
+    """The words of a text as an index has them."""
     return words(_index_line(text))
 
 
 @lru_cache(maxsize=16384)
 def _numbers(text: str) -> frozenset[Decimal]:
-    """The numbers in a text, as far as an index has them."""
+    """The numbers of a text as an index has them."""
     return numbers(_index_line(text.replace("..", "~"))).values
 
 
-def _ranges(row: FactRow, held: PieceValue) -> bool:
-    """Whether the printed bounds are those of a fact, or of what may be written to it, in counts or in its unit."""
-    if isinstance(written := row["write_ranges"], str):
-        pairs = intervals(written)
+def _ranges(row: FactRow, value: PieceValue) -> bool:
+    """Whether printed bounds are those of a fact, or of values written to it: as raw values or as quantities."""
+    if isinstance(write_ranges := row["write_ranges"], str):
+        pairs = intervals(write_ranges)
         low, high = min(pair[0] for pair in pairs), max(pair[1] for pair in pairs)
-        if _ranges({**row, "write_ranges": None, "min": low, "max": high}, held):
+        if _ranges({**row, "write_ranges": None, "min": low, "max": high}, value):
             return True
-    bounds = [readings(one, "decimal" if one.isdecimal() else "number") for one in _BOUNDS.findall(held.text)]
+    bounds = [readings(bound, "decimal" if bound.isdecimal() else "number") for bound in _BOUNDS.findall(value.text)]
     known = (row["min"], row["max"]) if len(bounds) > 1 else (row["min"],)
     low_high = [cell for cell in known if isinstance(cell, int | Decimal)]
     scale = row["scale"] if isinstance(row["scale"], Decimal) else 1
     wanted = [{Decimal(cell), Decimal(cell) * scale} for cell in low_high]
-    return len(wanted) == len(bounds) and all(one & {*means} for one, means in zip(wanted, bounds, strict=True))
+    return len(wanted) == len(bounds) and all(
+        alternatives & {*means} for alternatives, means in zip(wanted, bounds, strict=True)
+    )
 
 
 def _frame(row: FactRow) -> bytes:
@@ -203,7 +207,7 @@ def _frame(row: FactRow) -> bytes:
 
 
 def _named(row: FactRow, text: str) -> bool:
-    """Whether a printed text is the name or the label of a fact, as far as an index has it."""
+    """Whether a printed text is the name or the label of a fact, as an index has it."""
     printed = _words(text)
     if not printed:
         return True
@@ -213,25 +217,27 @@ def _named(row: FactRow, text: str) -> bool:
     return printed in names or (len(names) > 1 and printed in (names[0] + names[1], names[1] + names[0]))
 
 
-def _counts(row: FactRow, column: str, held: PieceValue) -> bool:
-    """Whether a number of a fact is the printed one; bounds and defaults may be printed in the unit."""
+def _counts(row: FactRow, column: str, value: PieceValue) -> bool:
+    """Whether a number of a fact is the printed one; bounds and defaults may be printed as quantities."""
     if column == "code" and (row["kind"] == "bit" or str(row["type"]).startswith("bool")):
-        if 0 in (means := _means(held)) or 1 in means:
+        if 0 in (means := _means(value)) or 1 in means:
             return True
     elif column in ("min", "max") and row["ranges"] is not None:
-        known = tuple([one if isinstance(one, int | Decimal) else None for one in (row["scale"], row["bytes"])])
+        known = tuple(
+            [number if isinstance(number, int | Decimal) else None for number in (row["scale"], row["bytes"])]
+        )
         ends = _ends(str(row["ranges"]), column, str(row["type"]), *known)
-        if not ends.isdisjoint(_means(held)):
+        if not ends.isdisjoint(_means(value)):
             return True
     cell = row[column]
     if cell is None:
         return False
     if isinstance(cell, str):
-        return cell == held.text or _same_range(cell, held) or _is_among(row, cell, held)
+        return cell == value.text or _same_range(cell, value) or _is_among(row, cell, value)
     if not isinstance(cell, int | Decimal):
         return False
     scale = row["scale"]
-    means = _means(held)
+    means = _means(value)
     return cell in means or (column in _SCALED and isinstance(scale, Decimal) and cell * scale in means)
 
 
@@ -239,39 +245,43 @@ def _counts(row: FactRow, column: str, held: PieceValue) -> bool:
 def _ends(
     ranges: str, column: str, kind: str, scale: int | Decimal | None, size: int | Decimal | None
 ) -> frozenset[Decimal]:
-    """The lower, or the upper, bounds of all intervals of a fact, in counts and in its unit."""
-    found = _INTERVAL.findall(ranges)
-    ends = [Decimal(high or low) if column == "max" else Decimal(low) for low, high in found]
+    """The lower or the upper bounds of all intervals of a fact, as raw values and as quantities."""
+    bounds = _INTERVAL.findall(ranges)
+    ends = [Decimal(high or low) if column == "max" else Decimal(low) for low, high in bounds]
     if kind.startswith("i") and isinstance(size, int):
         ends += [end + (1 << 8 * size) for end in ends if end < 0]  # a negative bound as its bytes show it
     return frozenset((*ends, *(end * scale for end in ends if isinstance(scale, Decimal))))
 
 
 @lru_cache(maxsize=16384)
-def _means(held: PieceValue) -> tuple[Decimal, ...]:
-    if held.form == "mask":
+def _means(value: PieceValue) -> tuple[Decimal, ...]:
+    if value.form == "mask":
         return tuple(
-            Decimal(int(one).bit_length() - 1) for one in readings(held.text, "hex") if int(one).bit_count() == 1
+            Decimal(int(number).bit_length() - 1)
+            for number in readings(value.text, "hex")
+            if int(number).bit_count() == 1
         )
-    return readings(held.text, "decimal" if held.form in ("range", "span") else held.form)
+    return readings(value.text, "decimal" if value.form in ("range", "span") else value.form)
 
 
-def _same_range(cell: str, held: PieceValue) -> bool:
+def _same_range(cell: str, value: PieceValue) -> bool:
     """Whether two texts of numbers, such as `4..5` and `4 ~ 5`, have the same bounds."""
-    return [int(one) for one in _FIGURES.findall(cell)] == [int(one) for one in _FIGURES.findall(held.text)]
+    return [int(digits) for digits in _FIGURES.findall(cell)] == [
+        int(digits) for digits in _FIGURES.findall(value.text)
+    ]
 
 
-def _is_among(row: FactRow, cell: str, held: PieceValue) -> bool:
-    """Whether a printed number is one of those of a cell such as `4..6`: a table may print them one a line."""
+def _is_among(row: FactRow, cell: str, value: PieceValue) -> bool:
+    """Whether a printed number is in a cell such as `4..6`: a table may print each number on a line of its own."""
     if len({*lines_of(citations(str(row["sources"] or ""), ""))}) < 2:
         return False
-    bounds = [int(one) for one in _FIGURES.findall(cell)]
-    return len(bounds) == 2 and held.text.isdecimal() and bounds[0] <= int(held.text) <= bounds[1]
+    bounds = [int(digits) for digits in _FIGURES.findall(cell)]
+    return len(bounds) == 2 and value.text.isdecimal() and bounds[0] <= int(value.text) <= bounds[1]
 
 
-def _in_text(row: FactRow, held: PieceValue) -> bool:
-    """Whether a number stands in a text of a fact."""
-    means = _means(held)
+def _in_text(row: FactRow, value: PieceValue) -> bool:
+    """Whether a text of a fact has a number."""
+    means = _means(value)
     for key in ("printed_name", "label", "ranges", "name"):
         text = row[key]
         if text and not _numbers(str(text)).isdisjoint(means):
@@ -279,19 +289,19 @@ def _in_text(row: FactRow, held: PieceValue) -> bool:
     return False
 
 
-def corrects(erratum: Erratum, held: PieceValue) -> bool:
-    """Whether an erratum is about what is printed: its print has the number, the word or the bytes."""
-    values = [_comparable_text(value) for value in erratum.printed.values()]
-    texts = [_index_line(text.replace("..", "~")) for text in (erratum.literal, *values) if text]
-    if held.column == "frame":
-        return any(bytes(byte_pairs(held.text)) in bytes(byte_pairs(text)) for text in texts)
-    if held.column in ("name", "type", "access"):
-        wanted = _words(held.text)
+def corrects(erratum: Erratum, value: PieceValue) -> bool:
+    """Whether an erratum corrects a printed value: its print has the number, the word or the bytes."""
+    printed = [_comparable_text(cell) for cell in erratum.printed.values()]
+    texts = [_index_line(text.replace("..", "~")) for text in (erratum.literal, *printed) if text]
+    if value.column == "frame":
+        return any(bytes(byte_pairs(value.text)) in bytes(byte_pairs(text)) for text in texts)
+    if value.column in ("name", "type", "access"):
+        wanted = _words(value.text)
         return any(_holds(words(text), wanted) for text in texts)
-    if held.form in ("range", "span") and any(_same_range(text, held) for text in texts):
+    if value.form in ("range", "span") and any(_same_range(text, value) for text in texts):
         return True
-    means = _means(held)
-    return any(one in numbers(text).values for text in texts for one in means)
+    means = _means(value)
+    return any(number in numbers(text).values for text in texts for number in means)
 
 
 def _comparable_text(value: object) -> str:
@@ -299,6 +309,6 @@ def _comparable_text(value: object) -> str:
 
 
 def _holds(have: Sequence[str], wanted: Sequence[str]) -> bool:
-    """Whether some words stand in others, one behind the other."""
+    """Whether a list of words has another one as a part."""
     size = len(wanted)
     return any(tuple(have[at : at + size]) == tuple(wanted) for at in range(len(have) - size + 1))

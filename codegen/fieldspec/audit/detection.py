@@ -1,4 +1,4 @@
-"""Blind detection: what the checks find in the spec as the manual prints it, with no erratum written."""
+"""Blind detection: what the checks find in a spec as the manual prints it, without any erratum."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from fieldspec.reading.nodes import Mapping
 from fieldspec.reading.project import DeviceSpec
 
 WIRE = ("bytes", "range")
-"""The effects by which the tool's power is measured: those that reach the wire."""
+"""The effects that reach the wire: by these errata the power of the checks is measured."""
 
 CLASSES = {
     "frame": ("frame", "values", "characters"),
@@ -51,28 +51,28 @@ CLASSES = {
 """The classes of misprints, by the first key that is misprinted."""
 
 TEXTS = frozenset(("printed_name", "label", *CLASSES["description"]))
-"""The keys that people read, and that no frame depends on."""
+"""The keys that only people read."""
 
 OTHER, WORDING = "other", "wording"
-"""The classes of what is misprinted in another key, and of what no key holds: a sentence that is wrong or missing."""
+"""The classes of a misprint in any other key, and of one that no key has: a wrong or missing sentence."""
 
 OF_WRITING = (
     "allowances_used",
     "facts_verified",
     "illegible_inferred",
-    "inferred_keys_given",
+    "inferred_keys_present",
     "provenance_stated",
     "roles_unique",
     "sources_present",
     "steps_possible",
     "tasks_complete",
 )
-"""What finds slips of who writes the spec. Who does not know of an erratum would have written it otherwise."""
+"""Checks of how a spec is written. They do not count: an author without the erratum would have written it otherwise."""
 
 
 @dataclass(frozen=True, slots=True)
 class Detection:
-    """What is found with one erratum's print put back `alone`, and whether that shows `together` with the others."""
+    """The findings with the print of one erratum put back `alone`, and whether it shows `together` with all others."""
 
     erratum: Erratum
     alone: tuple[Diagnostic, ...]
@@ -85,13 +85,13 @@ class Detection:
 
     @property
     def checks(self) -> tuple[str, ...]:
-        """The names of the checks that find it."""
-        return tuple(sorted({found.code for found in self.alone}))
+        """The names of the checks that find the misprint."""
+        return tuple(sorted({finding.code for finding in self.alone}))
 
 
 @dataclass(frozen=True, slots=True)
-class Printed:
-    """A device as the manual prints it: what each erratum's print shows, and what all of them show at once."""
+class PrintedDevice:
+    """A device as the manual prints it: the detection of each erratum, and the findings with all prints at once."""
 
     detections: tuple[Detection, ...]
     findings: tuple[Diagnostic, ...]
@@ -103,11 +103,13 @@ def misprint(erratum: Erratum) -> str:
     return next(kinds, OTHER if erratum.printed else WORDING)
 
 
-def as_printed(spec: DeviceSpec, proofs: Sequence[Proof], thorough: bool, known: Outcome | None = None) -> Printed:
-    """The findings in the print of a device that the right spec does not have.
+def as_printed(
+    spec: DeviceSpec, proofs: Sequence[Proof], thorough: bool, known: Outcome | None = None
+) -> PrintedDevice:
+    """What the checks find in the print of a device and not in its spec.
 
-    Where an erratum is proven, its proof has run one check on its print already; `thorough` runs all the others too.
-    `known` is what running everything on the right spec has given.
+    The proof of an erratum has already run one check on its print; `thorough` runs all the others, too. `known` is the
+    outcome of all checks of the spec, where they have run.
     """
     of_version: dict[str, list[Proof]] = {}
     for proof in proofs:
@@ -119,8 +121,8 @@ def as_printed(spec: DeviceSpec, proofs: Sequence[Proof], thorough: bool, known:
     for version, proven in of_version.items():
         device, _ = spec.at(version)
         tree = spec.tree_at(version)
-        found = right[version] if version in right else everything(device, (), remembered=remembered)
-        clean = {finding_key(one) for one in found}
+        right_findings = right[version] if version in right else everything(device, (), remembered=remembered)
+        clean = {finding_key(finding) for finding in right_findings}
         whole = _new(_whole(spec, tree, version, device, remembered), clean)
         findings += whole
         for proof in proven:
@@ -130,13 +132,13 @@ def as_printed(spec: DeviceSpec, proofs: Sequence[Proof], thorough: bool, known:
                 alone = tuple(in_order(_new(_alone(spec, tree, version, device, erratum, remembered), clean)))
             detections.append(Detection(erratum, alone, _shows(erratum, alone, whole)))
     order = [proof.erratum.id for proof in by_effect(proofs)]
-    detections.sort(key=lambda one: order.index(one.erratum.id))
-    return Printed(tuple(detections), tuple(in_order(findings)))
+    detections.sort(key=lambda detection: order.index(detection.erratum.id))
+    return PrintedDevice(tuple(detections), tuple(in_order(findings)))
 
 
-def _new(found: Iterable[Diagnostic], clean: Container[tuple[str, str, int]]) -> list[Diagnostic]:
-    """What is found in the print, and neither in the right spec nor in how the spec is written."""
-    return [one for one in found if finding_key(one) not in clean and one.code not in OF_WRITING]
+def _new(findings: Iterable[Diagnostic], clean: Container[tuple[str, str, int]]) -> list[Diagnostic]:
+    """The findings that the spec itself does not have, without those about how it is written."""
+    return [finding for finding in findings if finding_key(finding) not in clean and finding.code not in OF_WRITING]
 
 
 def _alone(
@@ -153,23 +155,23 @@ def _alone(
 def _whole(
     spec: DeviceSpec, tree: Mapping, version: str, device: Device, remembered: FindingsCache
 ) -> list[Diagnostic]:
-    """What is found with all prints at once. What cannot stand in the language is found by reading, and left out."""
+    """The findings with all prints at once. A print that the language does not have is a finding of reading."""
     refused: list[Diagnostic] = []
     for erratum in device.errata:
         tree, broken = printed_tree(tree, erratum)
         refused += broken
-    wrong, found = built(tree, version, spec.reused)
-    return [*refused, *everything(wrong, found, remembered=remembered, without=OF_WRITING)]
+    wrong, findings = built(tree, version, spec.reused)
+    return [*refused, *everything(wrong, findings, remembered=remembered, without=OF_WRITING)]
 
 
 def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagnostic]) -> bool:
-    """Whether a finding of all prints together points to the print of an erratum, or is one that it has alone."""
-    known = {finding_key(found) for found in alone}
+    """Whether a finding of all prints together points to the print of an erratum, or is among those of it alone."""
+    known = {finding_key(finding) for finding in alone}
     printed = erratum.place.spans.get("printed")
-    for found in whole:
-        if finding_key(found) in known:
+    for finding in whole:
+        if finding_key(finding) in known:
             return True
-        spans = (found.span, *(label.span for label in found.labels))
+        spans = (finding.span, *(label.span for label in finding.labels))
         if printed and any(
             span.file is printed.file and printed.start <= span.start and span.end <= printed.end for span in spans
         ):
@@ -178,14 +180,14 @@ def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagno
 
 
 def detection(subject: Subject) -> Section:
-    """The section of the report: how many errata a check finds by itself, by class, and which ones none does."""
+    """The section about blind detection."""
     return section(as_printed(subject.spec, subject.proofs, thorough=False, known=subject.known))
 
 
-def section(made: Printed) -> Section:
-    """How much of a device's errata is found blindly, as a part of the report."""
-    every = made.detections
-    wire = [one for one in every if one.erratum.effect in WIRE]
+def section(printed_device: PrintedDevice) -> Section:
+    """A printed device as a section: how many errata the checks find, by class, and which ones they miss."""
+    every = printed_device.detections
+    wire = [detection for detection in every if detection.erratum.effect in WIRE]
     return Section(
         "detection",
         "Blind detection",
@@ -198,7 +200,7 @@ def section(made: Printed) -> Section:
             _figure("errata of any effect are found with no erratum written", every, None),
             Figure(
                 "errata with an effect on the wire or on ranges are found with all prints together",
-                sum(one.together for one in wire),
+                sum(detection.together for detection in wire),
                 len(wire),
             ),
         ),
@@ -207,28 +209,34 @@ def section(made: Printed) -> Section:
 
 
 def _figure(what: str, of: Sequence[Detection], judged: bool | None) -> Figure:
-    found = sum(bool(one.alone) for one in of)
-    return Figure(what, found, len(of), 2 * found > len(of) or not of if judged else None)
+    count = sum(bool(detection.alone) for detection in of)
+    return Figure(what, count, len(of), 2 * count > len(of) or not of if judged else None)
 
 
 def _classes(every: Sequence[Detection]) -> SectionTable:
     rows = []
     for kind in (*CLASSES, OTHER, WORDING):
-        own = [one for one in every if one.kind == kind]
-        wire = [one for one in own if one.erratum.effect in WIRE]
+        own = [detection for detection in every if detection.kind == kind]
+        wire = [detection for detection in own if detection.erratum.effect in WIRE]
         if own:
-            found, blind = (sum(bool(one.alone) for one in part) for part in (own, wire))
-            checks = sorted({check for one in own for check in one.checks})
-            rows.append((kind, len(own), found, len(wire), blind, ", ".join(checks) or None))
+            detected, detected_on_wire = (sum(bool(detection.alone) for detection in part) for part in (own, wire))
+            checks = sorted({check for detection in own for check in detection.checks})
+            rows.append((kind, len(own), detected, len(wire), detected_on_wire, ", ".join(checks) or None))
     columns = ("misprint", "errata", "found", "on_the_wire", "found_on_the_wire", "checks")
     return SectionTable("detection_by_class", "By class of misprint", columns, tuple(rows))
 
 
 def _missed(every: Sequence[Detection]) -> SectionTable:
     rows = [
-        (EFFECTS[one.erratum.effect], one.erratum.id, one.erratum.fact, one.erratum.confidence, _why(one.erratum))
-        for one in every
-        if not one.alone and one.erratum.effect in WIRE
+        (
+            EFFECTS[detection.erratum.effect],
+            detection.erratum.id,
+            detection.erratum.fact,
+            detection.erratum.confidence,
+            _why(detection.erratum),
+        )
+        for detection in every
+        if not detection.alone and detection.erratum.effect in WIRE
     ]
     columns = ("effect", "erratum", "fact", "confidence", "why")
     return SectionTable("missed", "Not found, though the wire or a range is concerned", columns, tuple(rows))
@@ -241,21 +249,21 @@ def _why(erratum: Erratum) -> str:
 
 
 def _details(every: Sequence[Detection]) -> SectionTable:
-    rows = tuple(_row(one) for one in every)
+    rows = tuple(_row(detection) for detection in every)
     columns = ("effect", "erratum", "misprint", "fact", "found_by", "finding", "together")
-    kinds = tuple("good" if one.alone else "" for one in every)
+    kinds = tuple("good" if detection.alone else "" for detection in every)
     return SectionTable("detections", "Every erratum and what finds it", columns, rows, kinds, detail=True)
 
 
-def _row(one: Detection) -> tuple[Cell, ...]:
-    erratum = one.erratum
-    message = next(_first(one), None)
-    found_by = ", ".join(one.checks) or None
-    together = "yes" if one.together else "no"
-    return EFFECTS[erratum.effect], erratum.id, one.kind, erratum.fact, found_by, message, together
+def _row(detection: Detection) -> tuple[Cell, ...]:
+    erratum = detection.erratum
+    message = next(_first(detection), None)
+    checks = ", ".join(detection.checks) or None
+    together = "yes" if detection.together else "no"
+    return EFFECTS[erratum.effect], erratum.id, detection.kind, erratum.fact, checks, message, together
 
 
-def _first(one: Detection) -> Iterator[str]:
-    """The messages of the findings, that of the check that the erratum names first."""
-    for found in sorted(one.alone, key=lambda found: found.code != one.erratum.proof):
-        yield found.message
+def _first(detection: Detection) -> Iterator[str]:
+    """The messages of the findings; first those of the check that the erratum names."""
+    for finding in sorted(detection.alone, key=lambda finding: finding.code != detection.erratum.proof):
+        yield finding.message

@@ -1,4 +1,4 @@
-"""What may go wrong when values are read and written, and the section of the report about it."""
+"""Hazards of reading and writing values, and the section of the report about them."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from fieldspec.model.value import UNSPECIFIED, Handling, Value
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """A kind of hazard: its title, and what to do about all of that kind.
+    """A kind of hazard, with advice for all of this kind.
 
-    `unsafe` says that what was read must not simply be written back.
+    A kind is `unsafe` where a program must not simply write back what it has read.
     """
 
     name: str
@@ -95,7 +95,10 @@ KINDS = {
 
 @dataclass(frozen=True, slots=True)
 class Hazard:
-    """A fact that is one: its kind, where it is addressed, what it has to do with, and why in a few words."""
+    """A hazard of a fact: its kind, the address, the reason in a few words, and the `other` fact involved.
+
+    `key` is the key of the spec that says so.
+    """
 
     kind: Kind
     name: str
@@ -121,14 +124,14 @@ def _all_hazards(layout: DeviceLayout) -> Iterator[Hazard]:
         yield from _of_register(device, register, alone)
     for table in device.tables.values():
         yield from _handled(table, table.handling, f"{table.base:04X}h, {table.count} times", device)
-    placed = {field.field.place.path for laid in layout.records.values() for field in laid.fields}
+    placed = {field.field.place.path for record_layout in layout.records.values() for field in record_layout.fields}
     for record in layers(device):
         tables = [table for table in device.tables.values() if table.record == record.name]
         for field in record.fields:
             yield from _of_field(device, field, tables, field.place.path in placed)
-    for held in device.parameters.values():
-        for parameter in held.parameters:
-            yield from _of_parameter(device, held, parameter)
+    for parameter_set in device.parameters.values():
+        for parameter in parameter_set.parameters:
+            yield from _of_parameter(device, parameter_set, parameter)
     for message in device.messages.values():
         yield from _handled(message, message.handling, _code(message), device)
     for word in device.flags.values():
@@ -157,21 +160,21 @@ def _of_register(device: Device, register: Register, alone: frozenset[str]) -> I
 
 def _of_field(device: Device, field: Field, tables: list[Table], in_record: bool) -> Iterator[Hazard]:
     where = ", ".join(table.name for table in tables) or field.place.path.rpartition("/")[0]
-    found = [narrowed(table.access, field.access) for table in tables]
-    if "wo" in (field.access, *found):
+    accesses = [narrowed(table.access, field.access) for table in tables]
+    if "wo" in (field.access, *accesses):
         yield _hazard("write_only", field, where, "access wo", key="access")
     if field.restart:
         yield _hazard("restart", field, where, "restart", key="restart")
     if field.atomic and field.value is not None and field.value.size > 2:
         yield _hazard("atomic", field, where, f"{(field.value.size + 1) // 2} words", key="atomic")
     if field.value is not None and tables and in_record:
-        access = next(filter(writable, found), "")
+        access = next(filter(writable, accesses), "")
         yield from _shared(device, field, field.value, access, where)
     yield from _handled(field, field.handling, where, device)
 
 
-def _of_parameter(device: Device, held: ParameterSet, parameter: Parameter) -> Iterator[Hazard]:
-    where = held.number_text(parameter.number)
+def _of_parameter(device: Device, parameter_set: ParameterSet, parameter: Parameter) -> Iterator[Hazard]:
+    where = parameter_set.number_text(parameter.number)
     if parameter.trigger:
         yield _hazard("trigger", parameter, where, _started(parameter.value), key="trigger")
     if parameter.access == "wo":
@@ -191,30 +194,32 @@ def _of_bit(device: Device, word: Flags, bit: Bit) -> Iterator[Hazard]:
     yield from _handled(bit, bit.handling, where, device)
 
 
-def _handled(fact: Fact, said: Handling, where: str, device: Device) -> Iterator[Hazard]:
-    """What the keys of handling say, which many kinds of facts have."""
-    if said == UNSPECIFIED:
+def _handled(fact: Fact, handling: Handling, where: str, device: Device) -> Iterator[Hazard]:
+    """The hazards that the keys of handling declare."""
+    if handling == UNSPECIFIED:
         return
-    if said.clears_on_read:
+    if handling.clears_on_read:
         yield _hazard("clears_on_read", fact, where, "cleared by reading", key="clears_on_read")
-    if said.opposite_of:
-        yield _hazard("opposite", fact, where, f"against {said.opposite_of}", said.opposite_of, "opposite_of")
-    if said.saved_by:
-        why = "lost with the power until " if said.memory == "volatile" else ""
-        yield _hazard("save", fact, where, f"{why}saved by {said.saved_by}", said.saved_by, "saved_by")
+    if handling.opposite_of:
+        yield _hazard("opposite", fact, where, f"against {handling.opposite_of}", handling.opposite_of, "opposite_of")
+    if handling.saved_by:
+        why = "lost with the power until " if handling.memory == "volatile" else ""
+        yield _hazard("save", fact, where, f"{why}saved by {handling.saved_by}", handling.saved_by, "saved_by")
     access = getattr(fact, "access", "")
-    if said.endurance or (said.memory == "nonvolatile" and access != "ro"):
-        yield _hazard("wear", fact, where, _endurance(said.endurance), key="endurance" if said.endurance else "memory")
+    if handling.endurance or (handling.memory == "nonvolatile" and access != "ro"):
+        yield _hazard(
+            "wear", fact, where, _endurance(handling.endurance), key="endurance" if handling.endurance else "memory"
+        )
 
 
-def _endurance(said: str) -> str:
-    """How often a value may be written, as far as the manual says it."""
+def _endurance(endurance: str) -> str:
+    """How often a value may be written, as the manual says."""
     words = {"limited": "a limited number of writes, which is not printed", "unlimited": "as often as one likes"}
-    return words.get(said, f"{said} writes") if said else "how many writes it endures is not printed"
+    return words.get(endurance, f"{endurance} writes") if endurance else "how many writes it endures is not printed"
 
 
 def _started(value: Value) -> str:
-    """By what a trigger starts."""
+    """How a write starts the action of a trigger."""
     if value.const is not None:
         return f"started by {value.const:#x}"
     return f"started by a value of {value.enum}" if value.enum else "started by writing"
@@ -223,7 +228,10 @@ def _started(value: Value) -> str:
 def _shared(
     device: Device, fact: Fact, value: Value, access: str, where: str, registers: frozenset[str] = frozenset()
 ) -> Iterator[Hazard]:
-    """A word of several named bits that is written as a whole, and the `registers` that show one of them alone."""
+    """The hazard of a word with several bits that is written as a whole.
+
+    `registers` are the names of registers that write a single bit.
+    """
     word = device.flags.get(value.flags)
     if word is None or not writable(access):
         return
@@ -232,14 +240,14 @@ def _shared(
     spare = (8 * word.type.size) - used.bit_count()
     if len(named) > 1 or spare:
         alone = sum(bit.name in registers for bit in named)
-        kept = f", {spare} bits without a meaning" if spare else ""
+        spare_text = f", {spare} bits without a meaning" if spare else ""
         also = f", {alone} of them with registers of their own" if alone else ""
-        why = f"{len(named)} things{kept}{also}"
+        why = f"{len(named)} things{spare_text}{also}"
         yield _hazard("shared_word", fact, where, why, word.place.path, "flags")
 
 
 def _alone(device: Device) -> frozenset[str]:
-    """The names of single registers that can be written, each of several with its number."""
+    """The names of writable registers; those of an array with the index of each element."""
     return frozenset(
         f"{register.name}_{register.index_from + number}" if register.count > 1 else register.name
         for register in device.registers()
@@ -258,7 +266,7 @@ def _hazard(kind: str, fact: Fact, where: str, why: str, other: str = "", key: s
 
 
 def undivided(device: Device) -> list[Register]:
-    """The registers of several words of which the manual does not say that they must be accessed in one request."""
+    """The registers with several words that the manual does not require to be accessed in one request."""
     return [
         register
         for register in device.registers()
@@ -269,35 +277,37 @@ def undivided(device: Device) -> list[Register]:
 COLUMNS = ("where", "fact", "why", "spec", "source")
 _LONG = 30
 
-_SAYS = (
+_INTRODUCTION = (
     "What may go wrong although every address and every value is right. It says what the manual says, and nothing "
     "where the manual says nothing."
 )
 
 
 def access(subject: Subject) -> Section:
-    """The hazards of reading and writing."""
-    found = hazards(subject.layout)
-    unsafe = {hazard.path for hazard in found if hazard.kind.unsafe}
-    says = [_SAYS]
+    """The section about hazards of reading and writing."""
+    all_hazards = hazards(subject.layout)
+    unsafe = {hazard.path for hazard in all_hazards if hazard.kind.unsafe}
+    paragraphs = [_INTRODUCTION]
     open_ones = undivided(subject.device)
     if open_ones:
         names = ", ".join(register.name for register in open_ones[:6]) + (", …" if len(open_ones) > 6 else "")
-        says.append(
+        paragraphs.append(
             f"Of {len(open_ones)} registers with several words the manual does not say whether they may be read in "
             f"parts ({names}); no poll block divides them."
         )
     figures = [Figure("facts cannot be read and written back safely", len(unsafe))]
     tables = []
     for kind in KINDS.values():
-        held = [hazard for hazard in found if hazard.kind == kind]
-        if held:
-            figures.append(Figure(f"{'hazard' if len(held) == 1 else 'hazards'}: {kind.title.lower()}", len(held)))
-            tables.append(_table(kind, held))
-    return Section("access", "Access hazards", tuple(says), tuple(figures), tuple(tables))
+        of_kind = [hazard for hazard in all_hazards if hazard.kind == kind]
+        if of_kind:
+            figures.append(
+                Figure(f"{'hazard' if len(of_kind) == 1 else 'hazards'}: {kind.title.lower()}", len(of_kind))
+            )
+            tables.append(_table(kind, of_kind))
+    return Section("access", "Access hazards", tuple(paragraphs), tuple(figures), tuple(tables))
 
 
-def _table(kind: Kind, held: list[Hazard]) -> SectionTable:
+def _table(kind: Kind, hazards: list[Hazard]) -> SectionTable:
     rows = tuple(
         (
             hazard.where,
@@ -306,7 +316,7 @@ def _table(kind: Kind, held: list[Hazard]) -> SectionTable:
             hazard.place[hazard.key],
             hazard.sources[0] if hazard.sources else None,
         )
-        for hazard in held
+        for hazard in hazards
     )
     kinds = ("warning" if kind.unsafe else "",) * len(rows)
     return SectionTable(kind.name, f"{kind.title}. {kind.advice}", COLUMNS, rows, kinds, detail=len(rows) > _LONG)

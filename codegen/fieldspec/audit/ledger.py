@@ -1,4 +1,4 @@
-"""The ledger of errata: what is printed, what is used, why, how sure, and what proves it."""
+"""The ledger of errata: the print, the value in use, the reason, the confidence, and the proof."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ EFFECTS = {
     "name": "wrong name",
     "ambiguous": "ambiguous",
 }
-"""What happens to who trusts the print, the worst first."""
+"""What happens to those who trust the print, the worst first."""
 
 UNPROVEN = "not proven"
 KINDS = {"proven": "good", "judgement": "", "open": "warning", UNPROVEN: "bad"}
-"""The verdicts: a named check fails with the print put back, a person has judged, the manual does not decide it, or the
-check that should fail does not. Each with how a row of it stands."""
+"""The verdicts, with the mark of their rows: a check fails with the print put back, a person has judged, the manual
+leaves the question open, or the check that should fail does not."""
 
 _FIGURES = {
     "proven": "errata are proven by a check that fails with the print put back",
@@ -50,14 +50,14 @@ COLUMNS = (
 Trees: TypeAlias = dict[str, Mapping]
 """The trees of all versions of a device."""
 
-_SAYS = (
+_INTRODUCTION = (
     "Where the spec departs from the print, or where the print leaves a fact open. Each printed value has been put "
     "back into the spec, and the evidence is what the named check then finds."
 )
 
 
 def ledger(subject: Subject) -> Section:
-    """The section of the report: how many errata of each effect have which verdict, and the ledger itself."""
+    """The section about errata: their verdicts by effect, and the ledger itself."""
     proofs = by_effect(subject.proofs)
     trees = {version: subject.spec.tree_at(version) for version in subject.spec.versions()}
     verdicts = Counter(verdict(proof) for proof in proofs)
@@ -75,9 +75,9 @@ def ledger(subject: Subject) -> Section:
         tuple(KINDS[verdict(proof)] for proof in proofs),
         detail=True,
     )
-    found = tuple(fault for proof in proofs for fault in proof.faults)
+    findings = tuple(fault for proof in proofs for fault in proof.faults)
     tables = (_summary(proofs), table)
-    return Section("errata", "Errata", (_SAYS,), tuple(figures), tables, found, questions=verdicts["open"])
+    return Section("errata", "Errata", (_INTRODUCTION,), tuple(figures), tables, findings, questions=verdicts["open"])
 
 
 def by_effect(proofs: Iterable[Proof]) -> list[Proof]:
@@ -114,7 +114,7 @@ def _row(trees: Trees, proof: Proof) -> tuple[Cell, ...]:
         erratum.confidence,
         verdict(proof),
         erratum.proof if erratum.verdict == "proven" else None,
-        "; ".join(dict.fromkeys(found.message for found in proof.evidence)) or None,
+        "; ".join(dict.fromkeys(finding.message for finding in proof.evidence)) or None,
         ", ".join(_versions(trees, erratum)) or None,
         "; ".join(citation.text() for citation in erratum.sources) or None,
         erratum.place.whole,
@@ -122,13 +122,13 @@ def _row(trees: Trees, proof: Proof) -> tuple[Cell, ...]:
 
 
 def _versions(trees: Trees, erratum: Erratum) -> list[str]:
-    """The versions that have an erratum; none where all have it."""
+    """The versions with an erratum; none where all versions have it."""
     having = [version for version, tree in trees.items() if find(tree, f"errata/{erratum.id}") is not None]
     return having if len(having) < len(trees) else []
 
 
 def printed_text(tree: Mapping, erratum: Erratum) -> str | None:
-    """What is printed, key by key and as the spec writes it; None where no key of the fact holds the slip."""
+    """The print, key by key as the spec writes it; None where the misprint is in no key of the fact."""
     printed = find(tree, f"errata/{erratum.id}/printed")
     if not isinstance(printed, Mapping):
         return None
@@ -136,7 +136,7 @@ def printed_text(tree: Mapping, erratum: Erratum) -> str | None:
 
 
 def used_text(tree: Mapping, erratum: Erratum) -> str | None:
-    """What the spec has instead, under the same keys."""
+    """The values in use, under the same keys; None where there is no such fact or key."""
     fact = find(tree, erratum.fact)
     if not isinstance(fact, Mapping) or not erratum.printed:
         return None

@@ -1,4 +1,4 @@
-"""What the spec states about each line of the manual: the facts that cite it, with their values and errata."""
+"""The facts and errata that cite each line of a manual."""
 
 from __future__ import annotations
 
@@ -20,43 +20,45 @@ _OUR_WORDS = ("cause", "remedy", "statement", "task", "step", "step_value")
 _NO_CITATIONS = frozenset(
     ("audit", "cells", "device", "label", "literal", "name", "printed", "printed_name", "title", "values")
 )
-"""Keys of a spec under which an L with a number is no line of the manual."""
+"""Keys of a spec below which an L with a number is not a line of the manual."""
 _BESIDE = ("errata", "printed", "provenance", "inferred", "standard", "evidence", "roles")
 _cells = itemgetter(*(column for column in COLUMNS if column not in _BESIDE))
 _IN_TEXT = re.compile(r"(?:[0-9A-Za-z.]+ )?L[0-9]{1,6}(?:-[0-9]{1,6})?(?:, [0-9]{1,6}(?:-[0-9]{1,6})?)*")
 
 
 @dataclass(slots=True)
-class OnLine:
-    """What cites a line: rows of facts, and errata."""
+class LineFacts:
+    """The rows of facts and the errata that cite a line."""
 
     facts: list[FactRow] = field(default_factory=list)
     errata: list[Erratum] = field(default_factory=list)
 
 
 @dataclass(frozen=True, slots=True)
-class Cited:
-    """What cites each line, and all lines that are cited, be it in a remark.
+class LineCitations:
+    """The facts of each line, and all `lines` that any text of the spec cites, remarks included.
 
-    `elided` are the paths of examples of which some bytes are not printed.
+    `elided` are the paths of examples of which the manual does not print all bytes.
     """
 
-    by_line: Mapping[int, OnLine]
+    by_line: Mapping[int, LineFacts]
     lines: frozenset[int]
     elided: frozenset[str]
 
-    def at(self, line: int) -> OnLine:
-        """What cites a line."""
-        return self.by_line.get(line) or OnLine()
+    def at(self, line: int) -> LineFacts:
+        """The facts and errata of a line."""
+        return self.by_line.get(line) or LineFacts()
 
 
-def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout], facts: Sequence[Sequence[FactRow]]) -> Cited:
-    """What cites each line of the manual, in any version; `facts` are the rows of each layout."""
-    by_line: dict[int, OnLine] = defaultdict(OnLine)
+def line_citations(
+    spec: DeviceSpec, layouts: Sequence[DeviceLayout], facts: Sequence[Sequence[FactRow]]
+) -> LineCitations:
+    """The citations of all versions by line; `facts` are the rows of each layout."""
+    by_line: dict[int, LineFacts] = defaultdict(LineFacts)
     known: set[object] = set()
     shared: set[int] = set()
-    for layout, held in zip(layouts, facts, strict=True):
-        printed = [row for row in held if row["kind"] not in _OUR_WORDS]
+    for layout, rows in zip(layouts, facts, strict=True):
+        printed = [row for row in rows if row["kind"] not in _OUR_WORDS]
         for own, row in zip(printed, _completed(printed), strict=True):
             if row is own:
                 if id(row) in shared:
@@ -72,20 +74,20 @@ def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout], facts: Sequence[Seq
                 known.add(f"erratum {erratum.id}")
                 for line in lines_of(erratum.sources):
                     by_line[line].errata.append(erratum)
-    told: set[int] = set()
+    cited_lines: set[int] = set()
     seen: dict[int, Node] = {}
     for tree in (spec.tree, *spec.trees.values()):
-        _tell(tree, told, seen)
+        _collect_lines(tree, cited_lines, seen)
     elided = frozenset(
         example.place.path for layout in layouts for example in layout.device.examples.values() if example.elided
     )
-    return Cited(dict(by_line), frozenset(told | by_line.keys()), elided)
+    return LineCitations(dict(by_line), frozenset(cited_lines | by_line.keys()), elided)
 
 
-def _completed(found: Sequence[FactRow]) -> Iterator[FactRow]:
-    """The rows; where another place states a fact again, any value of the fact may be what is printed there."""
-    by_path = {str(row["path"]): row for row in found}
-    for row in found:
+def _completed(rows: Sequence[FactRow]) -> Iterator[FactRow]:
+    """The rows. One that restates a fact gets the other values of the fact, as its place may print any of them."""
+    by_path = {str(row["path"]): row for row in rows}
+    for row in rows:
         path, again, _ = str(row["path"]).rpartition("/restated/")
         fact = by_path.get(path) if again else None
         yield row if fact is None else {key: fact[key] if cell is None else cell for key, cell in row.items()}
@@ -98,15 +100,15 @@ def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
             yield from range(first, last + 1)
 
 
-def _tell(node: Node, told: set[int], seen: dict[int, Node]) -> None:
-    """Adds the lines that any text of the spec cites. Versions share most nodes; `seen` has those of others."""
+def _collect_lines(node: Node, lines: set[int], seen: dict[int, Node]) -> None:
+    """Adds the lines that texts of a node cite. Versions share most nodes: `seen` has those of other versions."""
     if id(node) in seen:
         return
     seen[id(node)] = node
     if isinstance(node, Scalar):
-        for found in _IN_TEXT.finditer(node.text) if "L" in node.text else ():
-            told.update(lines_of(citations(found[0], "")))
+        for match in _IN_TEXT.finditer(node.text) if "L" in node.text else ():
+            lines.update(lines_of(citations(match[0], "")))
         return
     for key, inner in children(node):
         if key not in _NO_CITATIONS:
-            _tell(inner, told, seen)
+            _collect_lines(inner, lines, seen)

@@ -1,4 +1,4 @@
-"""The lines of a manual: what an index stores of each, the index file, and how lines of two editions pair up."""
+"""The lines of a manual: what an index stores of each, the file of the index, and the lines of other editions."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from hashlib import sha256
 from fieldspec.classes import dataclass, field
 from fieldspec.source import SourceFile, Span
 
-# What is left is no sentence: words without a capital letter, a digit or an underscore, and all that is not written in
-# Latin letters, become the mark `…`. So lines can be kept beside a spec although the manual cannot.
+# An index has no sentences: words without a capital letter, a digit or an underscore, and everything that is not in
+# Latin letters, become the mark `…`. So the index can be in a repository that must not have the manual.
 
 LEFT = "…"
 CELL = " | "
 LONGEST = 4000
-"""Characters of a line that are looked at."""
+"""The most characters of a line; the rest is cut."""
 
-_RAISED = {ord(raised): plain for raised, plain in zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", strict=True)}
+_RAISED = {ord(raised): digit for raised, digit in zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", strict=True)}
 _POWER = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻]+")
 _SIGNS = str.maketrans(
     {
@@ -58,18 +58,18 @@ _BLANKS = re.compile(r" {2,}")
 
 
 def digest(line: str) -> str:
-    """Eight hexadecimal digits that stand for a line, whatever blanks are in it; none for an empty one."""
+    """A hash of a line without its blanks, in eight hexadecimal digits; empty for an empty line."""
     text = "".join(unicodedata.normalize("NFKC", line).split())
     return sha256(text.encode()).hexdigest()[:8] if text else ""
 
 
 def index_line(line: str) -> str:
-    """The line as an index keeps it: cells with ` | ` between them, `…` for what is left out."""
+    """The line as an index stores it: ` | ` between cells, `…` for omitted words."""
     text = _CELL_TAG.sub("|", line[:LONGEST])
     text = _TAG.sub(" ", text)
     text = _FOOTNOTE.sub("", text)
     if not text.isascii():
-        text = _POWER.sub(lambda found: "^" + found[0].translate(_RAISED), text)
+        text = _POWER.sub(lambda match: "^" + match[0].translate(_RAISED), text)
         text = unicodedata.normalize("NFKC", text.translate(_NUMBER_WORD)).translate(_SIGNS)
     text = _COMMAND.sub(" ", text).replace("$", "").replace("\t", "|")
     if _RULE.fullmatch(text):
@@ -83,22 +83,22 @@ def index_line(line: str) -> str:
 def _cell(cell: str) -> str:
     text = _FOREIGN.sub(LEFT, cell)
     if not _WORD.fullmatch(text.strip()):
-        text = _WORD.sub(lambda found: _word(found, text), text)
+        text = _WORD.sub(lambda match: _word(match, text), text)
     return _BLANKS.sub(" ", _MARKS.sub(LEFT, text)).strip()
 
 
-def _word(found: re.Match[str], cell: str) -> str:
-    """A word that can be an identifier, or that hangs on a number as a unit or a suffix; else the mark."""
-    word = found[0]
+def _word(match: re.Match[str], cell: str) -> str:
+    """A word that may be an identifier, or a unit or suffix of the number before it; else the mark."""
+    word = match[0]
     if not word.islower() or any(char.isdigit() or char == "_" for char in word):
         return word
-    before = cell[: found.start()]
+    before = cell[: match.start()]
     hangs = before[-1:].isdigit() or (word == "h" and _HEX.search(before) is not None)
     return word if hangs else LEFT
 
 
-# An index stands beside the spec in the repository, where the manual itself cannot be. As text it has a head, an empty
-# line, and then one line for each of the manual: the hash of the line, and the reduced line.
+# The file of an index has a header, an empty line, and then one line for each line of the manual: the hash of the line,
+# and the index line.
 
 NAME = "manual.index"
 _HEAD = (
@@ -109,12 +109,12 @@ _LINE = re.compile(r"[0-9a-f]{8}(?: .+)?|")
 
 
 class ManualError(Exception):
-    """A text that cannot be a manual, or an index that cannot be read: what is wrong with it, and what to do."""
+    """A text that cannot be a manual, or an index that cannot be read. The message says what to do."""
 
 
 @dataclass(frozen=True, slots=True)
 class ManualIndex:
-    """The lines of a manual. `file` is where findings point: the index, or the manual's own text.
+    """The lines of a manual. Findings point to `file`: the index, or the text of the manual.
 
     `offset` is the number of lines in `file` before the first one of the manual.
     """
@@ -126,7 +126,7 @@ class ManualIndex:
     offset: int = field(default=0, compare=False)
 
     def span(self, number: int) -> Span:
-        """Where findings show a line of the manual, counted from 1."""
+        """The place of a line of the manual, counted from 1."""
         starts = self.file.line_starts()
         at = min(number + self.offset, len(starts)) - 1
         text = self.file.line(at + 1)
@@ -134,7 +134,7 @@ class ManualIndex:
 
 
 def index_of(path: str, content: bytes) -> ManualIndex:
-    """The index of a manual's text. Raises ManualError where the bytes are no UTF-8 text."""
+    """The index of a manual's text. Raises ManualError for bytes that are not UTF-8 text."""
     text = _decoded(content)
     lines = text.split("\n")
     if not lines[-1].strip():
@@ -148,7 +148,7 @@ def index_of(path: str, content: bytes) -> ManualIndex:
 
 
 def _without_programs(lines: Sequence[str]) -> Iterator[str]:
-    """Each line reduced; of a program, between lines of three backticks, nothing is left, as all of it is text."""
+    """The index line of each line; empty within a program, that is between lines of three backticks."""
     inside = False
     for line in lines:
         fence = line.strip().startswith("```")
@@ -157,7 +157,7 @@ def _without_programs(lines: Sequence[str]) -> Iterator[str]:
 
 
 def _decoded(content: bytes) -> str:
-    """The text of a file, with line feeds alone; a byte order mark is no part of it."""
+    """The text of a file with line feeds only and no byte order mark. Raises ManualError."""
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
         raise ManualError("is UTF-16; save it as UTF-8")
     if b"\0" in content:
@@ -175,14 +175,14 @@ def _decoded(content: bytes) -> str:
 
 
 def index_text(index: ManualIndex, device: str) -> str:
-    """The index as text."""
+    """The text of the file of an index."""
     rows = (f"{digest} {line}".rstrip() for digest, line in zip(index.digests, index.lines, strict=True))
     head = f"{_HEAD.format(device=device)}\nsha256 {index.sha256}\nlines {len(index.lines)}\n\n"
     return head + "".join(f"{row}\n" for row in rows)
 
 
 def parsed(path: str, text: str) -> ManualIndex:
-    """The index that a text holds. Raises ManualError where it holds none."""
+    """The index in a text. Raises ManualError for any other text."""
     head = _FORM.match(text)
     rows = text[head.end() :].split("\n")[:-1] if head else []
     if head is None or len(rows) != int(head[2]) or not all(map(_LINE.fullmatch, rows)):
@@ -195,13 +195,12 @@ def parsed(path: str, text: str) -> ManualIndex:
 
 
 @dataclass(frozen=True, slots=True)
-class Aligned:
-    """A manual whose lines are known by their numbers in the edition that the spec cites.
+class AlignedManual:
+    """A text at hand, with its lines by their numbers in the edition that the spec cites.
 
-    `known` gives for each line of the text at hand the cited number, `here` the line at hand for a cited number. A line
-    that only the text at hand has is known by the cited line before it, and is in `new`. Cited lines that are gone are
-    in `gone`; those that say something else at the same place, in `changed`. `same` is how many of the `whole` lines
-    with text are there unchanged.
+    `known` has the cited number of each line at hand, `here` the line at hand of a cited number. A line that only the
+    text at hand has is in `new`, and has the number of the cited line before it. Cited lines that are missing are in
+    `gone`; those with another text at the same place, in `changed`. `same` of `whole` lines with text are unchanged.
     """
 
     index: ManualIndex
@@ -214,19 +213,21 @@ class Aligned:
     whole: int
 
     def line(self, cited: int) -> str:
-        """What stands on a line that the spec cites; nothing where it is gone."""
+        """The text of a cited line; empty where it is gone."""
         at = self.here.get(cited)
         return self.index.lines[at - 1] if at else ""
 
 
-def unmoved(index: ManualIndex) -> Aligned:
-    """A manual in the edition that the spec cites."""
+def unmoved(index: ManualIndex) -> AlignedManual:
+    """A text in the edition that the spec cites."""
     numbers = range(1, len(index.lines) + 1)
     whole = sum(map(bool, index.digests))
-    return Aligned(index, numbers, {one: one for one in numbers}, frozenset(), frozenset(), frozenset(), whole, whole)
+    return AlignedManual(
+        index, numbers, {number: number for number in numbers}, frozenset(), frozenset(), frozenset(), whole, whole
+    )
 
 
-def aligned(cited: ManualIndex, index: ManualIndex) -> Aligned:
+def aligned(cited: ManualIndex, index: ManualIndex) -> AlignedManual:
     """The lines of `index`, a text at hand, by those of `cited`, the edition that the spec cites."""
     if list(cited.digests) == list(index.digests):
         return unmoved(index)
@@ -253,4 +254,4 @@ def aligned(cited: ManualIndex, index: ManualIndex) -> Aligned:
         before = by_line.get(number, before)
         known.append(before)
     gone = frozenset(old) - here.keys()
-    return Aligned(index, known, here, frozenset(added), gone, frozenset(changed), same, len(old))
+    return AlignedManual(index, known, here, frozenset(added), gone, frozenset(changed), same, len(old))

@@ -1,8 +1,8 @@
 """Patterns of what looks like a fact, as specs declare them, matched in time that grows with the line alone.
 
-A pattern is text with placeholders: `{address:hex} H` is a number and an H. `*` skips as little as it can, blanks may
-be there or not, everything else is itself. Each placeholder takes as much as its form does. So a pattern is a chain of
-pieces that are looked for one behind the other, and none of them is tried twice from the same place.
+A pattern is a text with placeholders: `{address:hex} H` is a number and an H. `*` skips as little as possible, blanks
+are optional, everything else means itself. A placeholder takes as much as its form can. So a pattern is a chain of
+pieces that are searched one after the other, and no piece is tried twice from the same place.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ FORMS = {
     "span": rf"{_NUMBER} ?(?:~|-|\.\.) ?{_NUMBER}",
     "bytes": rf"{_PAIR}(?:[ |,+]{{1,5}}{_PAIR}){{1,300}}(?![0-9A-Za-z])",
 }
-"""What a placeholder may look like. `mask` is a number with one bit set, `bytes` a frame of two bytes or more."""
+"""The forms of placeholders. `mask` is a number with one bit set, `bytes` a frame of two bytes or more."""
 
 COLUMNS = {
     "address": "number",
@@ -55,19 +55,19 @@ COLUMNS = {
     "value": "number",
     "frame": "bytes",
 }
-"""What a placeholder stands for, and its form where none is given. All but `name`, `value` and `frame` are columns of
-the table of facts."""
+"""The columns of placeholders, and the form of each where a pattern gives none. All but `name`, `value` and `frame`
+are columns of the table of facts."""
 
 _PLACE = re.compile(r"\{([a-z]+)(?::([a-z0-9]+))?\}")
 _EDGE = r"(?<![0-9A-Za-z])"
 
 
 class PatternError(Exception):
-    """What is wrong with a pattern, and what would make it right."""
+    """A pattern that cannot be understood. The message says what is wrong, and what is possible."""
 
 
 class PieceValue(NamedTuple):
-    """A value of a piece: what it stands for, its form, and as it is printed."""
+    """A value in a match: its column, its form, and the printed text."""
 
     column: str
     form: str
@@ -75,7 +75,7 @@ class PieceValue(NamedTuple):
 
 
 class Match(NamedTuple):
-    """A piece of a line that looks like a fact: its values, and where it stands in the line."""
+    """A part of a line, from `start` to `end`, that looks like a fact, with its values."""
 
     values: tuple[PieceValue, ...]
     start: int
@@ -84,10 +84,10 @@ class Match(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Template:
-    """A pattern ready for use: the pieces between its `*`, with the columns and forms of their groups.
+    """A pattern ready for use: the pieces between its `*`, and the columns and forms of their groups.
 
-    `whole_pieces` are the same, but tied to the ends of the text where the pattern does not begin or end with `*`. They
-    are compiled when they are first looked for, as a pattern has use for one or the other.
+    `whole_pieces` are the same, but tied to the ends of the text where the pattern does not begin or end with `*`.
+    Pieces are compiled at their first use, as a pattern needs only one of the two.
     """
 
     pieces: tuple[str, ...]
@@ -99,24 +99,24 @@ class Template:
         return self._chained(self.whole_pieces, text, 0)
 
     def each(self, text: str) -> Iterator[Match]:
-        """All places in a text, none within another."""
+        """All matches in a text, without overlaps."""
         at = 0
-        while at <= len(text) and (found := self._chained(self.pieces, text, at)) is not None:
-            yield found
-            at = max(found.end, at + 1)
+        while at <= len(text) and (match := self._chained(self.pieces, text, at)) is not None:
+            yield match
+            at = max(match.end, at + 1)
 
     def _chained(self, pieces: tuple[str, ...], text: str, start: int) -> Match | None:
-        """The pieces one behind the other, each at the first place behind the one before it."""
+        """The match of the pieces in their order, each at the first place after the one before it."""
         at, begin = start, start
-        held: list[str] = []
+        texts: list[str] = []
         for number, piece in enumerate(_expressions(pieces)):
             match = piece.search(text, at)
             if match is None:
                 return None
             begin = begin if number else match.start()
-            held += match.groups()
+            texts += match.groups()
             at = match.end()
-        values = [PieceValue(*column, text) for column, text in zip(self.columns, held, strict=True)]
+        values = [PieceValue(*column, text) for column, text in zip(self.columns, texts, strict=True)]
         return Match(tuple(values), begin, at)
 
 
@@ -143,21 +143,21 @@ def template(text: str) -> Template:
 
 
 def _piece(part: str) -> tuple[str, list[tuple[str, str]]]:
-    """The expression of a piece without `*`, and the columns and forms of its groups."""
+    """The regular expression of a piece, and the columns and forms of its groups. Raises PatternError."""
     source, at = "", 0
     names: list[tuple[str, str]] = []
-    for held in _PLACE.finditer(part):
-        column, form = held[1], held[2]
+    for match in _PLACE.finditer(part):
+        column, form = match[1], match[2]
         if column not in COLUMNS:
             raise PatternError(f"nothing is called `{column}`; a placeholder is one of {', '.join(COLUMNS)}")
         if form is not None and form not in FORMS:
             raise PatternError(f"there is no form `{form}`; there are {', '.join(FORMS)}")
         form = form or COLUMNS[column]
-        literal = _literal(part[at : held.start()])
+        literal = _literal(part[at : match.start()])
         edge = "" if form in ("text", "bytes", "range", "decimal") and literal else _EDGE
         source += f"{literal}{edge}({FORMS[form]})"
         names.append((column, form))
-        at = held.end()
+        at = match.end()
     source += _literal(part[at:])
     return source, names
 
@@ -173,21 +173,21 @@ def _literal(text: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class RowPattern:
-    """The first cells of a row, each a template; the values are those of all of them."""
+    """The first cells of a row, each with a template; None is an empty cell."""
 
     cells: Sequence[Template | None]
 
     def find(self, line: str) -> Match | None:
-        """The row, where a line is one. An empty cell is only like an empty one."""
-        held = line.split(CELL.strip())
-        if len(held) < len(self.cells):
+        """The match of a line that is such a row, with the values of all cells; else None."""
+        texts = line.split(CELL.strip())
+        if len(texts) < len(self.cells):
             return None
         values: list[PieceValue] = []
-        for cell, text in zip(self.cells, held, strict=False):
-            found = cell.whole(text.strip()) if cell is not None else None
-            if (found is None and cell is not None) or (cell is None and text.strip()):
+        for cell, text in zip(self.cells, texts, strict=False):
+            match = cell.whole(text.strip()) if cell is not None else None
+            if (match is None and cell is not None) or (cell is None and text.strip()):
                 return None
-            values += found.values if found is not None else ()
+            values += match.values if match is not None else ()
         return Match(tuple(values), 0, len(line))
 
 

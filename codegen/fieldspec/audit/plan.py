@@ -1,6 +1,6 @@
-"""How an audit reads a manual, as the spec's section `audit` says it.
+"""How an audit reads a manual: the section `audit` of a spec.
 
-It says nothing of the device, so it is no part of the model.
+It says nothing about the device, so it is not in the model.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Lines = tuple[tuple[int, int], ...]
 
 @dataclass(frozen=True, slots=True)
 class ManualSection:
-    """A section of the manual, and the lines from its heading to the next one, both included."""
+    """A section of the manual, from the line of its heading to the last line before the next heading."""
 
     name: str
     title: str
@@ -37,7 +37,7 @@ _first = attrgetter("first")
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
-    """What looks like a fact: a row, or any piece of a line. Of a `series`, the first and the last one are printed."""
+    """What looks like a fact: a row, or any part of a line. The manual prints the first and the last of a `series`."""
 
     name: str
     kind: str
@@ -49,10 +49,10 @@ class Pattern:
 
 
 @dataclass(frozen=True, slots=True)
-class LeftOut:
-    """Lines that are left out, all of them or those that are wholly like something, and why.
+class Omission:
+    """Lines that the spec leaves out, with the reason: all of `lines`, or those that match `template` as a whole.
 
-    `like` is what they are like as the spec writes it, `template` the same ready for use.
+    `like` is the template as the spec writes it.
     """
 
     place: Place
@@ -63,13 +63,13 @@ class LeftOut:
 
     @property
     def exact(self) -> bool:
-        """Whether it leaves out lines one by one for what they say, so that one which says something else is not."""
+        """Whether it names single lines for their text, so that it does not apply to a line with another text."""
         return self.template is None and all(first == last for first, last in self.lines)
 
 
 @dataclass(frozen=True, slots=True)
 class Unprinted:
-    """Paths of facts, with `*` for any text, that are not printed as such where they are cited, and why."""
+    """Paths of facts, with `*` for any text, that the cited lines do not print literally, and the reason."""
 
     place: Place
     facts: tuple[str, ...]
@@ -78,31 +78,31 @@ class Unprinted:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """The sections of the manual, the patterns, and what is left out.
+    """The sections of the manual, the patterns, and the omissions.
 
-    `headings` leaves out the lines in which sections begin.
+    `headings` is the omission of the lines with which sections begin.
     """
 
     place: Place
     sections: tuple[ManualSection, ...]
     patterns: tuple[Pattern, ...]
-    left_out: tuple[LeftOut, ...]
-    headings: LeftOut
+    left_out: tuple[Omission, ...]
+    headings: Omission
     unprinted: tuple[Unprinted, ...]
 
     def section(self, line: int) -> str:
-        """The name of the section in which a line stands; empty before the first one."""
+        """The name of the section of a line; empty before the first one."""
         at = bisect_right(self.sections, line, key=_first)
         return self.sections[at - 1].name if at else ""
 
 
-def plan(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]]:
-    """The plan of a device whose manual has so many lines, or None where it has none; and what is wrong with it."""
-    found: list[Diagnostic] = []
+def plan_of(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]]:
+    """The plan of a device, None where the spec has none, and the findings about it; `lines` is the manual's length."""
+    findings: list[Diagnostic] = []
     node = spec.tree.values.get("audit")
     if not isinstance(node, Mapping):
-        return None, found
-    entry = Entry(node, "audit", found)
+        return None, findings
+    entry = Entry(node, "audit", findings)
     sections = _sections(entry, lines)
     return (
         Plan(
@@ -110,26 +110,27 @@ def plan(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]]:
             sections,
             tuple(_patterns(entry, sections, lines)),
             tuple(_left_out(entry, sections, lines)),
-            LeftOut(entry.place(), tuple((one.first, one.first) for one in sections), "", None, HEADINGS),
+            Omission(entry.place(), tuple((section.first, section.first) for section in sections), "", None, HEADINGS),
             tuple(
-                Unprinted(held.place(), held.texts("facts"), held.text("reason")) for held in entry.entries("unprinted")
+                Unprinted(unprinted.place(), unprinted.texts("facts"), unprinted.text("reason"))
+                for unprinted in entry.entries("unprinted")
             ),
         ),
-        found,
+        findings,
     )
 
 
 def _sections(entry: Entry, lines: int) -> tuple[ManualSection, ...]:
-    """The sections in their order; one that begins before the one above it, or behind the end, is a finding."""
-    made: list[ManualSection] = []
-    held = list(entry.entries("sections", "section"))
-    starts = [inner.integer("line") or 1 for inner in held]
-    for inner, first, after in zip(held, starts, [*starts[1:], lines + 1], strict=True):
-        if (made and first < made[-1].first) or first > lines:
+    """The sections in their order; one that begins before the previous one, or after the last line, is a finding."""
+    sections: list[ManualSection] = []
+    entries = list(entry.entries("sections", "section"))
+    starts = [inner.integer("line") or 1 for inner in entries]
+    for inner, first, after in zip(entries, starts, [*starts[1:], lines + 1], strict=True):
+        if (sections and first < sections[-1].first) or first > lines:
             text = f"section {inner.text('section')} begins at line {first}, out of the order of the manual's lines"
             inner.refuse("audit_sound", "line", text, "put the line, or the order of the sections, right")
-        made.append(ManualSection(inner.text("section"), inner.text("title"), first, after - 1))
-    return tuple(made)
+        sections.append(ManualSection(inner.text("section"), inner.text("title"), first, after - 1))
+    return tuple(sections)
 
 
 def _patterns(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Iterator[Pattern]:
@@ -147,24 +148,24 @@ def _patterns(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> 
         yield Pattern(inner.text("name"), inner.text("kind"), inner.place(), where, rows, each, inner.flag("series"))
 
 
-def _left_out(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Iterator[LeftOut]:
+def _left_out(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Iterator[Omission]:
     for inner in entry.entries("left_out"):
         like = inner.text("like")
         try:
-            made = template(like) if like else None
+            form = template(like) if like else None
         except PatternError as error:
             inner.refuse("audit_sound", "like", f"the pattern is not understood: {error}", "see docs/audit.md")
             continue
-        yield LeftOut(inner.place(), _lines(inner, sections, lines), like, made, inner.text("reason"))
+        yield Omission(inner.place(), _lines(inner, sections, lines), like, form, inner.text("reason"))
 
 
 def _lines(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Lines:
-    """The lines that an entry is about: those given, those of its sections, what is in both, or all."""
-    given: list[tuple[int, int]] = []
+    """The lines of an entry: those of `lines`, of `sections`, of both at once, or all lines."""
+    intervals: list[tuple[int, int]] = []
     for part in filter(None, entry.text("lines").split(", ")):
         low, _, high = part.partition("-")
-        given.append((int(low), int(high or low)))
-    for first, last in given:
+        intervals.append((int(low), int(high or low)))
+    for first, last in intervals:
         if not 1 <= first <= last <= lines:
             text = f"there are no lines {first} to {last}; the manual has the lines 1 to {lines}"
             entry.refuse("audit_sound", "lines", text, "put the lines right")
@@ -178,8 +179,8 @@ def _lines(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Lin
         if not any(section.name == name or section.name.startswith(f"{name}.") for section in sections):
             entry.refuse("audit_sound", "sections", f"there is no section {name}", "list it under `audit: sections`")
     if not names:
-        return tuple(given) or ((1, lines),)
-    if not given:
+        return tuple(intervals) or ((1, lines),)
+    if not intervals:
         return tuple(whole)
-    both = ((max(a, c), min(b, d)) for a, b in given for c, d in whole)
+    both = ((max(a, c), min(b, d)) for a, b in intervals for c, d in whole)
     return tuple((first, last) for first, last in both if first <= last)

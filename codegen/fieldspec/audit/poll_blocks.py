@@ -1,15 +1,14 @@
-"""The longest reads that one request can make without touching a hole, as a list of poll blocks.
+"""Poll blocks: the longest reads of one request that touch no hole.
 
-A word may be read where the spec says that it can be read, or where it lies within what can be read and is reserved.
-What can only be written, what is cleared by reading, and what nothing says of whether it can be read, is left out. A
-value is never divided between two requests.
+A poll block has readable values, and reserved words between them. It leaves out values that can only be written, that a
+read clears, or of which the spec does not say whether they can be read. Two requests never divide a value.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from fieldspec.audit.holders import Holder, element_runs
+from fieldspec.audit.occupants import Occupant, element_runs
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.model.access import readable
@@ -20,7 +19,7 @@ from fieldspec.model.registers import Register
 from fieldspec.model.value import Handling
 from fieldspec.source import Span
 
-WRITE_ONLY, CLEARED, UNSAID, TOO_LONG = (
+WRITE_ONLY, CLEARED, ACCESS_UNKNOWN, TOO_LONG = (
     "can only be written",
     "is cleared by reading",
     "nothing says whether it can be read",
@@ -30,9 +29,9 @@ WRITE_ONLY, CLEARED, UNSAID, TOO_LONG = (
 
 @dataclass(frozen=True, slots=True)
 class ReadLimit:
-    """The most words that one request of a message reads, None where nothing says it, and the place that says so.
+    """The most words that one request of a message reads, None where the spec does not say, and the place of the limit.
 
-    `own` says that the device's spec gives it, and not the protocol. `sources` are the places of the manual.
+    The limit is `from_manual` where the spec of the device sets it, and not the protocol. `sources` are its citations.
     """
 
     message: str
@@ -45,8 +44,8 @@ class ReadLimit:
 
 
 @dataclass(frozen=True, slots=True)
-class Unit:
-    """Words that are read together, or not at all, with a reason why they cannot be read."""
+class PollUnit:
+    """Words that are read together or not at all; `refused` is why they cannot be read."""
 
     space: str
     first: int
@@ -57,13 +56,13 @@ class Unit:
 
     @property
     def end(self) -> int:
-        """The address behind it."""
+        """The address after the last word."""
         return self.first + self.words
 
 
 @dataclass(frozen=True, slots=True)
 class PollBlock:
-    """One request: the space that it reads, its first address, its words, and the values in it."""
+    """One request: its space, its first address, its words, the names of its values, and its reserved words."""
 
     space: str
     start: int
@@ -76,12 +75,12 @@ class PollBlock:
 class Polling:
     """How a device is polled: the limits, the blocks, and what cannot be polled.
 
-    Spaces have names where the device declares several, and are one without a name where it does not.
+    The name of a space is empty where the device declares only one.
     """
 
     limits: tuple[ReadLimit, ...]
     blocks: tuple[PollBlock, ...]
-    left_out: tuple[Unit, ...]
+    left_out: tuple[PollUnit, ...]
 
     @property
     def spaces(self) -> tuple[str, ...]:
@@ -89,21 +88,21 @@ class Polling:
         return tuple(dict.fromkeys(limit.space for limit in self.limits))
 
     def limit(self, space: str) -> ReadLimit | None:
-        """The widest of the limits of a space: the message with it needs the fewest requests."""
+        """The largest limit of a space: its message needs the fewest requests. None where no limit is known."""
         known = [limit for limit in self.limits if limit.words is not None and limit.space == space]
         return max(known, key=lambda limit: limit.words or 0, default=None)
 
 
-def polling(layout: DeviceLayout) -> Polling:
-    """The poll blocks of all spaces; none where no message reads registers, or nothing limits it."""
+def polling_of(layout: DeviceLayout) -> Polling:
+    """The poll blocks of all spaces; none where no message reads registers, or no limit is known."""
     device = layout.device
-    limits = tuple(_limit(device, one) for one in device.messages.values() if _reads(device, one))
-    made = Polling(limits, (), ())
+    limits = tuple(_limit(device, message) for message in device.messages.values() if _reads(device, message))
+    unpolled = Polling(limits, (), ())
     every = sorted(_units(layout), key=lambda unit: (unit.first, unit.words))
     blocks: list[PollBlock] = []
-    left_out: list[Unit] = []
-    for space in made.spaces:
-        limit = made.limit(space)
+    left_out: list[PollUnit] = []
+    for space in unpolled.spaces:
+        limit = unpolled.limit(space)
         if limit is not None and limit.words is not None:
             more, rest = _polled([unit for unit in every if unit.space == space], limit.words)
             blocks += more
@@ -111,15 +110,15 @@ def polling(layout: DeviceLayout) -> Polling:
     return Polling(limits, tuple(blocks), tuple(left_out))
 
 
-def _polled(units: Sequence[Unit], most: int) -> tuple[list[PollBlock], list[Unit]]:
-    """The blocks of a space, and what is left out; a request reads `most` words."""
+def _polled(units: Sequence[PollUnit], most: int) -> tuple[list[PollBlock], list[PollUnit]]:
+    """The blocks of a space, and what is left out; a request reads at most `most` words."""
     too_long = [
-        Unit(one.space, one.first, one.words, one.name, TOO_LONG)
-        for one in units
-        if not one.refused and one.words > most
+        PollUnit(poll_unit.space, poll_unit.first, poll_unit.words, poll_unit.name, TOO_LONG)
+        for poll_unit in units
+        if not poll_unit.refused and poll_unit.words > most
     ]
-    usable = [one for one in units if not one.refused and one.words <= most]
-    stops = [one for one in units if one.refused]
+    usable = [poll_unit for poll_unit in units if not poll_unit.refused and poll_unit.words <= most]
+    stops = [poll_unit for poll_unit in units if poll_unit.refused]
     blocks = [block for run in _together(usable, stops) for block in _cut(run, most)]
     return blocks, sorted([*stops, *too_long], key=lambda unit: unit.first)
 
@@ -134,26 +133,26 @@ def _space(device: Device, name: str) -> str:
 
 
 def _limit(device: Device, message: Message) -> ReadLimit:
-    """What bounds a message: the range of its number of words, how often its values repeat, or their size in bytes."""
+    """The limit of a message: the range of its word count, how often its values repeat, or their size in bytes."""
     access = message.accesses
     assert access is not None
     space = _space(device, access.space)
     if not access.count:
         return ReadLimit(message.name, space, 1, message.place["accesses"], True, message.sources, message.notes)
-    found: list[tuple[int, int, Field, str]] = []
+    bounds: list[tuple[int, int, Field, str]] = []
     for field in (*message.request.fields, *message.response.fields):
         ranges = field.value.ranges if field.value is not None else None
         key = "unit_range" if "unit_range" in field.place else "range"
         if field.name == access.count and ranges is not None:
-            found.append((ranges.high, 0, field, key))
+            bounds.append((ranges.high, 0, field, key))
         if field.name == access.values and field.repeat is not None:
-            found.append((field.repeat.high, 1, field, "repeat"))
+            bounds.append((field.repeat.high, 1, field, "repeat"))
         measured = field.measures
         if measured is not None and measured.field == access.values and ranges is not None:
-            found.append((ranges.high // (2 if measured.of == "bytes" else 1), 2, field, key))
-    if not found:
+            bounds.append((ranges.high // (2 if measured.of == "bytes" else 1), 2, field, key))
+    if not bounds:
         return ReadLimit(message.name, space, None, None, False, (), message.notes)
-    words, _, field, key = min(found, key=lambda one: one[:2])
+    words, _, field, key = min(bounds, key=lambda bound: bound[:2])
     span = field.place[key]
     own = _folder(span) == _folder(device.place.whole)
     return ReadLimit(message.name, space, words, span, own, field.sources if own else (), message.notes)
@@ -163,56 +162,56 @@ def _folder(span: Span) -> str:
     return span.file.path.rpartition("/")[0]
 
 
-def _units(layout: DeviceLayout) -> Iterator[Unit]:
+def _units(layout: DeviceLayout) -> Iterator[PollUnit]:
     for register in layout.device.registers():
         yield from _of_register(layout.device, register)
-    for laid in layout.tables.values():
-        yield from _of_table(layout.device, laid)
+    for table in layout.tables.values():
+        yield from _of_table(layout.device, table)
 
 
-def _of_register(device: Device, register: Register) -> Iterator[Unit]:
+def _of_register(device: Device, register: Register) -> Iterator[PollUnit]:
     refused = _refused(register.access, register.handling)
     space, width = _space(device, register.space), max(1, register.width)
     for number in range(register.count):
         name = f"{register.name}[{register.index_from + number}]" if register.count > 1 else register.name
-        yield Unit(space, register.address + number * register.stride, width, name, refused, register.reserved)
+        yield PollUnit(space, register.address + number * register.stride, width, name, refused, register.reserved)
 
 
-def _of_table(device: Device, laid: TableLayout) -> Iterator[Unit]:
-    """The fields of all elements. A reserved field in the midst of others is read with them."""
-    table = laid.table
+def _of_table(device: Device, table_layout: TableLayout) -> Iterator[PollUnit]:
+    """The fields of all elements. A reserved field between others is read with them."""
+    table = table_layout.table
     space = _space(device, table.space)
-    fields = {field.field.place.path: field.field for field in laid.record.fields}
+    fields = {field.field.place.path: field.field for field in table_layout.record.fields}
     shapes = [
-        (first, last, holder, _of_field(laid, fields[holder.path], holder))
-        for first, last, holder in element_runs(laid)
+        (first, last, occupant, _of_field(table_layout, fields[occupant.path], occupant))
+        for first, last, occupant in element_runs(table_layout)
     ]
     for number in range(table.count):
         at = number * table.stride
-        for first, last, holder, refused in shapes:
-            name = f"{table.name}[{table.index_from + number}].{holder.name}"
-            yield Unit(space, first + at, last - first + 1, name, refused, holder.reserved)
+        for first, last, occupant, refused in shapes:
+            name = f"{table.name}[{table.index_from + number}].{occupant.name}"
+            yield PollUnit(space, first + at, last - first + 1, name, refused, occupant.reserved)
 
 
-def _of_field(laid: TableLayout, field: Field, holder: Holder) -> str:
-    if holder.reserved and not field.access:
+def _of_field(table: TableLayout, field: Field, occupant: Occupant) -> str:
+    if occupant.reserved and not field.access:
         return ""
-    return _refused(laid.access(field), field.handling)
+    return _refused(table.access(field), field.handling)
 
 
 def _refused(access: str, handling: Handling) -> str:
-    """Why a value is not polled; nothing where it may be."""
+    """Why a value is not polled; empty where it may be."""
     if access == "wo":
         return WRITE_ONLY
     if handling.clears_on_read:
         return CLEARED
-    return "" if readable(access) else UNSAID
+    return "" if readable(access) else ACCESS_UNKNOWN
 
 
-def _together(usable: Sequence[Unit], stops: Sequence[Unit]) -> Iterator[list[Unit]]:
-    """Units that follow one another without a hole; what cannot be read is one, even where it shares its address."""
-    closed = {address for one in stops for address in range(one.first, one.end)}
-    run: list[Unit] = []
+def _together(usable: Sequence[PollUnit], stops: Sequence[PollUnit]) -> Iterator[list[PollUnit]]:
+    """Units without a hole between them; an address that cannot be read is a hole, even where a unit shares it."""
+    closed = {address for poll_unit in stops for address in range(poll_unit.first, poll_unit.end)}
+    run: list[PollUnit] = []
     end = 0
     for unit in usable:
         if any(address in closed for address in range(unit.first, unit.end)):
@@ -226,8 +225,8 @@ def _together(usable: Sequence[Unit], stops: Sequence[Unit]) -> Iterator[list[Un
         yield run
 
 
-def _cut(run: Sequence[Unit], most: int) -> Iterator[PollBlock]:
-    """The longest blocks of a run: each begins where the one before ends. Reserved words at its ends are left out."""
+def _cut(run: Sequence[PollUnit], most: int) -> Iterator[PollBlock]:
+    """The longest blocks of a run, one after the other, without reserved words at their ends."""
     at = 0
     while at < len(run):
         if run[at].reserved:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from fieldspec.audit.addressed_values import Address, AddressedValue, addressed_values
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable
-from fieldspec.audit.units import Address, Unit, units
 from fieldspec.checks.finding import range_key
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label, Severity
@@ -33,8 +33,8 @@ _REASONS = {"out_of_range": _RANGE, "unknown_value": _KNOWN, "wrong_const": _KNO
 
 
 @dataclass(frozen=True, slots=True)
-class Read:
-    """A value that was read: the rows of the dump that hold it, what it says, and the bits in it that are reserved."""
+class DumpValue:
+    """A value of a dump: its rows, its decoded value, and the set bits without a meaning (`spare`)."""
 
     name: str
     where: str
@@ -53,7 +53,7 @@ class Read:
 
     @property
     def text(self) -> str:
-        """What it means, in a few words."""
+        """The meaning in a few words."""
         names = [meaning.name or f"bit {meaning.bits}" for meaning in self.decoded.meanings]
         if self.value.flags:
             return "[" + ", ".join(names) + "]"
@@ -61,7 +61,7 @@ class Read:
 
     @property
     def differs(self) -> bool:
-        """Whether it is not what the manual prints as the initial value."""
+        """Whether it is not the initial value that the manual prints."""
         default = self.value.default
         judged = not self.decoded.reason and not self.reserved and not self.unread
         return default is not None and judged and self.number != default
@@ -69,7 +69,7 @@ class Read:
 
 @dataclass(frozen=True, slots=True)
 class Hole:
-    """A value of which the dump has some words and lacks others."""
+    """A value of which the dump has only some words."""
 
     name: str
     fact: Fact
@@ -79,44 +79,49 @@ class Hole:
 
 @dataclass(frozen=True, slots=True)
 class DumpReport:
-    """A dump beside a device. `base` is how its addresses were read, `twice` has rows that contradict earlier ones."""
+    """A dump compared with a device.
+
+    `base` is how its addresses were read; `twice` has rows that contradict an earlier row.
+    """
 
     base: str
-    read: tuple[Read, ...]
+    read: tuple[DumpValue, ...]
     holes: tuple[Hole, ...]
     unknown: tuple[Entry, ...]
-    too_great: tuple[tuple[Entry, Unit], ...]
+    too_great: tuple[tuple[Entry, AddressedValue], ...]
     twice: tuple[tuple[Entry, int], ...]
 
 
 def compared(layout: DeviceLayout, dump: Dump, offset: int = 0) -> DumpReport:
-    """A dump beside a device. Addresses are read in the way by which most are known, and then the fewest are wrong."""
-    made = [_report(layout, base, dump.entries(base), offset) for base in dump.bases]
-    return max(made, key=lambda told: (-len(told.unknown), -_doubtful(told)))
+    """A dump compared with a device, with the base that has the fewest unknown addresses, then the fewest errors."""
+    reports = [_report(layout, base, dump.entries(base), offset) for base in dump.bases]
+    return max(reports, key=lambda report: (-len(report.unknown), -_doubtful(report)))
 
 
-def _doubtful(told: DumpReport) -> int:
-    """How much speaks against the way in which addresses were read."""
-    wrong = sum(1 for read in told.read if read.decoded.reason or read.spare)
-    return wrong + len(told.holes) + len(told.too_great) + len(told.twice)
+def _doubtful(report: DumpReport) -> int:
+    """The number of errors that speak against a base."""
+    wrong = sum(1 for read in report.read if read.decoded.reason or read.spare)
+    return wrong + len(report.holes) + len(report.too_great) + len(report.twice)
 
 
 def _report(layout: DeviceLayout, base: str, entries: Sequence[Entry], offset: int) -> DumpReport:
-    held = list(units(layout))
-    starts: dict[Address, Unit] = {}
-    known: dict[Address, Unit] = {}
-    for unit in held:
-        starts.setdefault((unit.space, unit.address), unit)
-        for address in unit.addresses:
-            known.setdefault(address, unit)
+    device_values = list(addressed_values(layout))
+    starts: dict[Address, AddressedValue] = {}
+    known: dict[Address, AddressedValue] = {}
+    for slot in device_values:
+        starts.setdefault((slot.space, slot.address), slot)
+        for address in slot.addresses:
+            known.setdefault(address, slot)
     words: dict[Address, tuple[int, int]] = {}
     unknown: list[Entry] = []
-    too_great: list[tuple[Entry, Unit]] = []
+    too_great: list[tuple[Entry, AddressedValue]] = []
     twice: list[tuple[Entry, int]] = []
-    parameters: list[Read] = []
+    parameters: list[DumpValue] = []
     for entry in entries:
         first = entry.address - offset
-        read = list(_parameters(layout.device, entry, first)) if not held or _names_a_space(layout, entry) else []
+        read = (
+            list(_parameters(layout.device, entry, first)) if not device_values or _names_a_space(layout, entry) else []
+        )
         if read:
             parameters += read
             continue
@@ -134,33 +139,33 @@ def _report(layout: DeviceLayout, base: str, entries: Sequence[Entry], offset: i
             if before[0] != word:
                 twice.append((entry, before[1]))
     values, holes = [], []
-    for unit in held:
-        have = [address for address in unit.addresses if address in words]
-        if len(have) == unit.words:
-            values.append(_read(layout.device, unit, words))
+    for slot in device_values:
+        have = [address for address in slot.addresses if address in words]
+        if len(have) == slot.words:
+            values.append(_read(layout.device, slot, words))
         elif have:
-            lacking = tuple(address[1] for address in unit.addresses if address not in words)
-            holes.append(Hole(unit.name, unit.fact, tuple(words[address][1] for address in have), lacking))
+            lacking = tuple(address[1] for address in slot.addresses if address not in words)
+            holes.append(Hole(slot.name, slot.fact, tuple(words[address][1] for address in have), lacking))
     return DumpReport(base, (*values, *parameters), tuple(holes), tuple(unknown), tuple(too_great), tuple(twice))
 
 
 def _space(device: Device, entry: Entry) -> str:
-    """The address space that a row names; the first one where it names none."""
+    """The address space that a row names; the first one where it names none, or an unknown one."""
     named = {folded(name): name for name in device.spaces}
     return named.get(folded(entry.space), device.space_name("")) if entry.space else device.space_name("")
 
 
 def _names_a_space(layout: DeviceLayout, entry: Entry) -> bool:
-    """Whether a row says that its number is one of parameters."""
-    spaces = {folded(held.space) for held in layout.device.parameters.values()}
+    """Whether a row names a space of parameters."""
+    spaces = {folded(parameter_set.space) for parameter_set in layout.device.parameters.values()}
     return bool(entry.space) and folded(entry.space) in spaces
 
 
-def _split(device: Device, entry: Entry, unit: Unit | None) -> list[int] | None:
-    """The words of a row; a number of several words is divided as the value there is. None where it cannot be."""
+def _split(device: Device, entry: Entry, slot: AddressedValue | None) -> list[int] | None:
+    """The words of a row; a great number is divided like the value at its address. None if it does not fit."""
     if len(entry.values) == 1:
         number = entry.values[0]
-        wide = unit.words if unit is not None and unit.words > 1 else 1
+        wide = slot.words if slot is not None and slot.words > 1 else 1
         if wide > 1 and (entry.words == wide or not -(1 << (WORD - 1)) <= number <= _ALL):
             bits = WORD * wide
             if not -(1 << (bits - 1)) <= number < 1 << bits:
@@ -173,98 +178,117 @@ def _split(device: Device, entry: Entry, unit: Unit | None) -> list[int] | None:
     return [number & _ALL for number in entry.values]
 
 
-def _read(device: Device, unit: Unit, words: Mapping[Address, tuple[int, int]]) -> Read:
-    addresses = unit.addresses
+def _read(device: Device, slot: AddressedValue, words: Mapping[Address, tuple[int, int]]) -> DumpValue:
+    addresses = slot.addresses
     order = "big" if device.byte_order == "big" else "little"
     data = b"".join(words[address][0].to_bytes(2, order) for address in addresses)  # type: ignore[arg-type]
-    data = data[unit.skip : unit.skip + unit.value.size]
-    said = decode_value(device, unit.value, data, unit.order, unit.swapped, unit.reserved or unit.unread)
+    data = data[slot.skip : slot.skip + slot.value.size]
+    decoded = decode_value(
+        device,
+        slot.value,
+        data,
+        slot.order,
+        slot.swapped,
+        slot.reserved or slot.unread,
+    )
     rows = tuple(dict.fromkeys(words[address][1] for address in addresses))
-    spare = _spare(device, unit.value, said, unit.reserved or unit.unread)
-    return Read(unit.name, f"{unit.address:04X}h", unit.fact, unit.value, rows, said, spare, unit.reserved, unit.unread)
+    spare = _spare(device, slot.value, decoded, slot.reserved or slot.unread)
+    return DumpValue(
+        slot.name,
+        f"{slot.address:04X}h",
+        slot.fact,
+        slot.value,
+        rows,
+        decoded,
+        spare,
+        slot.reserved,
+        slot.unread,
+    )
 
 
-def _spare(device: Device, value: Value, said: DecodedValue, reserved: bool) -> tuple[int, ...]:
-    """The bits that are set and have no meaning."""
+def _spare(device: Device, value: Value, decoded: DecodedValue, reserved: bool) -> tuple[int, ...]:
+    """The set bits without a meaning."""
     word = device.flags.get(value.flags)
-    if word is None or reserved or not isinstance(said.number, int):
+    if word is None or reserved or not isinstance(decoded.number, int):
         return ()
     used = sum(bit.mask for bit in word.bits if not bit.reserved)
-    left = said.number & ((1 << 8 * value.size) - 1) & ~used
+    left = decoded.number & ((1 << 8 * value.size) - 1) & ~used
     return tuple(at for at in range(left.bit_length()) if left >> at & 1)
 
 
-def _parameters(device: Device, entry: Entry, number: int) -> Iterator[Read]:
-    """The values of a parameter by its number on the wire."""
-    spaces = dict.fromkeys(held.space for held in device.parameters.values())
+def _parameters(device: Device, entry: Entry, number: int) -> Iterator[DumpValue]:
+    """The values of the parameter with a number on the wire."""
+    spaces = dict.fromkeys(parameter_set.space for parameter_set in device.parameters.values())
     named = [space for space in spaces if folded(space) == folded(entry.space)] or list(spaces)
     for space in named:
-        found = device.parameter_at(space, number)
-        parameter = found[0].numbered(found[1]) if found is not None else None
-        if found is None or parameter is None:
+        match = device.parameter_at(space, number)
+        parameter = match[0].numbered(match[1]) if match is not None else None
+        if match is None or parameter is None:
             continue
-        for at, held in enumerate(entry.values):
-            yield _parameter(device, found[0].number_text(found[1]), parameter, at, held, entry)
+        for at, raw_value in enumerate(entry.values):
+            yield _parameter(device, match[0].number_text(match[1]), parameter, at, raw_value, entry)
         return
 
 
-def _parameter(device: Device, where: str, parameter: Parameter, at: int, number: int, entry: Entry) -> Read:
-    element = next((one for one in parameter.subindices if at in one.indices), None)
+def _parameter(device: Device, where: str, parameter: Parameter, at: int, number: int, entry: Entry) -> DumpValue:
+    element = next((subindex for subindex in parameter.subindices if at in subindex.indices), None)
     value = element.value if element is not None else parameter.value
     reserved = parameter.reserved or (element is not None and element.reserved)
     name = parameter.name + (f"[{at}]" if parameter.elements or len(entry.values) > 1 else "")
     bits = 8 * value.size
     if value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and -(1 << (bits - 1)) <= number < 1 << bits:
         data = (number & ((1 << bits) - 1)).to_bytes(value.size, "big")
-        said = decode_value(device, value, data, "big", False, reserved)
+        decoded = decode_value(device, value, data, "big", False, reserved)
     else:
-        said = DecodedValue(number).judged(False, f"{value.size} bytes of {value.type.name}", "out_of_range")
-    spare = _spare(device, value, said, reserved)
-    return Read(name, where, element or parameter, value, (entry.row,), said, spare, reserved)
+        decoded = DecodedValue(number).judged(False, f"{value.size} bytes of {value.type.name}", "out_of_range")
+    spare = _spare(device, value, decoded, reserved)
+    return DumpValue(name, where, element or parameter, value, (entry.row,), decoded, spare, reserved)
 
 
-def judged(told: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> list[Diagnostic]:
-    """What is wrong with a dump; `rows` has the offset at which each row begins in the file.
+def judged(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> list[Diagnostic]:
+    """The findings about a dump; `rows` has the offset of each row in the file.
 
-    Of each rule, no more findings are listed than of a spec: a dump may have a hundred thousand rows.
+    Findings of one rule are limited as those about a spec are: a dump may have a hundred thousand rows.
     """
     by_rule: dict[str, list[Diagnostic]] = {}
-    for one in _judged(told, file, rows):
-        by_rule.setdefault(one.code, []).append(one)
-    return [one for found in by_rule.values() for one in bounded(found)]
+    for finding in _judged(report, file, rows):
+        by_rule.setdefault(finding.code, []).append(finding)
+    return [finding for findings in by_rule.values() for finding in bounded(findings)]
 
 
-def _judged(told: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> list[Diagnostic]:
+def _judged(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> list[Diagnostic]:
 
     def at(row: int) -> Span:
         start = rows.get(row, 0)
         end = file.text.find("\n", start)
         return Span(file, start, len(file.text) if end < 0 else end)
 
-    found = [one for read in told.read for one in _wrong(read, at(read.rows[0]))]
-    for hole in told.holes:
+    findings = [finding for read in report.read for finding in _wrong(read, at(read.rows[0]))]
+    for hole in report.holes:
         lacking = ", ".join(f"{address:04X}h" for address in hole.missing)
         text = f"{hole.name} has more words than the dump: {lacking} is missing"
-        found.append(finding(_WHOLE, text, at(hole.rows[0]), hole.fact, "read all of its words, in one request"))
-    for entry, unit in told.too_great:
-        text = f"{unit.name} has {unit.words} words; {max(entry.values, key=abs)} is too great for what was read"
-        found.append(finding(_RANGE, text, at(entry.row), unit.fact, "read it again, or put the address right"))
-    for entry, before in told.twice:
+        findings.append(finding(_WHOLE, text, at(hole.rows[0]), hole.fact, "read all of its words, in one request"))
+    for entry, slot in report.too_great:
+        text = f"{slot.name} has {slot.words} words; {max(entry.values, key=abs)} is too great for what was read"
+        findings.append(finding(_RANGE, text, at(entry.row), slot.fact, "read it again, or put the address right"))
+    for entry, before in report.twice:
         label = Label(at(before), "another value")
         text = "an address has two values"
-        found.append(Diagnostic(_WHOLE, text, at(entry.row), (label,), "take a dump in which each address stands once"))
-    for entry in told.unknown:
+        findings.append(
+            Diagnostic(_WHOLE, text, at(entry.row), (label,), "take a dump in which each address stands once")
+        )
+    for entry in report.unknown:
         text = f"nothing is known of the address {entry.address:04X}h"
         help = "transcribe it, or give --base or --offset if the addresses are counted otherwise"
-        found.append(Diagnostic(_ADDRESS, text, at(entry.row), help=help, severity=Severity.WARNING))
-    return found
+        findings.append(Diagnostic(_ADDRESS, text, at(entry.row), help=help, severity=Severity.WARNING))
+    return findings
 
 
-def _wrong(read: Read, span: Span) -> Iterator[Diagnostic]:
-    """What is wrong with one value."""
+def _wrong(read: DumpValue, span: Span) -> Iterator[Diagnostic]:
+    """The findings about one value."""
     if read.decoded.reason:
-        held = read.number.hex(" ") if isinstance(read.number, bytes) else read.number
-        text = f"{read.name} is {held}; it {read.decoded.verdict.removeprefix('wrong: ')}"
+        raw_text = read.number.hex(" ") if isinstance(read.number, bytes) else read.number
+        text = f"{read.name} is {raw_text}; it {read.decoded.verdict.removeprefix('wrong: ')}"
         yield finding(
             _REASONS.get(read.decoded.reason, _KNOWN), text, span, read.fact, "the device, or the spec, is wrong"
         )
@@ -281,36 +305,36 @@ def _wrong(read: Read, span: Span) -> Iterator[Diagnostic]:
 
 
 def finding(code: str, text: str, span: Span, fact: Fact, help: str, grave: bool = True) -> Diagnostic:
-    """A finding about a value, with the place of the spec that says otherwise; a warning where it is not grave."""
+    """A finding about a value, with the place of the spec that it contradicts; a warning if it is not `grave`."""
     label = Label(fact.place[range_key(fact.place) if code == _RANGE else "name"], "what the spec says")
     return Diagnostic(code, text, span, (label,), help, Severity.ERROR if grave else Severity.WARNING)
 
 
-def section(told: DumpReport, found: Sequence[Diagnostic], skipped: int) -> Section:
-    """The report of a dump."""
-    wrong = [read for read in told.read if read.decoded.reason or read.spare]
-    differing = [read for read in told.read if read.differs]
-    base = "hexadecimal" if told.base == HEXADECIMAL else told.base
-    says = [f"Addresses were read as {base}."]
+def section(report: DumpReport, findings: Sequence[Diagnostic], skipped: int) -> Section:
+    """The section of a dump; `skipped` is how many rows have no address or no value."""
+    wrong = [read for read in report.read if read.decoded.reason or read.spare]
+    differing = [read for read in report.read if read.differs]
+    base = "hexadecimal" if report.base == HEXADECIMAL else report.base
+    paragraphs = [f"Addresses were read as {base}."]
     if skipped:
-        says.append(f"{skipped} rows have no address or no value.")
+        paragraphs.append(f"{skipped} rows have no address or no value.")
     figures = (
-        Figure("values decoded", len(told.read)),
-        Figure("values that cannot be, or have reserved bits set", len(wrong), len(told.read), not wrong),
-        Figure("values of which words are missing", len(told.holes), None, not told.holes),
-        Figure("addresses that the spec does not know", len(told.unknown), None, not told.unknown),
-        Figure("values that differ from the initial ones", len(differing), len(told.read)),
+        Figure("values decoded", len(report.read)),
+        Figure("values that cannot be, or have reserved bits set", len(wrong), len(report.read), not wrong),
+        Figure("values of which words are missing", len(report.holes), None, not report.holes),
+        Figure("addresses that the spec does not know", len(report.unknown), None, not report.unknown),
+        Figure("values that differ from the initial ones", len(differing), len(report.read)),
     )
     tables = (
         _values("wrong", "Values that cannot be", wrong, "bad"),
         _defaults(differing),
-        _unknown(told.unknown),
-        _values("values", "All values", told.read, ""),
+        _unknown(report.unknown),
+        _values("values", "All values", report.read, ""),
     )
-    return Section("dump", "What the device held", tuple(says), figures, tables, tuple(found))
+    return Section("dump", "What the device held", tuple(paragraphs), figures, tables, tuple(findings))
 
 
-def _values(name: str, title: str, reads: Sequence[Read], kind: str) -> SectionTable:
+def _values(name: str, title: str, reads: Sequence[DumpValue], kind: str) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     for read in reads:
         number = read.number
@@ -323,12 +347,22 @@ def _values(name: str, title: str, reads: Sequence[Read], kind: str) -> SectionT
     return SectionTable(name, title, columns, tuple(rows), (kind,) * len(rows), detail=name == "values")
 
 
-def _defaults(reads: Sequence[Read]) -> SectionTable:
-    rows = tuple((one.where, one.name, str(one.number), str(one.value.default), one.text, one.rows[0]) for one in reads)
+def _defaults(reads: Sequence[DumpValue]) -> SectionTable:
+    rows = tuple(
+        (
+            dump_value.where,
+            dump_value.name,
+            str(dump_value.number),
+            str(dump_value.value.default),
+            dump_value.text,
+            dump_value.rows[0],
+        )
+        for dump_value in reads
+    )
     columns = ("address", "name", "raw", "initial", "meaning", "row")
     return SectionTable("defaults", "Values that are not the initial ones", columns, rows)
 
 
 def _unknown(entries: Sequence[Entry]) -> SectionTable:
-    rows = tuple((f"{one.address:04X}h", ", ".join(map(str, one.values)), one.row) for one in entries)
+    rows = tuple((f"{entry.address:04X}h", ", ".join(map(str, entry.values)), entry.row) for entry in entries)
     return SectionTable("unknown", "Addresses that the spec does not know", ("address", "raw", "row"), rows)

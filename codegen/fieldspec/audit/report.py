@@ -27,7 +27,7 @@ PARTS: tuple[Callable[[Subject], Section], ...] = (
     sources,
     sign_off,
 )
-"""One function a section, in the order of the report."""
+"""One function for each section, in the order of the report."""
 
 
 def report(subject: Subject) -> Report:
@@ -36,15 +36,15 @@ def report(subject: Subject) -> Report:
 
 
 def printed_report(subject: Subject) -> tuple[Report, tuple[Diagnostic, ...]]:
-    """What the checks find in the print, as a report of one section, and these findings."""
+    """Blind detection as a report of one section, and its findings."""
     printed = as_printed(subject.spec, subject.proofs, thorough=True, known=subject.known)
     return _report(subject, (section(printed),)), printed.findings
 
 
-def dump_report(layout: DeviceLayout, found: Section) -> Report:
-    """What was read from a device, as a report of one section."""
+def dump_report(layout: DeviceLayout, section: Section) -> Report:
+    """A report with the section of a dump alone."""
     device = layout.device
-    return Report(device.id, device.name, device.version, layout.identity, (found,))
+    return Report(device.id, device.name, device.version, layout.identity, (section,))
 
 
 def _report(subject: Subject, sections: tuple[Section, ...]) -> Report:

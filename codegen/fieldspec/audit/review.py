@@ -1,4 +1,4 @@
-"""Who has compared which section of the manual with the spec, what has changed since, and the section about it."""
+"""Reviews: who has compared which section of the manual with the spec, and what has changed since."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from operator import itemgetter
 
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.audit.sources import section_order
-from fieldspec.classes import dataclass, field
+from fieldspec.classes import dataclass, field, replace
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.facts import FactRow
 from fieldspec.model.fact import Place
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.project import DeviceSpec
 
-# The state of a section is a hash of its facts, as `fieldspec facts` has them, of all versions: what they say, their
-# names and their corrections, but not the lines on which they are printed.
+# The state of a section is a hash of its facts in all versions, as `fieldspec facts` has them: their values, names and
+# errata, but not the lines that print them.
 
 FILE = "review.yaml"
-"""Where reviews are recorded, in the folder of the device."""
+"""The file of reviews in the folder of a device."""
 
-# The columns by which a fact is known again. Another one would make all that was ever reviewed look changed.
+# The columns of a fact that a review is about. With a new column here, all that was ever reviewed would look changed.
 _STATED = (
     "kind",
     "code",
@@ -61,24 +61,24 @@ _DAY = re.compile("([0-9]{4})-([0-9]{2})-([0-9]{2})")
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """The facts of a section: a short hash of each, with the paths that have it."""
+    """The facts of a section: a short hash of each, with the paths of the facts with this hash."""
 
     facts: Mapping[str, tuple[str, ...]]
 
     @property
     def digests(self) -> list[str]:
-        """The hashes in order, each as often as there are such facts."""
+        """The sorted hashes, each as often as there are facts with it."""
         return sorted(digest for digest, paths in self.facts.items() for _ in paths)
 
     @property
     def hash(self) -> str:
-        """The state as one hash."""
+        """One hash of the whole state."""
         return state_hash(self.digests)
 
 
 @dataclass(frozen=True, slots=True)
-class Signed:
-    """A section as it was when somebody compared it. `facts` are the hashes of its facts."""
+class SignedSection:
+    """A section in a review. `state` and `facts` are the hashes at that time, of the section and of its facts."""
 
     section: str
     place: Place
@@ -88,7 +88,7 @@ class Signed:
 
 @dataclass(frozen=True, slots=True)
 class Review:
-    """That somebody has compared sections with a manual, on a day."""
+    """Sections that a person has compared with a manual on one day. `manual` is the hash of its text."""
 
     place: Place
     by: str
@@ -96,12 +96,12 @@ class Review:
     manual: str
     edition: str
     doc: str
-    sections: tuple[Signed, ...]
+    sections: tuple[SignedSection, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Since:
-    """What has changed in a section: the paths of facts that are new or say something else, and how many are gone."""
+class SectionChanges:
+    """What has changed in a section: the paths of new or changed facts, and how many are gone or were changed."""
 
     changed: tuple[str, ...] = ()
     gone: int = 0
@@ -109,81 +109,82 @@ class Since:
 
     @property
     def same(self) -> bool:
-        """Whether all is as it was."""
+        """Whether nothing has changed."""
         return not self.changed and not self.gone and not self.other_manual
 
 
 @dataclass(frozen=True, slots=True)
-class Reviewed:
-    """A section of the manual with the reviews of it, the latest first, and what has changed since each."""
+class ReviewedSection:
+    """A section of the manual, its number of facts, and its reviews, the latest first, with the changes since."""
 
     section: str
     facts: int
-    reviews: tuple[tuple[Review, Since], ...] = field(default=())
+    reviews: tuple[tuple[Review, SectionChanges], ...] = field(default=())
 
 
 def is_day(text: str) -> bool:
-    """Whether there is such a day, as in 2026-01-31."""
-    found = _DAY.fullmatch(text)
-    if found is None:
+    """Whether a text is a date such as 2026-01-31."""
+    match = _DAY.fullmatch(text)
+    if match is None:
         return False
-    year, month, day = map(int, found.groups())
+    year, month, day = map(int, match.groups())
     return year > 0 and 1 <= month <= 12 and 1 <= day <= monthrange(year, month)[1]
 
 
 def state_hash(digests: Iterable[str]) -> str:
-    """The hash of a state."""
+    """The hash of the digests of a state."""
     return hashlib.sha256(" ".join(digests).encode()).hexdigest()[:16]
 
 
 def states(facts: Iterable[Iterable[FactRow]]) -> dict[str, State]:
-    """The state of every section that some versions of a device cite, by the rows of each."""
-    held: dict[str, dict[str, dict[str, None]]] = {}
+    """The state of each section that facts cite; `facts` are the rows of each version."""
+    by_section: dict[str, dict[str, dict[str, None]]] = {}
     digests: dict[str, str] = {}
     seen: dict[int, FactRow] = {}
     for row in chain.from_iterable(facts):
         if row["section"] is not None and id(row) not in seen:
             seen[id(row)] = row
-            said = _fact_text(row)
-            digest = digests.get(said) or digests.setdefault(said, _digest(said))
-            held.setdefault(str(row["section"]), {}).setdefault(digest, {})[str(row["path"])] = None
+            fact_text = _fact_text(row)
+            digest = digests.get(fact_text) or digests.setdefault(fact_text, _digest(fact_text))
+            by_section.setdefault(str(row["section"]), {}).setdefault(digest, {})[str(row["path"])] = None
     return {
-        section: State({digest: tuple(paths) for digest, paths in facts.items()}) for section, facts in held.items()
+        section: State({digest: tuple(paths) for digest, paths in facts.items()})
+        for section, facts in by_section.items()
     }
 
 
 def _fact_text(row: FactRow) -> str:
-    """What a fact says, as text."""
+    """The text of a fact that is hashed."""
     cells = zip(_STATED, _stated(row), strict=True)
     return "\x1f".join([f"{key}={cell}" for key, cell in cells if cell is not None and cell != []])
 
 
-def _digest(said: str) -> str:
-    """Three bytes of a hash of what a fact says, as four characters."""
-    return b64encode(hashlib.sha256(said.encode()).digest()[:3]).decode()
+def _digest(fact_text: str) -> str:
+    """Three bytes of the hash of a fact, as four characters of Base64."""
+    return b64encode(hashlib.sha256(fact_text.encode()).digest()[:3]).decode()
 
 
-def reviews(spec: DeviceSpec) -> tuple[list[Review], list[Diagnostic]]:
-    """The reviews of a device in the order of the spec, and what is wrong with them."""
-    found: list[Diagnostic] = []
-    made = [_review(entry) for entry in Entry(spec.tree, "", found).named("reviews", "reviews")]
-    known = {one.state: one.facts for review in made for one in review.sections if one.facts}
-    whole = []
-    for review in made:
-        signed = []
-        for one in review.sections:
-            facts = one.facts or known.get(one.state, ())
-            if state_hash(sorted(facts)) != one.state:
-                text = (
-                    f"the state of section {one.section} is {one.state}, that of its facts {state_hash(sorted(facts))}"
-                )
+def reviews_of(spec: DeviceSpec) -> tuple[list[Review], list[Diagnostic]]:
+    """The reviews of a device in the order of the spec, and what is wrong with them.
+
+    A section in a state that another review has already recorded has the facts of that one.
+    """
+    findings: list[Diagnostic] = []
+    entries = [_review(entry) for entry in Entry(spec.tree, "", findings).named("reviews", "reviews")]
+    known = {section.state: section.facts for review in entries for section in review.sections if section.facts}
+    reviews = []
+    for review in entries:
+        sections = []
+        for section in review.sections:
+            facts = section.facts or known.get(section.state, ())
+            state = state_hash(sorted(facts))
+            if state != section.state:
+                text = f"the state of section {section.section} is {section.state}, that of its facts {state}"
                 help = "remove the entry, and record the review with `fieldspec audit --sign`"
-                found.append(Diagnostic("reviews_sound", text, one.place["state"], help=help))
-            signed.append(Signed(one.section, one.place, one.state, facts))
-        whole.append(
-            Review(review.place, review.by, review.date, review.manual, review.edition, review.doc, tuple(signed))
-        )
-    return whole, found
+                findings.append(Diagnostic("reviews_sound", text, section.place["state"], help=help))
+            sections.append(replace(section, facts=facts))
+        reviews.append(replace(review, sections=tuple(sections)))
+    return reviews, findings
 
 
 def _review(entry: Entry) -> Review:
@@ -201,7 +202,7 @@ def _review(entry: Entry) -> Review:
     )
 
 
-def _signed(entry: Entry) -> Signed:
+def _signed(entry: Entry) -> SignedSection:
     text = "".join(entry.text("facts").split())
     try:
         b64decode(text, validate=True)
@@ -210,51 +211,51 @@ def _signed(entry: Entry) -> Signed:
         entry.refuse("reviews_sound", "facts", "these are not the hashes of facts", help)
         text = ""
     digests = tuple(text[at : at + _SIZE] for at in range(0, len(text), _SIZE))
-    return Signed(entry.text("section"), entry.place(), entry.text("state"), digests)
+    return SignedSection(entry.text("section"), entry.place(), entry.text("state"), digests)
 
 
-def reviewed(now: Mapping[str, State], found: Iterable[Review], manual: str) -> list[Reviewed]:
-    """Every section that facts cite, with its reviews; `manual` is the hash of the text that the spec is about."""
-    latest = sorted(enumerate(found), key=lambda one: (one[1].date, one[0]), reverse=True)
+def reviewed(now: Mapping[str, State], reviews: Iterable[Review], manual: str) -> list[ReviewedSection]:
+    """Every section that facts cite, with its reviews; `manual` is the hash of the text that the spec cites."""
+    latest = sorted(enumerate(reviews), key=lambda numbered: (numbered[1].date, numbered[0]), reverse=True)
     return [
-        Reviewed(
+        ReviewedSection(
             section,
             len(state.digests),
             tuple(
-                (review, since(state, one, review.manual != manual))
+                (review, since(state, signed, review.manual != manual))
                 for _, review in latest
-                for one in review.sections
-                if one.section == section
+                for signed in review.sections
+                if signed.section == section
             ),
         )
         for section, state in now.items()
     ]
 
 
-def since(state: State, signed: Signed, other_manual: bool) -> Since:
-    """What has changed in a section since somebody has compared it."""
+def since(state: State, signed: SignedSection, other_manual: bool) -> SectionChanges:
+    """What has changed in a section since a review."""
     if state.hash == signed.state:
-        return Since(other_manual=other_manual)
+        return SectionChanges(other_manual=other_manual)
     before, now = Counter(signed.facts), Counter(state.digests)
     changed = [path for digest in now - before for path in state.facts[digest]]
-    return Since(tuple(dict.fromkeys(changed)), sum((before - now).values()), other_manual)
+    return SectionChanges(tuple(dict.fromkeys(changed)), sum((before - now).values()), other_manual)
 
 
-def uncited(now: Mapping[str, State], found: Iterable[Review]) -> Iterator[Diagnostic]:
-    """The reviews of sections that no fact cites."""
-    for review in found:
-        for one in review.sections:
-            if one.section not in now:
-                text = f"no fact cites the section {one.section} that {review.by} has compared"
+def uncited(now: Mapping[str, State], reviews: Iterable[Review]) -> Iterator[Diagnostic]:
+    """Findings about reviews of sections that no fact cites."""
+    for review in reviews:
+        for signed_section in review.sections:
+            if signed_section.section not in now:
+                text = f"no fact cites the section {signed_section.section} that {review.by} has compared"
                 help = "put the section right, or remove the entry"
-                yield Diagnostic("reviews_sound", text, one.place["section"], help=help)
+                yield Diagnostic("reviews_sound", text, signed_section.place["section"], help=help)
 
 
 def review_entry(
     spec: DeviceSpec, signed: Mapping[str, State], by: str, day: str, manual: str, edition: str, doc: str
 ) -> str:
-    """An entry of the list of reviews, as it is written behind the others: the sections that somebody has compared."""
-    known = {one.state for review in reviews(spec)[0] for one in review.sections}
+    """The YAML of a new review, to be appended to the list. Facts are left out where a review has the same state."""
+    known = {section.state for review in reviews_of(spec)[0] for section in review.sections}
     lines = [f"  - by: {_quoted(by)}", f"    date: {day}", f"    manual: {manual}"]
     lines += [f"    edition: {_quoted(edition)}"] if edition else []
     lines += [f"    doc: {_quoted(doc)}"] if doc else []
@@ -270,60 +271,70 @@ def review_entry(
 
 
 def _quoted(text: str) -> str:
-    """A text as YAML in double quotes, whatever is in it."""
+    """Any text as YAML in double quotes."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
     return '"' + "".join(sign if sign.isprintable() else f"\\U{ord(sign):08x}" for sign in escaped) + '"'
 
 
-_SAYS = (
+_INTRODUCTION = (
     "Who has compared which section of the manual with the spec, and which of its facts have been added or say "
     "something else since. A correction after a review is no fault: it is what a next reader should look at first."
 )
 
 
 def sign_off(subject: Subject) -> Section:
-    """The reviews of each section."""
-    found, wrong = reviews(subject.spec)
+    """The section with the reviews of each section of the manual."""
+    reviews, wrong = reviews_of(subject.spec)
     now = states(subject.facts)
-    held = sorted(reviewed(now, found, subject.device.manual.sha256), key=lambda one: section_order(one.section))
-    compared = [one for one in held if one.reviews]
-    same = [one for one in compared if one.reviews[0][1].same]
-    twice = [one for one in compared if len({review.by for review, _ in one.reviews}) > 1]
+    sections = sorted(
+        reviewed(now, reviews, subject.device.manual.sha256), key=lambda section: section_order(section.section)
+    )
+    compared = [section for section in sections if section.reviews]
+    same = [section for section in compared if section.reviews[0][1].same]
+    twice = [section for section in compared if len({review.by for review, _ in section.reviews}) > 1]
     figures = (
-        Figure("sections compared with the manual", len(compared), len(held), len(compared) == len(held)),
-        Figure("sections compared by two readers or more", len(twice), len(held)),
+        Figure("sections compared with the manual", len(compared), len(sections), len(compared) == len(sections)),
+        Figure("sections compared by two readers or more", len(twice), len(sections)),
         Figure("sections as they were when last compared", len(same), len(compared)),
     )
-    tables = (_readings(found), _sections(held), _changed(held))
-    return Section("sign_off", "Sign-off", (_SAYS,), figures, tables, (*wrong, *uncited(now, found)))
+    tables = (_readings(reviews), _sections(sections), _changed(sections))
+    return Section("sign_off", "Sign-off", (_INTRODUCTION,), figures, tables, (*wrong, *uncited(now, reviews)))
 
 
-def _readings(found: Sequence[Review]) -> SectionTable:
+def _readings(reviews: Sequence[Review]) -> SectionTable:
     rows = tuple(
-        (one.by, one.date, len(one.sections), one.edition or None, one.manual[:12], one.doc, one.place["by"])
-        for one in found
+        (
+            review.by,
+            review.date,
+            len(review.sections),
+            review.edition or None,
+            review.manual[:12],
+            review.doc,
+            review.place["by"],
+        )
+        for review in reviews
     )
     columns = ("by", "date", "sections", "edition", "manual", "how", "spec")
     return SectionTable("readings", "Readings", columns, rows)
 
 
-def _sections(held: Sequence[Reviewed]) -> SectionTable:
+def _sections(sections: Sequence[ReviewedSection]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
-    for one in held:
-        if not one.reviews:
-            rows.append((one.section, one.facts, "", "", "nobody has compared it"))
+    for section in sections:
+        if not section.reviews:
+            rows.append((section.section, section.facts, "", "", "nobody has compared it"))
             kinds.append("warning")
-        for review, since in one.reviews:
-            rows.append((one.section, one.facts, review.by, review.date, _text(since)))
+        for review, since in section.reviews:
+            rows.append((section.section, section.facts, review.by, review.date, _text(since)))
             kinds.append("good" if since.same else "")
     return SectionTable(
         "reviewed", "By section", ("section", "facts", "by", "date", "since"), tuple(rows), tuple(kinds)
     )
 
 
-def _text(since: Since) -> str:
-    """What has changed since a review, in a few words."""
+def _text(since: SectionChanges) -> str:
+    """The changes since a review in a few words."""
     if since.same:
         return "as it was"
     texts = [f"{len(since.changed)} facts are new or say something else" if since.changed else ""]
@@ -332,12 +343,12 @@ def _text(since: Since) -> str:
     return "; ".join(text for text in texts if text)
 
 
-def _changed(held: Sequence[Reviewed]) -> SectionTable:
+def _changed(sections: Sequence[ReviewedSection]) -> SectionTable:
     """The facts that have changed since the last review of their section."""
     rows = tuple(
-        (one.section, path, review.by, review.date)
-        for one in held
-        for review, since in one.reviews[:1]
+        (section.section, path, review.by, review.date)
+        for section in sections
+        for review, since in section.reviews[:1]
         for path in since.changed
     )
     title = "Facts that are new or say something else since their section was last compared"

@@ -1,4 +1,4 @@
-"""What the rules of audits say, in the words of their documentation: what holds, why, an example, the cure."""
+"""The documentation of the rules of audits: what must hold, why, an example, and the cure."""
 
 from __future__ import annotations
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
+from fieldspec.audit.address_map import Space
 from fieldspec.audit.manual_lines import ManualIndex
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
@@ -18,14 +19,14 @@ from fieldspec.reading.project import DeviceSpec
 from fieldspec.source import Span
 
 Cell: TypeAlias = str | int | Span | Citation | None
-"""A cell of a table: a text, a number, a place in a file, or a place in the manual."""
+"""A cell of a table: a text, a number, a place in a file, or a place in the manual. None is empty."""
 
 
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """A number for the top of a report: how many of what, and of how many where there is a whole.
+    """A number for the top of a report: how many of what, and of how many in all, where that is known.
 
-    `good` says whether the number is as it should be; None where it says nothing about good or bad.
+    `good` is whether the number is as it should be; None for a number that is neither good nor bad.
     """
 
     what: str
@@ -36,10 +37,10 @@ class Figure:
 
 @dataclass(frozen=True, slots=True)
 class SectionTable:
-    """Cells by row, under a title. The name of a column is the key of its cells in data.
+    """Cells by row, under a title. The name of a column is the key of its cells in JSON.
 
-    `kinds` says of each row how it stands: `good`, `bad`, `warning`, or empty; there are none where all are plain.
-    `detail` marks a long table, which a text for people leaves out unless it is asked for.
+    `kinds` has the mark of each row: `good`, `bad`, `warning`, or empty; without marks it is empty itself. `detail` is
+    a long table, which a report in text form leaves out unless a user asks for everything.
     """
 
     name: str
@@ -52,19 +53,19 @@ class SectionTable:
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """One part of the report. `name` is a word for data and links, `drawn` is what a renderer may draw of it.
+    """A part of the report. `name` is its key in JSON and in links, `spaces` are the address maps to draw.
 
-    `questions` is how many questions of those that it lists the manual leaves open. They are no findings: nothing in
-    the spec can be put right before somebody answers them.
+    `questions` is how many of its questions the manual leaves open. They are not findings: nobody can correct the spec
+    before somebody answers them.
     """
 
     name: str
     title: str
-    says: tuple[str, ...] = ()
+    paragraphs: tuple[str, ...] = ()
     figures: tuple[Figure, ...] = ()
     tables: tuple[SectionTable, ...] = ()
     findings: tuple[Diagnostic, ...] = ()
-    drawn: object = None
+    spaces: tuple[Space, ...] = ()
     questions: int = 0
 
 
@@ -86,11 +87,11 @@ class Report:
 
 @dataclass(frozen=True, slots=True)
 class Subject:
-    """A device at one version: its spec as written, its layout, and the proofs of its errata, those of all versions.
+    """The device of an audit at one version: its spec, its layout, and the proofs of the errata of all versions.
 
-    `layouts` are those of all versions that are built, the oldest first, `facts` the rows of each of them. `recorded`
-    is the index of the manual that stands beside the spec, `manual` that of the text at hand; either may be missing.
-    `known` is what running everything on the device has given, where that has happened.
+    `layouts` are those of all built versions, the oldest first, `facts` the rows of each of them. `recorded` is the
+    index of the manual in the folder of the spec, `manual` that of the text at hand; either may be missing. `known` is
+    the outcome of all checks and proofs of the device, where they have run.
     """
 
     spec: DeviceSpec

@@ -1,12 +1,12 @@
-"""How well the manual supports each fact, and the section of the report about it."""
+"""How many places of the manual support each fact, and the section of the report about it."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
+from fieldspec.audit.print_gaps import empty_cells, labels_elsewhere, without_unit
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
-from fieldspec.audit.unsaid import empty_cells, labels_elsewhere, without_unit
 from fieldspec.checks.facts import facts
 from fieldspec.checks.facts import facts as facts_of
 from fieldspec.classes import dataclass
@@ -16,22 +16,22 @@ from fieldspec.model.task import Task
 
 NO_SECTION = "no section"
 
-NOWHERE, ONE_PLACE, TOGETHER, AGREEING, DIFFERING = "nowhere", "one_place", "together", "agreeing", "differing"
+NOWHERE, SINGLE_PLACE, TOGETHER, AGREEING, DIFFERING = "nowhere", "one_place", "together", "agreeing", "differing"
 STANDINGS = {
-    ONE_PLACE: "one place",
+    SINGLE_PLACE: "one place",
     TOGETHER: "several places, taken together",
     AGREEING: "several places, which agree",
     DIFFERING: "several places, which differ",
     NOWHERE: "no place",
 }
-"""How many places print a fact, with the words for it."""
+"""The standings of facts, by how many places print them, with the words for them."""
 
 
 @dataclass(frozen=True, slots=True)
-class Sourced:
-    """A fact with the places that print it, those of what holds it where it has none of its own.
+class SourcedFact:
+    """A fact with its citations; they are `inherited` from the fact that contains it where it has none of its own.
 
-    `restated` are the other places that state it again, `errata` the corrections of what some of these places print.
+    `restated` are other places that state it again, `errata` the corrections of what such places print.
     """
 
     path: str
@@ -45,7 +45,7 @@ class Sourced:
     @property
     def section(self) -> str:
         """The section of the manual that prints it first."""
-        return next((one.section for one in self.sources if one.section), NO_SECTION)
+        return next((citation.section for citation in self.sources if citation.section), NO_SECTION)
 
     @property
     def standing(self) -> str:
@@ -53,12 +53,12 @@ class Sourced:
         if not self.sources:
             return NOWHERE
         if not self.restated:
-            return ONE_PLACE if len(self.sources) == 1 else TOGETHER
+            return SINGLE_PLACE if len(self.sources) == 1 else TOGETHER
         return DIFFERING if self.errata else AGREEING
 
 
 @dataclass(frozen=True, slots=True)
-class Inferred:
+class InferredKey:
     """A key of a fact that the manual implies and does not print, with the reason."""
 
     path: str
@@ -69,33 +69,33 @@ class Inferred:
     sources: tuple[Citation, ...]
 
 
-def sourced(device: Device) -> list[Sourced]:
-    """All facts with their places, in the order of the spec; what a protocol defines has those of the device."""
+def sourced_facts(device: Device) -> list[SourcedFact]:
+    """All facts with their citations, in the order of the spec; facts of a protocol have those of the device."""
     corrected: dict[str, list[str]] = {}
     for erratum in device.errata:
         corrected.setdefault(erratum.fact.partition("/restated/")[0], []).append(erratum.id)
-    held: dict[str, tuple[Citation, ...]] = {}
-    found = []
+    by_path: dict[str, tuple[Citation, ...]] = {}
+    result = []
     for fact in facts(device):
         if isinstance(fact, Task) and not fact.steps:
-            continue  # a question, or a reason, is printed nowhere
+            continue  # no manual prints a question or a reason
         path = fact.place.path
         own = fact.sources
-        sources = own or held.get(path.rpartition("/")[0], ())
-        held.setdefault(path, sources)
-        again = tuple(one for claim in fact.restated for one in claim.sources)
+        sources = own or by_path.get(path.rpartition("/")[0], ())
+        by_path.setdefault(path, sources)
+        again = tuple(citation for claim in fact.restated for citation in claim.sources)
         errata = tuple(corrected.get(path, ())) if again else ()
-        own_place = "source" in fact.place or bool(own and own != held.get(path.rpartition("/")[0]))
-        found.append(Sourced(path, fact.place, sources, not own_place, again, errata, fact.unverified))
-    return found
+        own_place = "source" in fact.place or bool(own and own != by_path.get(path.rpartition("/")[0]))
+        result.append(SourcedFact(path, fact.place, sources, not own_place, again, errata, fact.unverified))
+    return result
 
 
-def inferred(device: Device) -> Iterator[Inferred]:
+def inferred_keys(device: Device) -> Iterator[InferredKey]:
     """Every key that is inferred, with its reason."""
     for fact in facts(device):
         for key, reason in fact.inferred.items():
-            section = next((one.section for one in fact.sources if one.section), NO_SECTION)
-            yield Inferred(fact.place.path, fact.place, key, reason, section, fact.sources)
+            section = next((citation.section for citation in fact.sources if citation.section), NO_SECTION)
+            yield InferredKey(fact.place.path, fact.place, key, reason, section, fact.sources)
 
 
 def section_order(section: str) -> tuple[tuple[int, int, str], ...]:
@@ -103,7 +103,7 @@ def section_order(section: str) -> tuple[tuple[int, int, str], ...]:
     return tuple((0, int(part), "") if part.isdigit() else (1, 0, part) for part in section.split("."))
 
 
-_SAYS = (
+_INTRODUCTION = (
     "How many places of the manual print each fact. What two places print and agree in is surer than what only one "
     "prints; where they differ, an erratum says which one is right. What the manual only implies is inferred, with the "
     "reason. What a standard gives, what others report and what we have computed is not printed at all."
@@ -111,9 +111,9 @@ _SAYS = (
 
 
 def sources(subject: Subject) -> Section:
-    """Facts by the places that print them."""
-    facts = sourced(subject.device)
-    keys = list(inferred(subject.device))
+    """The section about sources."""
+    facts = sourced_facts(subject.device)
+    keys = list(inferred_keys(subject.device))
     count = Counter(fact.standing for fact in facts)
     unverified = [fact for fact in facts if fact.unverified]
     figures = [
@@ -121,7 +121,7 @@ def sources(subject: Subject) -> Section:
         Figure("facts that several places print, which agree", count[AGREEING], len(facts)),
         Figure("facts that several places print, which differ", count[DIFFERING], len(facts)),
         Figure("facts that follow from several places together", count[TOGETHER], len(facts)),
-        Figure("facts that only one place prints", count[ONE_PLACE], len(facts)),
+        Figure("facts that only one place prints", count[SINGLE_PLACE], len(facts)),
         Figure("values that are inferred, with a reason", len(keys)),
         *_elsewhere_figures(subject.device),
     ]
@@ -142,27 +142,27 @@ def sources(subject: Subject) -> Section:
         _empty_cells(subject),
         _labels_elsewhere(subject),
         _source_table(
-            "one_place", "Facts that only one place prints", [f for f in facts if f.standing == ONE_PLACE], ""
+            "one_place", "Facts that only one place prints", [f for f in facts if f.standing == SINGLE_PLACE], ""
         ),
         _agreeing([fact for fact in facts if fact.standing == AGREEING]),
     )
-    return Section("sources", "Sources", (_SAYS,), tuple(figures), tables)
+    return Section("sources", "Sources", (_INTRODUCTION,), tuple(figures), tables)
 
 
-def _by_section(facts: Sequence[Sourced], keys: Sequence[Inferred]) -> SectionTable:
+def _by_section(facts: Sequence[SourcedFact], keys: Sequence[InferredKey]) -> SectionTable:
     standings: dict[str, Counter[str]] = {}
     for fact in facts:
         standings.setdefault(fact.section, Counter())[fact.standing] += 1
-    implied = Counter(one.section for one in keys)
+    implied = Counter(inferred_key.section for inferred_key in keys)
     rows: list[tuple[Cell, ...]] = []
     for section in sorted({*standings, *implied}, key=section_order):
-        held = standings.get(section, Counter())
-        numbers = [held[standing] or None for standing in STANDINGS]
-        rows.append((section, sum(held.values()), *numbers, implied[section] or None))
+        counts = standings.get(section, Counter())
+        numbers = [counts[standing] or None for standing in STANDINGS]
+        rows.append((section, sum(counts.values()), *numbers, implied[section] or None))
     return SectionTable("by_section", "By section", ("section", "facts", *STANDINGS, "inferred"), tuple(rows))
 
 
-def _source_table(name: str, title: str, facts: Sequence[Sourced], kind: str) -> SectionTable:
+def _source_table(name: str, title: str, facts: Sequence[SourcedFact], kind: str) -> SectionTable:
     rows = tuple(
         (fact.path, fact.sources[0] if fact.sources else None, "of its holder" if fact.inherited else "", _spec(fact))
         for fact in facts
@@ -172,42 +172,42 @@ def _source_table(name: str, title: str, facts: Sequence[Sourced], kind: str) ->
     )
 
 
-def _differing(facts: Sequence[Sourced]) -> SectionTable:
+def _differing(facts: Sequence[SourcedFact]) -> SectionTable:
     rows = tuple((fact.path, _places(fact), ", ".join(fact.errata), _spec(fact)) for fact in facts)
     columns = ("fact", "places", "errata", "spec")
     return SectionTable("differing", "Facts in which places differ", columns, rows, detail=len(rows) > 20)
 
 
-def _agreeing(facts: Sequence[Sourced]) -> SectionTable:
+def _agreeing(facts: Sequence[SourcedFact]) -> SectionTable:
     rows = tuple((fact.path, _places(fact), _spec(fact)) for fact in facts)
     return SectionTable("agreeing", "Facts in which places agree", ("fact", "places", "spec"), rows, detail=True)
 
 
-def _places(fact: Sourced) -> str:
-    return "; ".join(dict.fromkeys(one.text() for one in (*fact.sources, *fact.restated)))
+def _places(fact: SourcedFact) -> str:
+    return "; ".join(dict.fromkeys(citation.text() for citation in (*fact.sources, *fact.restated)))
 
 
-def _reasons(keys: Sequence[Inferred]) -> SectionTable:
-    """What is inferred, the facts that share a reason in one row."""
-    together: dict[tuple[str, str], list[Inferred]] = {}
-    for one in keys:
-        together.setdefault((one.key, one.reason), []).append(one)
+def _reasons(keys: Sequence[InferredKey]) -> SectionTable:
+    """The inferred keys; facts with the same reason share a row."""
+    together: dict[tuple[str, str], list[InferredKey]] = {}
+    for inferred_key in keys:
+        together.setdefault((inferred_key.key, inferred_key.reason), []).append(inferred_key)
     rows: list[tuple[Cell, ...]] = []
-    for (key, reason), held in together.items():
-        first = held[0]
-        more = f" and {len(held) - 1} more" if len(held) > 1 else ""
+    for (key, reason), inferred_keys in together.items():
+        first = inferred_keys[0]
+        more = f" and {len(inferred_keys) - 1} more" if len(inferred_keys) > 1 else ""
         place = first.place["inferred"] if "inferred" in first.place else first.place["name"]
-        rows.append((key, f"{first.path}{more}", len(held), reason, place))
+        rows.append((key, f"{first.path}{more}", len(inferred_keys), reason, place))
     columns = ("key", "facts", "number", "reason", "spec")
     return SectionTable("inferred", "What is inferred", columns, tuple(rows), detail=len(rows) > 20)
 
 
 def _elsewhere_figures(device: Device) -> list[Figure]:
-    """How much comes from elsewhere than the manual; what there is none of is left out."""
+    """The numbers of values that are not from the manual; none that are 0."""
     figures = (
         Figure("values that a standard gives", sum(len(fact.standard) for fact in facts_of(device))),
         Figure("reports of others, which no codec uses", sum(len(fact.reported) for fact in facts_of(device))),
-        Figure("examples that were computed", sum(one.origin == COMPUTED for one in device.examples.values())),
+        Figure("examples that were computed", sum(example.origin == COMPUTED for example in device.examples.values())),
     )
     return [figure for figure in figures if figure.number]
 
@@ -226,13 +226,13 @@ def _reported(device: Device) -> SectionTable:
     rows = tuple(
         (
             fact.place.path,
-            ", ".join(f"{key} {said}" for key, said in one.values.items()),
-            one.by,
-            one.how,
-            one.place["by"],
+            ", ".join(f"{key} {value}" for key, value in report.values.items()),
+            report.by,
+            report.how,
+            report.place["by"],
         )
         for fact in facts_of(device)
-        for one in fact.reported
+        for report in fact.reported
     )
     columns = ("fact", "says", "by", "how", "spec")
     return SectionTable("reported", "What others report", columns, rows, ("warning",) * len(rows))
@@ -240,9 +240,9 @@ def _reported(device: Device) -> SectionTable:
 
 def _computed(device: Device) -> SectionTable:
     rows = tuple(
-        (one.id, one.title, " ".join(one.notes), one.place["id"])
-        for one in device.examples.values()
-        if one.origin == COMPUTED
+        (example.id, example.title, " ".join(example.notes), example.place["id"])
+        for example in device.examples.values()
+        if example.origin == COMPUTED
     )
     return SectionTable(
         "computed", "What was computed", ("example", "title", "how", "spec"), rows, detail=len(rows) > 20
@@ -250,7 +250,7 @@ def _computed(device: Device) -> SectionTable:
 
 
 def _without_unit(device: Device) -> SectionTable:
-    """Numbers that the print leaves without a unit, and the spec without a word about it."""
+    """Numbers without a unit in the print, and without an explanation in the spec."""
     rows = tuple(
         (fact.place.path, fact.sources[0] if fact.sources else None, fact.place["name"])
         for fact in without_unit(device)
@@ -262,7 +262,7 @@ def _without_unit(device: Device) -> SectionTable:
 
 
 def _labels_elsewhere(subject: Subject) -> SectionTable:
-    """Labels that are not on the lines that their facts cite; none where the text itself is not at hand."""
+    """Labels that are not on the lines that their facts cite; empty where the text itself is not at hand."""
     manual = subject.manual
     same = manual is not None and manual.offset == 0 and manual.sha256 == subject.device.manual.sha256
     elsewhere = labels_elsewhere(subject.device, manual.file.text) if manual is not None and same else ()
@@ -273,7 +273,7 @@ def _labels_elsewhere(subject: Subject) -> SectionTable:
 
 
 def _empty_cells(subject: Subject) -> SectionTable:
-    """Facts whose row has an empty cell, which somebody has filled without saying so."""
+    """Facts whose row has an empty cell that the spec fills without an inference."""
     index = subject.manual or subject.recorded
     cells = empty_cells(subject.device, index) if index is not None else ()
     rows = tuple((cell.place.path, cell.print, cell.sources[0], cell.place["source"]) for cell in cells)
@@ -282,5 +282,5 @@ def _empty_cells(subject: Subject) -> SectionTable:
     return SectionTable("empty_cells", title, columns, rows, ("warning",) * len(rows), detail=len(rows) > 20)
 
 
-def _spec(fact: Sourced) -> Cell:
+def _spec(fact: SourcedFact) -> Cell:
     return fact.place["source"] if "source" in fact.place else fact.place["name"]

@@ -1,4 +1,4 @@
-"""The section of the report about tasks: what people do with the device, and what the manual does not say about it."""
+"""The section about tasks: what people do with the device, and what the manual leaves open about it."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from fieldspec.model.task import Task, step_text
 from fieldspec.schema import schema
 
 STEPS, NOT_APPLICABLE, OPEN, MISSING = "steps", "not applicable", "open question", "missing"
-_SAYS = (
+_INTRODUCTION = (
     "What people do with the device. Each task has the steps that the manual prints, a reason why the device has no "
     "such task, or the question that the manual leaves open."
 )
 
 
 def tasks(subject: Subject) -> Section:
-    """All tasks of the schema, with how the spec answers each."""
+    """The section with all tasks of the schema, and the answers of the spec."""
     device = subject.device
     kinds: list[str] = schema()["$defs"]["task_kind"]["enum"]
     rows: list[tuple[Cell, ...]] = []
@@ -50,7 +50,7 @@ def tasks(subject: Subject) -> Section:
         ),
         SectionTable("steps", "Steps", ("way", "step", "what", "source", "spec"), tuple(steps), detail=True),
     )
-    return Section("tasks", "Tasks", (_SAYS,), figures, tables, questions=states.count(OPEN))
+    return Section("tasks", "Tasks", (_INTRODUCTION,), figures, tables, questions=states.count(OPEN))
 
 
 def _standing(task: Task) -> str:

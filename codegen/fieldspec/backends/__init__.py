@@ -16,20 +16,34 @@ Files = dict[str, str | Workbook]
 
 
 @dataclass(frozen=True, slots=True)
+class PageLink:
+    """An entry of an index of pages: its text, and the file that it leads to, relative to the index."""
+
+    text: str
+    file: str
+
+
+@dataclass(frozen=True, slots=True)
 class Output:
     """An output by the name of its folder here and below `generated/`.
 
     Its module is imported when it is first used, so that nobody pays for outputs that are not asked for. Outputs of one
-    `family` are made of the same declarations: one process makes them for less than two.
+    `family` are made of the same declarations: one process makes them for less than two. `backend` takes the place of
+    the module where an installed package brings the output.
     """
 
     name: str
     title: str
     family: str = ""
+    backend: object | None = None
 
-    def files(self, versions: Sequence[DeviceLayout]) -> Files:
-        """The files for all versions of one device, the oldest first, by path."""
-        return cast("Callable[[Sequence[DeviceLayout]], Files]", self._backend("files"))(versions)
+    def files(self, versions: Sequence[DeviceLayout], links: Sequence[PageLink] = ()) -> Files:
+        """The files for all versions of one device, the oldest first, by path.
+
+        `links` lead to pages that the back end does not write. Only a back end with an index of pages takes them.
+        """
+        files = cast("Callable[..., Files]", self._backend("files"))
+        return files(versions, links) if links else files(versions)
 
     def shared(self) -> Files:
         """The files that belong to no device, by path."""
@@ -40,12 +54,16 @@ class Output:
 
         A back end that cannot express every device has a function `refusals` beside `files`.
         """
-        module = import_module(f"fieldspec.backends.{self.name}.backend")
-        refusals: Callable[[Sequence[DeviceLayout]], list[Diagnostic]] | None = getattr(module, "refusals", None)
+        refusals: Callable[[Sequence[DeviceLayout]], list[Diagnostic]] | None = getattr(
+            self._module(), "refusals", None
+        )
         return refusals(versions) if refusals is not None else []
 
     def _backend(self, function: str) -> object:
-        return getattr(import_module(f"fieldspec.backends.{self.name}.backend"), function)
+        return getattr(self._module(), function)
+
+    def _module(self) -> object:
+        return self.backend or import_module(f"fieldspec.backends.{self.name}.backend")
 
 
 OUTPUTS = {
@@ -64,3 +82,7 @@ OUTPUTS = {
         Output("iec", "Structured Text of IEC 61131-3 for Beremiz and OpenPLC", "structured"),
     )
 }
+"""All outputs by name. `build` adds those of installed packages."""
+
+BUILT_IN = frozenset(OUTPUTS)
+"""The names of fieldspec's own outputs."""

@@ -1,6 +1,6 @@
-"""What differs between two versions of a device, and who is hurt. One file a rule, named by what happened.
+"""The differences of two versions of a device, and whom they affect.
 
-The table of all rules is in `table`. It is imported when it is first asked for.
+Each rule is a function in `rules/`, named after what happened. `table` lists them; it is imported on first use.
 """
 
 from __future__ import annotations

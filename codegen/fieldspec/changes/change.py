@@ -1,4 +1,4 @@
-"""One difference between two versions of a device, as data. Nothing here prints."""
+"""A difference of two versions of a device."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from fieldspec.source import Span
 
 
 class Effect(Enum):
-    """Who is hurt, the gravest first.
+    """Whom a change affects, the gravest first.
 
-    `wire`: bytes mean something else. `source`: generated names or types change, so that programs must be changed.
-    `behaviour`: limits, defaults, access, or more than there was. `docs`: nobody; people read something else.
+    `wire`: bytes mean something else. `source`: generated names or types change, so programs must be changed.
+    `behaviour`: limits, defaults or access change, or there is something new. `docs`: people read something else.
     """
 
     WIRE = "wire"
@@ -27,7 +27,7 @@ class Effect(Enum):
 
     @property
     def breaking(self) -> bool:
-        """Whether programs that worked may fail, or must be changed."""
+        """Whether programs may fail that worked, or must be changed."""
         return self in (Effect.WIRE, Effect.SOURCE)
 
 
@@ -36,11 +36,11 @@ _ORDER = (Effect.WIRE, Effect.SOURCE, Effect.BEHAVIOUR, Effect.DOCS)
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """One difference. `rule` is the name of its rule, `effect` its gravest effect.
+    """A difference that `rule` finds, with its gravest effect.
 
-    `what` is the kind of fact, `path` the fact's path, in the new device where it is there, else in the old one. `old`
-    and `new` are the two values as text, empty where there is none, and `before` and `after` their places, None
-    where the fact is not there. `outputs` are those in which names or types change.
+    `what` is the kind of the fact, `path` its path in the new device, or in the old one if the new one lacks it. `old`
+    and `new` are the two values as text, empty for none; `before` and `after` are their places, None where there is no
+    such fact. `outputs` are those in which names or types change.
     """
 
     rule: str
@@ -55,5 +55,5 @@ class Change:
     outputs: tuple[str, ...] = ()
 
     def order(self) -> tuple[int, str, str, str, str]:
-        """A key that sorts changes by effect, then by fact, then by rule."""
+        """The key by which changes are sorted: by effect, then by fact, then by rule."""
         return self.effect.rank, self.path, self.rule, self.old, self.new

@@ -1,4 +1,4 @@
-"""What shows that two items with different names are the same, and values of the model as text."""
+"""What proves that two objects with different names are the same, and values of the model as text."""
 
 from __future__ import annotations
 
@@ -21,51 +21,51 @@ NOTHING = "nothing"
 
 
 def hexadecimal(number: int | None) -> str:
-    """`0x2011`"""
+    """An address or a code as in `0x2011` or `0x2F`; empty for None."""
     return "" if number is None else f"0x{number:04X}" if number > 0xFF else f"0x{number:02X}"
 
 
-def value_text(held: object) -> str:
-    """A value as text; an empty one for nothing."""
-    if held is None:
+def value_text(value: object) -> str:
+    """A value of the model as text; empty for None."""
+    if value is None:
         return ""
-    if isinstance(held, bool):
-        return "yes" if held else "no"
-    if isinstance(held, Decimal):
-        return decimal_text(held)
-    if isinstance(held, bytes):
-        return held.hex(" ").upper()
-    if isinstance(held, Ranges | Citation):
-        return held.text()
-    if isinstance(held, Primitive):
-        return held.name
-    if isinstance(held, ParameterPart):
-        return f"{held.part} of {held.set}" + (f" by {held.number}" if held.number else "")
-    if isinstance(held, Claim):
-        return f"{value_text(held.values)} in {value_text(held.sources)}"
-    if isinstance(held, LookupColumn | Cause | Manual):
-        parts = (value_text(getattr(held, name)) for name in attributes(held.__class__))
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, Decimal):
+        return decimal_text(value)
+    if isinstance(value, bytes):
+        return value.hex(" ").upper()
+    if isinstance(value, Ranges | Citation):
+        return value.text()
+    if isinstance(value, Primitive):
+        return value.name
+    if isinstance(value, ParameterPart):
+        return f"{value.part} of {value.set}" + (f" by {value.number}" if value.number else "")
+    if isinstance(value, Claim):
+        return f"{value_text(value.values)} in {value_text(value.sources)}"
+    if isinstance(value, LookupColumn | Cause | Manual):
+        parts = (value_text(getattr(value, name)) for name in attributes(value.__class__))
         return ": ".join(part for part in parts if part)
-    if isinstance(held, Mapping):
-        return ", ".join(f"{key}: {value_text(value)}" for key, value in held.items())
-    if isinstance(held, Sequence) and not isinstance(held, str):
-        return ", ".join(map(value_text, held))
-    return str(held)
+    if isinstance(value, Mapping):
+        return ", ".join(f"{key}: {value_text(inner)}" for key, inner in value.items())
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return ", ".join(map(value_text, value))
+    return str(value)
 
 
 def decimal_text(number: Decimal) -> str:
-    """An exact number without an exponent or needless zeros."""
+    """An exact number without an exponent and without zeros at its end."""
     text = f"{number:f}"
     return text.rstrip("0").rstrip(".") if "." in text else text
 
 
-def quoted(held: object) -> str:
-    """The same for a sentence: `nothing` for nothing."""
-    return value_text(held) or NOTHING
+def quoted(value: object) -> str:
+    """A value as text for a sentence: `nothing` where it is empty."""
+    return value_text(value) or NOTHING
 
 
 def enumeration(words: Sequence[object], most: int = 6) -> str:
-    """`a, b and c`, or `a, b, c, d, e and 12 more`"""
+    """Words as a list: `a, b and c`, or `a, b, c, d, e and 12 more`."""
     texts = [str(word) for word in words]
     if len(texts) > most:
         texts = [*texts[: most - 1], f"{len(texts) - most + 1} more"]
@@ -73,20 +73,23 @@ def enumeration(words: Sequence[object], most: int = 6) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Around:
-    """What is known of where a thing stands: the runs and offsets of the fields beside it, by their identity in
-    memory, and the places of the fields that each signal fills."""
+class Surroundings:
+    """What is known of the objects surroundings one.
+
+    `offsets` are the runs and offsets of the fields beside it, by their identity in memory. `places_of_signals` are the
+    places of the fields that carry each signal.
+    """
 
     offsets: Mapping[int, tuple[int, int]]
-    placed: Mapping[str, tuple[str, ...]]
+    places_of_signals: Mapping[str, tuple[str, ...]]
 
 
 @dataclass(frozen=True, slots=True)
 class Evidence:
-    """What two things must have in common to be one, and how this is said."""
+    """What two objects must have in common to be the same, and how a message describes it."""
 
-    of: Callable[[Any, Around], Hashable]
-    describe: Callable[[Any, Around], str]
+    of: Callable[[Any, Surroundings], Hashable]
+    describe: Callable[[Any, Surroundings], str]
 
 
 def _type(value: Value | None, record: str = "") -> str:
@@ -95,24 +98,24 @@ def _type(value: Value | None, record: str = "") -> str:
     return value.type.name if value.type.size else f"{value.type.name} of {value.size} bytes"
 
 
-def _field(field: Field, around: Around) -> Hashable:
-    return (around.offsets.get(id(field)), _type(field.value, field.record), field.count, field.repeat)
+def _field(field: Field, surroundings: Surroundings) -> Hashable:
+    return (surroundings.offsets.get(id(field)), _type(field.value, field.record), field.count, field.repeat)
 
 
-def _at(field: Field | Part, around: Around) -> int:
-    return around.offsets[id(field)][1]
+def _at(field: Field | Part, surroundings: Surroundings) -> int:
+    return surroundings.offsets[id(field)][1]
 
 
-def _members(enum: Enum, _: Around) -> Hashable:
+def _members(enum: Enum, _: Surroundings) -> Hashable:
     return tuple((member.value, member.name) for member in enum.members) or None
 
 
-def _signal(signal: Signal, around: Around) -> Hashable:
-    places = around.placed.get(signal.name)
+def _signal(signal: Signal, surroundings: Surroundings) -> Hashable:
+    places = surroundings.places_of_signals.get(signal.name)
     return (places, _type(signal.value)) if places else None
 
 
-def _message(message: Message, _: Around) -> Hashable:
+def _message(message: Message, _: Surroundings) -> Hashable:
     if message.code is not None:
         return ("code", message.code, message.links)
     return ("number", message.number, message.links) if message.number is not None else None
@@ -130,11 +133,11 @@ EVIDENCE: dict[type, Evidence] = {
             link.end,
             *((part.name, part.role, part.algorithm) for part in (*link.request, *link.response)),
         ),
-        lambda *_: "the same marks, and the same parts of its frames",
+        lambda *_: "the same delimiters, and the same parts of its frames",
     ),
     Part: Evidence(
-        lambda part, around: (around.offsets.get(id(part)), part.role, part.algorithm, _type(part.value)),
-        lambda part, around: f"the same role {part.role} at offset {_at(part, around)}",
+        lambda part, surroundings: (surroundings.offsets.get(id(part)), part.role, part.algorithm, _type(part.value)),
+        lambda part, surroundings: f"the same role {part.role} at offset {_at(part, surroundings)}",
     ),
     Message: Evidence(_message, lambda message, _: f"the same {_coded(message)}"),
     Record: Evidence(
@@ -143,7 +146,9 @@ EVIDENCE: dict[type, Evidence] = {
     ),
     Field: Evidence(
         _field,
-        lambda field, around: f"the same offset {_at(field, around)} and type {_type(field.value, field.record)}",
+        lambda field, surroundings: (
+            f"the same offset {_at(field, surroundings)} and type {_type(field.value, field.record)}"
+        ),
     ),
     Case: Evidence(
         lambda case, _: (case.when, _type(case.value)),
@@ -161,51 +166,65 @@ EVIDENCE: dict[type, Evidence] = {
     ),
     State: Evidence(lambda state, _: (state.set, state.clear), lambda *_: "the same bits"),
     AddressSpace: Evidence(
-        lambda one, _: (one.unit, one.bounds, one.first_number, one.title), lambda *_: "the same addresses and title"
+        lambda space, _: (space.unit, space.bounds, space.first_number, space.title),
+        lambda *_: "the same addresses and title",
     ),
     RegisterGroup: Evidence(
         lambda group, _: tuple(register.address for register in group.registers) or None,
         lambda *_: "the same registers",
     ),
     Register: Evidence(
-        lambda one, _: (one.space, one.address, _type(one.value), one.count, one.stride),
-        lambda one, _: f"the same address {hexadecimal(one.address)} and type {_type(one.value)}",
+        lambda register, _: (register.space, register.address, _type(register.value), register.count, register.stride),
+        lambda register, _: f"the same address {hexadecimal(register.address)} and type {_type(register.value)}",
     ),
     Table: Evidence(
         lambda table, _: (table.base, table.stride, table.count),
         lambda table, _: f"the same base {hexadecimal(table.base)}, stride and count",
     ),
     ParameterSet: Evidence(
-        lambda held, _: (held.base, *((one.number, one.name) for one in held.parameters)),
+        lambda parameter_set, _: (
+            parameter_set.base,
+            *((parameter.number, parameter.name) for parameter in parameter_set.parameters),
+        ),
         lambda *_: "the same parameters",
     ),
     Parameter: Evidence(
-        lambda one, _: (one.number, _type(one.value), one.count, one.elements),
-        lambda one, _: f"the same number {one.number} and type {_type(one.value)}",
+        lambda parameter, _: (parameter.number, _type(parameter.value), parameter.count, parameter.elements),
+        lambda parameter, _: f"the same number {parameter.number} and type {_type(parameter.value)}",
     ),
     Subindex: Evidence(
-        lambda one, _: (one.indices, _type(one.value)),
-        lambda one, _: f"the same indices {one.indices.text()} and type {_type(one.value)}",
+        lambda subindex, _: (subindex.indices, _type(subindex.value)),
+        lambda subindex, _: f"the same indices {subindex.indices.text()} and type {_type(subindex.value)}",
     ),
     Signal: Evidence(_signal, lambda *_: "the same type, placed by the same fields"),
     Conversion: Evidence(
-        lambda one, _: (one.type.name, one.full_scale, one.complement, one.signals),
+        lambda conversion, _: (conversion.type.name, conversion.full_scale, conversion.complement, conversion.signals),
         lambda *_: "the same formula for the same signals",
     ),
-    Lookup: Evidence(lambda one, _: tuple(row.cells for row in one.rows) or None, lambda *_: "the same rows"),
+    Lookup: Evidence(lambda lookup, _: tuple(row.cells for row in lookup.rows) or None, lambda *_: "the same rows"),
     Limit: Evidence(
-        lambda one, _: (one.kind, one.value, one.low, one.high, one.text, one.unit, one.label, one.printed_name),
+        lambda limit, _: (
+            limit.kind,
+            limit.value,
+            limit.low,
+            limit.high,
+            limit.text,
+            limit.unit,
+            limit.label,
+            limit.printed_name,
+        ),
         lambda *_: "the same numbers and labels",
     ),
     Note: Evidence(lambda note, _: note.text, lambda *_: "the same text"),
-    Example: Evidence(lambda one, _: (one.frame, one.link, one.direction), lambda *_: "the same frame"),
+    Example: Evidence(lambda example, _: (example.frame, example.link, example.direction), lambda *_: "the same frame"),
     Erratum: Evidence(
-        lambda one, _: (one.fact, one.literal, repr(one.printed)), lambda *_: "the same fact with the same print"
+        lambda erratum, _: (erratum.fact, erratum.literal, repr(erratum.printed)),
+        lambda *_: "the same fact with the same print",
     ),
 }
-"""By the class of the model; a thing whose class is not here is never said to be renamed."""
+"""By class of the model. An object of any other class is never recognised by another name."""
 
 
 def bits(bit: Bit) -> str:
-    """`bit 3`, or `bits 4..5`"""
+    """The bits of a field of bits: `bit 3`, or `bits 4..5`."""
     return f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"

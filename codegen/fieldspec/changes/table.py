@@ -1,11 +1,18 @@
-"""All rules by name, with the effects that they may have, and how they are applied."""
+"""All rules of changes by name, with the effects that they can have."""
 
 from __future__ import annotations
 
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.comparing import Comparison
-from fieldspec.changes.finding import Rule
-from fieldspec.changes.rules.addresses import index_changed, number_changed, register_moved, stride_changed, table_moved
+from fieldspec.changes.comparison import Comparison
+from fieldspec.changes.descriptions import Rule
+from fieldspec.changes.rules.addresses import (
+    index_changed,
+    number_changed,
+    register_moved,
+    space_changed,
+    stride_changed,
+    table_moved,
+)
 from fieldspec.changes.rules.enums import (
     enum_changed,
     member_added,
@@ -61,7 +68,6 @@ from fieldspec.changes.rules.values import (
     type_changed,
     unit_changed,
 )
-from fieldspec.changes.space_changed import space_changed
 from fieldspec.model.device import Device
 
 _W, _S, _B, _D = Effect
@@ -123,6 +129,6 @@ RULES: tuple[tuple[str, Rule, tuple[Effect, ...]], ...] = (
 
 
 def changes(old: Device, new: Device) -> list[Change]:
-    """What differs between two versions of a device: the gravest first, then by fact."""
-    both = Comparison(old, new)
-    return sorted((change for _, rule, _ in RULES for change in rule(both)), key=Change.order)
+    """The differences of two versions of a device: the gravest first, then by fact."""
+    comparison = Comparison(old, new)
+    return sorted((change for _, rule, _ in RULES for change in rule(comparison)), key=Change.order)

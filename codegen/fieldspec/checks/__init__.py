@@ -10,9 +10,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from fieldspec.checks.table import CHECKS, run, run_named
+    from fieldspec.checks.table import CHECKS, INSTALLED, run, run_named
 
-__all__ = ["CHECKS", "run", "run_named"]
+__all__ = ["CHECKS", "INSTALLED", "run", "run_named"]
 
 
 def __getattr__(name: str) -> object:

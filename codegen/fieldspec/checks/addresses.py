@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from fieldspec.checks.sizes import Sizes
 from fieldspec.classes import dataclass
 from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import Field
 from fieldspec.model.registers import Parameter, ParameterSet, Register, Table
+from fieldspec.model.sizes import RecordSizes
 from fieldspec.model.value import Kind, Value, merged
 
 SPACE = 0x10000
@@ -29,7 +29,7 @@ class Block:
     name: str
 
 
-def table_words(table: Table, sizes: Sizes) -> int:
+def table_words(table: Table, sizes: RecordSizes) -> int:
     """The words of one element that are known to be used; at least one."""
     size = sizes.named(table.record)
     return max(1, (size + 1) // 2 if size is not None else table.words or 1)
@@ -37,7 +37,7 @@ def table_words(table: Table, sizes: Sizes) -> int:
 
 def blocks(device: Device) -> Iterator[Block]:
     """The addresses of every element of every register and table."""
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for register in device.registers():
         space, width = device.space_name(register.space), max(1, register.width)
         yield from _elements(register, space, "at", register.address, width, register.stride, register.count)
@@ -48,7 +48,7 @@ def blocks(device: Device) -> Iterator[Block]:
 
 def extents(device: Device) -> Iterator[tuple[str, int, int]]:
     """The space, and the first and last address, of every register and table; what lies between elements is theirs."""
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for register in device.registers():
         yield device.space_name(register.space), register.address, _last(register)
     for table in device.tables.values():
@@ -72,21 +72,21 @@ def _elements(fact: Fact, space: str, key: str, first: int, words: int, stride: 
         yield Block(space, at, at + words - 1, fact, key, fact.name)
 
 
-def on_wire(held: ParameterSet, parameter: Parameter) -> tuple[int, int]:
+def on_wire(parameter_set: ParameterSet, parameter: Parameter) -> tuple[int, int]:
     """The first and the last number on the wire of a parameter."""
-    first = held.base + parameter.number
+    first = parameter_set.base + parameter.number
     return first, first + parameter.count - 1
 
 
 def wire_numbers(sets: Iterable[ParameterSet]) -> list[tuple[int, int]]:
     """The numbers on the wire of all parameters of some sets, with a row or without, in order."""
-    return merged(pair for held in sets for pair in _of_set(held))
+    return merged(pair for parameter_set in sets for pair in _of_set(parameter_set))
 
 
-def _of_set(held: ParameterSet) -> list[tuple[int, int]]:
-    families = held.numbers.intervals if held.numbers is not None else ()
-    rows = [on_wire(held, parameter) for parameter in held.parameters]
-    return [*rows, *((held.base + low, held.base + high) for low, high in families)]
+def _of_set(parameter_set: ParameterSet) -> list[tuple[int, int]]:
+    families = parameter_set.numbers.intervals if parameter_set.numbers is not None else ()
+    rows = [on_wire(parameter_set, parameter) for parameter in parameter_set.parameters]
+    return [*rows, *((parameter_set.base + low, parameter_set.base + high) for low, high in families)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +114,7 @@ class Addresses:
         self._device = device
         self._registers = {(device.space_name(r.space), r.address): r for r in device.registers() if r.count == 1}
         self._arrays = [r for r in device.registers() if r.count > 1]
-        sizes = Sizes(device)
+        sizes = RecordSizes(device)
         self._fields: dict[str, dict[int, Field]] = {}
         for table in device.tables.values():
             record = device.records.get(table.record)
@@ -122,7 +122,7 @@ class Addresses:
             self._fields[table.name] = {at // 2: field for field, at in placed if at % 2 == 0}
 
     def at(self, space: str, address: int) -> Addressed | None:
-        """What begins at an address of a space; an empty name means the first space."""
+        """The value that begins at an address of a space; an empty name means the first space."""
         own = self._device.space_name(space)
         register = self._registers.get((own, address))
         for array in self._arrays if register is None else ():
@@ -134,9 +134,9 @@ class Addresses:
         if register is not None:
             return Addressed(register, register.value, register.access, register)
         for table in self._device.tables.values():
-            found = self._in_table(table, address) if self._device.space_name(table.space) == own else None
-            if found is not None:
-                return found
+            occupant = self._in_table(table, address) if self._device.space_name(table.space) == own else None
+            if occupant is not None:
+                return occupant
         return None
 
     def _in_table(self, table: Table, address: int) -> Addressed | None:
@@ -149,24 +149,24 @@ class Addresses:
         return Addressed(field, field.value if single else None, access, field if access == field.access else table)
 
     def within(self, space: str, start: int, words: int) -> Iterator[Addressed]:
-        """What begins in neighbouring words of a space."""
+        """The values that begin in neighbouring words of a space."""
         at = start
         while at < start + words:
-            found = self.at(space, at)
-            if found is not None:
-                yield found
-            at += found.words if found is not None else 1
+            occupant = self.at(space, at)
+            if occupant is not None:
+                yield occupant
+            at += occupant.words if occupant is not None else 1
 
     def counts(self, space: str, start: int, words: Sequence[int]) -> Iterator[tuple[int, Addressed, int]]:
         """The address, the fact and the count of every whole number in neighbouring words."""
         index = 0
         while index < len(words):
-            found = self.at(space, start + index)
-            taken = words[index : index + found.words] if found is not None else []
-            if found is not None and found.value is not None and len(taken) == found.words:
-                if found.value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
-                    yield start + index, found, self._joined(taken, found.value)
-                index += found.words
+            occupant = self.at(space, start + index)
+            taken = words[index : index + occupant.words] if occupant is not None else []
+            if occupant is not None and occupant.value is not None and len(taken) == occupant.words:
+                if occupant.value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
+                    yield start + index, occupant, self._joined(taken, occupant.value)
+                index += occupant.words
             else:
                 index += 1
 

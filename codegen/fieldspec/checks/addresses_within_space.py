@@ -14,10 +14,10 @@ from collections.abc import Iterator
 
 from fieldspec.checks.addresses import SPACE, table_words
 from fieldspec.checks.finding import finding, hexadecimal, label
-from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.sizes import RecordSizes
 
 _HELP = "put the address, the stride or the number of elements right"
 
@@ -25,7 +25,7 @@ _HELP = "put the address, the stride or the number of elements right"
 def addresses_within_space(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
         yield from _of(device, register, register.space, "at", register.address, register.end - 1)
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for table in device.tables.values():
         last = table.base + (table.count - 1) * table.stride + table_words(table, sizes) - 1
         yield from _of(device, table, table.space, "base", table.base, last)

@@ -16,14 +16,14 @@ from fieldspec.diagnostics import Diagnostic
 
 
 def allowances_used(
-    given: Iterable[Allowance], used: Collection[Allowance], names: Collection[str]
+    allowances: Iterable[Allowance], used: Collection[Allowance], names: Collection[str]
 ) -> Iterator[Diagnostic]:
-    """Judges the allowances themselves; the runner calls it behind the checks, with what they found.
+    """Judges the allowances themselves. The runner calls it after the checks with the allowances that they needed.
 
-    What is written once and stands at a block and at its copies is one allowance.
+    An allowance that a block and its copies share counts once.
     """
     needed = {_position(allowance) for allowance in used}
-    for allowance in given:
+    for allowance in allowances:
         if allowance.check not in names:
             text = f"there is no check `{allowance.check}` that could be allowed to fail"
             yield _finding(allowance, text, "`fieldspec rule` lists the checks")

@@ -30,8 +30,8 @@ _Rows: TypeAlias = Sequence[tuple[Fact, Value]]
 def bounds_ordered(device: Device) -> Iterator[Diagnostic]:
     for group in device.groups:
         yield from _of_list([(row, row.value) for row in group.registers if not row.copy_of])
-    for held in device.parameters.values():
-        yield from _of_list([(row, row.value) for row in held.parameters])
+    for parameter_set in device.parameters.values():
+        yield from _of_list([(row, row.value) for row in parameter_set.parameters])
     for layer in layers(device):
         yield from _of_list([(field, field.value) for field in layer.fields if field.value is not None])
 
@@ -40,9 +40,9 @@ def _of_list(rows: _Rows) -> Iterator[Diagnostic]:
     named = {Name.of(fact.name).words: (fact, value) for fact, value in rows}
     for words, (fact, value) in named.items():
         for at, word in enumerate(words):
-            found = named.get((*words[:at], _PAIRS[word], *words[at + 1 :])) if word in _PAIRS else None
-            if found is not None and _comparable(value, found[1]):
-                yield from _compared(fact, value, *found)
+            upper = named.get((*words[:at], _PAIRS[word], *words[at + 1 :])) if word in _PAIRS else None
+            if upper is not None and _comparable(value, upper[1]):
+                yield from _compared(fact, value, *upper)
 
 
 def _comparable(value: Value, other: Value) -> bool:

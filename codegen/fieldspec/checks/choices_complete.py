@@ -84,7 +84,8 @@ def _objection(device: Device, by: Field) -> str:
 
 
 def _mixed(device: Device, value: Value) -> bool:
-    return value.size > 2 and device.word_order != (value.byte_order or device.byte_order)
+    words = device.word_order
+    return value.size > 2 and bool(words) and words != (value.byte_order or device.byte_order)
 
 
 def _apart(choice: Choice) -> Iterator[Diagnostic]:

@@ -14,13 +14,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label, plural
-from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.sizes import RecordSizes
 
 
 def data_words_match(device: Device) -> Iterator[Diagnostic]:
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for message in device.messages.values():
         for direction, printed, data in (
             ("request", message.request_words, message.request),
@@ -29,8 +29,8 @@ def data_words_match(device: Device) -> Iterator[Diagnostic]:
             both = sizes.bounds(data)
             if printed is None or both is None or both == (2 * printed, 2 * printed):
                 continue
-            held = plural(both[0], "byte") if both[0] == both[1] else f"{both[0]} to {both[1]} bytes"
-            text = f"the {direction} of {message.name} is printed with {plural(printed, 'word')}; it has {held}"
+            actual = plural(both[0], "byte") if both[0] == both[1] else f"{both[0]} to {both[1]} bytes"
+            text = f"the {direction} of {message.name} is printed with {plural(printed, 'word')}; it has {actual}"
             yield finding(
                 "data_words_match",
                 message.place,

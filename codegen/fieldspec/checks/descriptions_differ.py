@@ -1,5 +1,5 @@
 """No two rows of one list, no two members of one enum, no two enums and no two words of flags have the same
-description.
+description. Two that do are a warning, and stop nothing: the bytes are the same whatever the description says.
 
 Why: a description that stands twice was copied from the row above and not changed: whoever reads it takes
 an output for an input. Reserved rows may share theirs, and so may rows whose names differ in a number only.
@@ -17,7 +17,7 @@ from collections.abc import Iterable, Iterator
 
 from fieldspec.checks.facts import lists
 from fieldspec.checks.finding import finding, label
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 
@@ -54,4 +54,5 @@ def _of_key(rows: Iterable[Fact], key: str) -> Iterator[Diagnostic]:
                 f"{other.name} and {row.name} have the same description",
                 "find out what each of them is, or allow it with a reason",
                 label(other.place, key, other.name),
+                severity=Severity.WARNING,
             )

@@ -14,16 +14,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import addresses, finding, label, plural
-from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Table
+from fieldspec.model.sizes import RecordSizes
 
 _CODE = "elements_match_table"
 
 
 def elements_match_table(device: Device) -> Iterator[Diagnostic]:
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for table in device.tables.values():
         size = sizes.named(table.record)
         yield from _of_table(table, table.words if size is None else size // 2)

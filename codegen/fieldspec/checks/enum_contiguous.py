@@ -79,13 +79,13 @@ def _covered(hole: tuple[int, int], declared: tuple[tuple[int, int], ...]) -> bo
 
 def _declared(enum: Enum) -> tuple[tuple[int, int], ...] | None:
     """The values before the colon of `gaps`, or None where they cannot be read."""
-    found = []
+    gaps = []
     for part in enum.gaps.partition(":")[0].split(",") if enum.gaps else ():
         match = _INTERVAL.fullmatch(part.strip())
         if match is None:
             return None
-        found.append((_number(match[1]), _number(match[2] or match[1])))
-    return tuple(found)
+        gaps.append((_number(match[1]), _number(match[2] or match[1])))
+    return tuple(gaps)
 
 
 def _number(text: str) -> int:

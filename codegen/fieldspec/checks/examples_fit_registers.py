@@ -44,8 +44,8 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
         if example.direction == "request":
             yield from _accessed(addresses, access, start, message, example)
         writes = access.operation == "write"
-        for address, found, number in addresses.counts(access.space, start, _words(message, example)):
-            yield from _valued(found, address, number, legal, writes, example)
+        for address, occupant, number in addresses.counts(access.space, start, _words(message, example)):
+            yield from _valued(occupant, address, number, legal, writes, example)
 
 
 def _accessed(
@@ -56,22 +56,22 @@ def _accessed(
         text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
         yield finding(_CODE, example.place, "values", text, "put the frame, or a table of registers, right")
     count = len(_words(message, example)) or _number(message, access.count, example) or 1
-    for found in addresses.within(access.space, start, min(count, _MOST_WORDS)):
-        if found.access == _REFUSED[access.operation]:
+    for occupant in addresses.within(access.space, start, min(count, _MOST_WORDS)):
+        if occupant.access == _REFUSED[access.operation]:
             deed = "reads" if access.operation == "read" else "writes"
-            text = f"{example.id} {deed} {found.fact.name}, whose access is {found.access}"
-            there = label(found.holder.place, "access", "the access")
+            text = f"{example.id} {deed} {occupant.fact.name}, whose access is {occupant.access}"
+            there = label(occupant.holder.place, "access", "the access")
             yield finding(_CODE, example.place, "values", text, "put the frame or the access right", there)
 
 
 def _valued(
-    found: Addressed, address: int, number: int, legal: Legal, writes: bool, example: Example
+    occupant: Addressed, address: int, number: int, legal: Legal, writes: bool, example: Example
 ) -> Iterator[Diagnostic]:
-    why = legal.objection(found.value, number, writes) if found.value is not None else ""
+    why = legal.objection(occupant.value, number, writes) if occupant.value is not None else ""
     if why:
-        text = f"{found.fact.name} at {hexadecimal(address)} is {number} in {example.id}, which {why}"
-        key = "write_range" if writes and "write_range" in found.fact.place else range_key(found.fact.place)
-        there = label(found.fact.place, key, "what it may be")
+        text = f"{occupant.fact.name} at {hexadecimal(address)} is {number} in {example.id}, which {why}"
+        key = "write_range" if writes and "write_range" in occupant.fact.place else range_key(occupant.fact.place)
+        there = label(occupant.fact.place, key, "what it may be")
         yield finding(_CODE, example.place, "values", text, "put the frame or the range right", there)
 
 
@@ -90,8 +90,8 @@ def _words(message: Message, example: Example) -> list[int]:
         return []
     layer = message.response if reads else message.request
     field: Field | None = next((f for f in layer.fields if f.name == message.accesses.values), None)
-    held = example.values.get(message.accesses.values)
+    value = example.values.get(message.accesses.values)
     if field is None or field.value is None or field.value.size != 2:
         return []
-    counts = [in_counts(field.value, item) for item in (held if isinstance(held, list) else [held])]
+    counts = [in_counts(field.value, item) for item in (value if isinstance(value, list) else [value])]
     return [count for count in counts if count is not None] if None not in counts else []

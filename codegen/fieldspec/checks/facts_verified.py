@@ -23,8 +23,8 @@ def facts_verified(device: Device) -> Iterator[Diagnostic]:
     for fact in facts(device):
         if fact.unverified:
             sections.setdefault(fact.place.path.partition("/")[0], []).append(fact)
-    for section, held in sections.items():
-        names = enumeration([fact.name for fact in held])
+    for section, unverified in sections.items():
+        names = enumeration([fact.name for fact in unverified])
         text = f"nobody has compared {names} of `{section}` with the manual"
         help = "compare, cite the manual, and take `unverified` away"
-        yield finding("facts_verified", held[0].place, "unverified", text, help, severity=Severity.WARNING)
+        yield finding("facts_verified", unverified[0].place, "unverified", text, help, severity=Severity.WARNING)

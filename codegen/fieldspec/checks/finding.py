@@ -82,7 +82,7 @@ def missing(ranges: Ranges, have: Collection[int]) -> list[tuple[int, int]]:
 
 
 def near(word: str, known: Collection[str]) -> str:
-    """What to say of a word that is not among the known ones."""
+    """The help for a word that is not among the known ones."""
     if len(known) > _SEARCHED:
         return "define it, or put the name right"
     from difflib import get_close_matches
@@ -104,23 +104,23 @@ def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:
         before.append(ends[at - 1] if at else -1)
         tails[at : at + 1] = [number]
         ends[at : at + 1] = [index]
-    kept = set()
+    ascent = set()
     index = ends[-1] if ends else -1
     while index >= 0:
-        kept.add(index)
+        ascent.add(index)
         index = before[index]
-    return frozenset(kept)
+    return frozenset(ascent)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Allowance:
-    """That a check may fail at a fact and at everything that the fact holds."""
+    """Permission for a check to fail at a fact and at everything below it."""
 
     fact: Fact
     check: str
 
     def spans(self) -> list[Span]:
-        """Where the fact stands, and the values of its keys, some of which may come from elsewhere."""
+        """The span of the fact and those of its values, some of which may come from elsewhere."""
         return [self.fact.place.whole, *self.fact.place.spans.values()]
 
 

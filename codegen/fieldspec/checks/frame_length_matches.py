@@ -15,14 +15,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, interval, label, plural
-from fieldspec.checks.sizes import Shape, Sizes, sent_on, shapes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.record import Message, Record
+from fieldspec.model.sizes import RecordSizes, Shape, sent_on, shapes
 
 
 def frame_length_matches(device: Device) -> Iterator[Diagnostic]:
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     links = {direction: shapes(device, direction) for direction in ("request", "response")}
     for message in device.messages.values():
         for direction, printed, data in (
@@ -35,7 +35,7 @@ def frame_length_matches(device: Device) -> Iterator[Diagnostic]:
 
 
 def _compared(
-    message: Message, direction: str, printed: int, data: Record, links: list[Shape], sizes: Sizes
+    message: Message, direction: str, printed: int, data: Record, links: list[Shape], sizes: RecordSizes
 ) -> Iterator[Diagnostic]:
     both = sizes.bounds(data)
     if both is None or not links:
@@ -43,12 +43,12 @@ def _compared(
     lengths = [(link.length(both[0]), link.length(both[1])) for link in links]
     if both[0] == both[1] and any(printed == least for least, _ in lengths):
         return
-    shown = " or ".join(sorted({interval(*pair) for pair in lengths}))
+    actual = " or ".join(sorted({interval(*pair) for pair in lengths}))
     yield finding(
         "frame_length_matches",
         message.place,
         "frame_length",
-        f"the {direction} of {message.name} is printed with {plural(printed, 'byte')}; it has {shown}",
+        f"the {direction} of {message.name} is printed with {plural(printed, 'byte')}; it has {actual}",
         "put a field or the length right; leave out the length of what has no fixed size",
         label(message.place, direction, "the data"),
     )

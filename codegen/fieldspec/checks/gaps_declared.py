@@ -33,8 +33,8 @@ def gaps_declared(device: Device) -> Iterator[Diagnostic]:
 
 def _undeclared(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagnostic]:
     # A row that breaks the order is addresses_ascending's; it would make one more hole.
-    kept = longest_ascent([row.address for row in group.registers])
-    rows = [row for number, row in enumerate(group.registers) if number in kept]
+    ascent = longest_ascent([row.address for row in group.registers])
+    rows = [row for number, row in enumerate(group.registers) if number in ascent]
     declared = (pair for gap in group.gaps for pair in gap.addresses.intervals)
     known = merged([*taken, *declared])
     ends = rows[0]

@@ -52,7 +52,7 @@ def _key(place: Place, key: str) -> str:
 
 
 def _has(value: Value, key: str) -> bool:
-    held = {
+    values = {
         "enum": value.enum,
         "flags": value.flags,
         "const": value.const is not None,
@@ -63,4 +63,4 @@ def _has(value: Value, key: str) -> bool:
         "sentinels": value.sentinels,
         "unit": value.unit,
     }
-    return bool(held[key])
+    return bool(values[key])

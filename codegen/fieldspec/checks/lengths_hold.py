@@ -14,12 +14,12 @@ from collections.abc import Iterator
 
 from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, interval, label
-from fieldspec.checks.sizes import Shape, Sizes, messages_on, shapes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Place
 from fieldspec.model.link import Part, PartSpan
 from fieldspec.model.record import Field, Record
+from fieldspec.model.sizes import RecordSizes, Shape, messages_on, shapes
 from fieldspec.model.value import Kind
 
 _CODE = "lengths_hold"
@@ -27,7 +27,7 @@ _HELP = "put the number of elements or the type right"
 
 
 def lengths_hold(device: Device) -> Iterator[Diagnostic]:
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for layer in layers(device):
         fields = {field.name: field for field in layer.fields}
         for field in layer.fields:
@@ -38,7 +38,7 @@ def lengths_hold(device: Device) -> Iterator[Diagnostic]:
         yield from _of_links(device, direction, sizes)
 
 
-def _of_field(field: Field, measured: Field, sizes: Sizes) -> Iterator[Diagnostic]:
+def _of_field(field: Field, measured: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
     if field.value is None or field.measures is None or field.value.type.kind is not Kind.INTEGER:
         return
     if field.measures.of == "bytes":
@@ -58,7 +58,7 @@ def _of_field(field: Field, measured: Field, sizes: Sizes) -> Iterator[Diagnosti
         yield finding(_CODE, field.place, "type", text, _HELP, there)
 
 
-def _of_links(device: Device, direction: str, sizes: Sizes) -> Iterator[Diagnostic]:
+def _of_links(device: Device, direction: str, sizes: RecordSizes) -> Iterator[Diagnostic]:
     for shape in shapes(device, direction):
         part = next((part for part in shape.link.parts(direction) if part.role == "length"), None)
         if part is None or part.value is None or part.value.type.kind is not Kind.INTEGER:
@@ -75,7 +75,7 @@ def _of_links(device: Device, direction: str, sizes: Sizes) -> Iterator[Diagnost
 
 
 def _of_data(
-    shape: Shape, part: Part, what: str, at: tuple[Place, str], data: Record, sizes: Sizes
+    shape: Shape, part: Part, what: str, at: tuple[Place, str], data: Record, sizes: RecordSizes
 ) -> Iterator[Diagnostic]:
     """Whether a length part holds what it counts of the frames with some data."""
     both = sizes.bounds(data)
@@ -83,7 +83,7 @@ def _of_data(
         return
     value, unit = part.value, part.unit_size
     low, high = (value.type.low, value.type.high) if value.ranges is None else (value.ranges.low, value.ranges.high)
-    least, most = (shape.counted(part, size) for size in both)
+    least, most = (shape.span_size(part, size) for size in both)
     there = label(part.place, "type", part.name)
     longest, shortest = -(-most // unit) + part.plus, least // unit + part.plus
     if longest > high:

@@ -15,9 +15,9 @@ from collections.abc import Iterator
 from decimal import Decimal
 
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.sizes import Sizes, messages_on, shapes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.sizes import RecordSizes, messages_on, shapes
 from fieldspec.model.texts import Limit
 
 _SECOND = {"us": 1_000_000, "ms": 1000, "s": 1}
@@ -50,7 +50,7 @@ def _transmission(device: Device, limit: Limit) -> tuple[Decimal, str]:
         return Decimal(0), ""
     from fractions import Fraction
 
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     longest, taken = 0, Fraction(0)
     for shape in shapes(device, limit.transmits):
         serial = shape.link.serial

@@ -19,10 +19,10 @@ from collections import Counter
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label, near
-from fieldspec.checks.sizes import coded, messages_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link, Part
+from fieldspec.model.sizes import coded, messages_on
 from fieldspec.model.value import Kind
 
 _CODE = "links_complete"
@@ -108,7 +108,7 @@ def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
     """Whether a length counts, or a check covers, neighbouring parts that it can."""
     parts = link.parts(direction)
     key = "counts" if part.role == "length" else "covers"
-    names = [one.name for one in parts]
+    names = [part.name for part in parts]
     for name in (part.span.first, part.span.last):
         if name and name not in names:
             text = f"the {direction} of {link.name} has no part {name}"
@@ -118,7 +118,7 @@ def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
         return
     first, last = numbers
     if part.role == "length":
-        if first > last or not any(one.role == "body" for one in parts[first : last + 1]):
+        if first > last or not any(part.role == "body" for part in parts[first : last + 1]):
             text = f"the length {part.name} does not count the body, so that it is always the same"
             help = "count the body too, or make the part a plain one with a `const`"
             yield finding(_CODE, part.place, key, text, help)

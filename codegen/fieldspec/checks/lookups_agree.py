@@ -33,13 +33,13 @@ def lookups_agree(device: Device) -> Iterator[Diagnostic]:
     earlier: dict[tuple[str, str], list[tuple[Lookup, _Cells]]] = {}
     for lookup in device.lookups:
         reported: set[int] = set()
-        for (at, key), (of, held) in permutations(enumerate(lookup.columns), 2):
+        for (at, key), (of, column) in permutations(enumerate(lookup.columns), 2):
             cells = _by_key(lookup, at, of)
             if len(cells) < _FEWEST:
                 continue
-            others = earlier.setdefault((key.name, held.name), [])
+            others = earlier.setdefault((key.name, column.name), [])
             for other, theirs in others[-_COMPARED:]:
-                yield from _compared(f"{held.name} of {key.name}", cells, theirs, other, reported)
+                yield from _compared(f"{column.name} of {key.name}", cells, theirs, other, reported)
             others.append((lookup, cells))
 
 

@@ -52,15 +52,15 @@ def _counting(numbers: Sequence[int]) -> dict[int, int]:
     Nothing where fewer than half of the rows count on.
     """
     odd: dict[int, int] = {}
-    good, counted = 0, 0
+    good, steps = 0, 0
     for index in range(1, len(numbers)):
         right = numbers[good] + index - good
         if numbers[index] == right or numbers[index] == numbers[0]:
-            counted += numbers[index] == right
+            steps += numbers[index] == right
             good = index
         else:
             odd[index] = right
-    return odd if 2 * counted >= len(numbers) else {}
+    return odd if 2 * steps >= len(numbers) else {}
 
 
 def _rising(numbers: Sequence[int]) -> dict[int, int]:

@@ -14,20 +14,20 @@ from collections.abc import Iterator
 
 from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, interval, label, range_key
-from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.record import Field, Record
+from fieldspec.model.sizes import RecordSizes
 
 
 def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for layer in layers(device):
         for field in layer.fields:
             yield from _compared(layer, field, sizes)
 
 
-def _compared(layer: Record, field: Field, sizes: Sizes) -> Iterator[Diagnostic]:
+def _compared(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
     ranges = field.value.ranges if field.value is not None else None
     measured = layer.named(field.measures.field) if field.measures is not None else None
     if ranges is None or measured is None or measured.repeat is None or field.measures is None:

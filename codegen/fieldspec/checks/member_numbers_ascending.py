@@ -34,11 +34,11 @@ def _of_enum(enum: Enum, rows: list[tuple[int, Member]]) -> Iterator[Diagnostic]
             text = f"{enum.name} has the number {number} twice, as {other.name} and as {member.name}"
             there = label(other.place, "number", other.name)
             yield finding(_CODE, member.place, "number", text, "put one of the numbers right", there)
-    kept = longest_ascent([number for number, _ in rows])
-    if (len(rows) - len(kept)) * _SMALL > len(rows):
+    ascent = longest_ascent([number for number, _ in rows])
+    if (len(rows) - len(ascent)) * _SMALL > len(rows):
         return
     for index, (number, member) in enumerate(rows):
-        if index not in kept:
+        if index not in ascent:
             last, other = rows[index - 1] if index else rows[1]
             where = "behind" if index else "before"
             text = f"{member.name} has the number {number}, out of the order of {enum.name}"

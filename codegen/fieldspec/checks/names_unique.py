@@ -39,7 +39,7 @@ def _spaces(device: Device) -> Iterator[tuple[str, Iterable[_Named]]]:
     yield "registers", ((register.name, register.place) for register in device.registers())
     yield "groups", ((group.name, group.place) for group in device.groups)
     yield "types", _types(device)
-    for section, things in (
+    for section, contents in (
         ("links", device.links),
         ("messages", device.messages),
         ("tables", device.tables),
@@ -47,7 +47,7 @@ def _spaces(device: Device) -> Iterator[tuple[str, Iterable[_Named]]]:
         ("signals", device.signals),
         ("conversions", device.conversions),
     ):
-        yield section, ((thing.name, thing.place) for thing in things.values())
+        yield section, ((content.name, content.place) for content in contents.values())
     for enum in device.enums.values():
         # Members of one name are enum_names_unique's.
         members = {member.name: member.place for member in reversed(enum.members)}
@@ -67,18 +67,18 @@ def _spaces(device: Device) -> Iterator[tuple[str, Iterable[_Named]]]:
         for direction in ("request", "response"):
             parts = link.parts(direction)
             yield f"{link.name} {direction}", ((part.name, part.place) for part in parts)
-    for held in device.parameters.values():
-        yield held.name, ((parameter.name, parameter.place) for parameter in held.parameters)
-        for parameter in held.parameters:
+    for parameter_set in device.parameters.values():
+        yield parameter_set.name, ((parameter.name, parameter.place) for parameter in parameter_set.parameters)
+        for parameter in parameter_set.parameters:
             named = [inner for inner in parameter.subindices if inner.name]
             yield f"the elements of {parameter.name}", ((inner.name, inner.place) for inner in named)
 
 
 def _types(device: Device) -> Iterator[_Named]:
     """What becomes a type of its own in a target."""
-    for things in (device.records, device.enums, device.flags):
-        for thing in things.values():
-            yield thing.name, thing.place
+    for contents in (device.records, device.enums, device.flags):
+        for content in contents.values():
+            yield content.name, content.place
     for message in device.messages.values():
         yield f"{message.name}_request", message.place
         yield f"{message.name}_response", message.place
@@ -107,10 +107,10 @@ def _cases(name: str) -> frozenset[str]:
     folded = pascal.lower()
     if folded not in _RESERVED and snake not in _RESERVED:
         return frozenset((snake, pascal, folded))
-    spelled = (
+    legal_names = (
         target.legal_name(pascal).lower() if target.folds else target.legal_name(snake) for target in TARGETS.values()
     )
-    return frozenset((snake, pascal, folded, *spelled))
+    return frozenset((snake, pascal, folded, *legal_names))
 
 
 def _paths(device: Device) -> Iterator[Diagnostic]:

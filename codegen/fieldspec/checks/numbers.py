@@ -1,20 +1,19 @@
-"""Numbers that a value may take, and numbers as examples spell them."""
+"""The numbers that a value may take, and those that examples write."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
-from decimal import Decimal
 
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.quantity import count_of, quantity_of
 from fieldspec.model.record import Case, Choice, Field
 from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind, Value
 
 
 class Legal:
-    """What the values of a device may be."""
+    """The numbers that the values of a device may take."""
 
     def __init__(self, device: Device) -> None:
         self._closed = {
@@ -23,12 +22,12 @@ class Legal:
             if not enum.open
         }
 
-    def objection(self, value: Value, number: int, written: bool = False) -> str:
+    def objection(self, value: Value, number: int, writes: bool = False) -> str:
         """Why the value cannot be this number of counts, or an empty text. Sentinels may be anything.
 
-        `written` says that the number is written, for which a value may have a range of its own.
+        `writes` says that the number is written, for which a value may have a range of its own.
         """
-        if written:
+        if writes:
             value = value.for_writing()
         if value.type.kind is Kind.FLOAT and value.ranges is not None and value.sentinel(number) is None:
             return "" if number in value.ranges else f"lies outside of {value.ranges.text()}"
@@ -43,10 +42,6 @@ class Legal:
         if value.enum in self._closed and number not in self._closed[value.enum]:
             return f"{value.enum} does not list"
         return ""
-
-
-_COUNT = re.compile(r"[-+]?(0x[0-9A-Fa-f]{1,16}|[0-9]{1,20})")
-_QUANTITY = re.compile(r"([-+]?[0-9]{1,20}(?:\.[0-9]{1,20})?)(?: (?=.)|(?=[^0-9 ]))(.*)")
 
 
 def body(device: Device, example: Example) -> tuple[Field, ...]:
@@ -66,25 +61,25 @@ def body(device: Device, example: Example) -> tuple[Field, ...]:
 
 
 def numbers(device: Device, example: Example) -> Iterator[tuple[str, Fact, Value, int]]:
-    """The path, the fact, its kind of value and the count of every number that an example is written with."""
+    """The path, the fact, its value and the count of every number in an example."""
     link = device.links.get(example.link)
     heads = {part.name: part for part in link.parts(example.direction)} if link is not None else {}
-    for name, held in example.values.items():
+    for name, text in example.values.items():
         part = heads.get(name)
         if part is not None and part.value is not None:
-            count = in_counts(part.value, held)
+            count = in_counts(part.value, text)
             if count is not None:
                 yield name, part, part.value, count
     yield from _of_fields(device, body(device, example), "", example.values)
 
 
 def _of_fields(
-    device: Device, fields: tuple[Field, ...], path: str, written: Mapping[str, object]
+    device: Device, fields: tuple[Field, ...], path: str, texts: Mapping[str, object]
 ) -> Iterator[tuple[str, Fact, Value, int]]:
     for field in fields:
-        held = written.get(field.name)
-        fact: Field | Case | None = field if field.choice is None else _decided(device, fields, field.choice, written)
-        for item in held if isinstance(held, list) else [held]:
+        value = texts.get(field.name)
+        fact: Field | Case | None = field if field.choice is None else _decided(device, fields, field.choice, texts)
+        for item in value if isinstance(value, list) else [value]:
             record = device.records.get(field.record)
             if record is not None and isinstance(item, dict):
                 yield from _of_fields(device, record.fields, f"{path}{field.name}.", item)
@@ -94,27 +89,25 @@ def _of_fields(
                     yield f"{path}{field.name}", fact, fact.value, count
 
 
-def _decided(device: Device, fields: tuple[Field, ...], choice: Choice, written: Mapping[str, object]) -> Case | None:
+def _decided(device: Device, fields: tuple[Field, ...], choice: Choice, texts: Mapping[str, object]) -> Case | None:
     """The case that the written value of the deciding field chooses."""
     by = next((field for field in fields if field.name == choice.by), None)
     enum = device.enums.get(by.value.enum) if by is not None and by.value is not None else None
-    held = written.get(choice.by)
+    text = texts.get(choice.by)
     if enum is None or by is None or by.value is None:
         return None
-    count = in_counts(by.value, held)
-    member = enum.member(count) if count is not None else enum.named(str(held))
+    count = in_counts(by.value, text)
+    member = enum.member(count) if count is not None else enum.named(str(text))
     return next((case for case in choice.cases if member is not None and member.name in case.when), None)
 
 
-def in_counts(value: Value, held: object) -> int | None:
-    """A written value in counts, or None where it is a name, a text or a list, or cannot be understood."""
-    if isinstance(held, bool):
+def in_counts(value: Value, text: object) -> int | None:
+    """The count that an example writes, or None where that is a name, a text or a list, or cannot be understood."""
+    if isinstance(text, int):
+        return None if isinstance(text, bool) else text
+    if not isinstance(text, str):
         return None
-    if isinstance(held, int):
-        return held
-    if isinstance(held, str) and _COUNT.fullmatch(held):
-        return int(held, 16) if "x" in held else int(held)
-    match = _QUANTITY.fullmatch(held) if isinstance(held, str) else None
-    if match is None or match[2] != value.unit:
-        return None
-    return value.from_unit(Decimal(match[1]))
+    count, quantity = count_of(text), quantity_of(text)
+    if count is not None:
+        return count
+    return value.from_unit(quantity[0]) if quantity is not None and quantity[1] == value.unit else None

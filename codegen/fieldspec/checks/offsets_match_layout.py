@@ -14,14 +14,14 @@ from collections.abc import Iterator
 
 from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, hexadecimal, label
-from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Table
+from fieldspec.model.sizes import RecordSizes
 
 
 def offsets_match_layout(device: Device) -> Iterator[Diagnostic]:
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     tables: dict[str, list[Table]] = {}
     for table in device.tables.values():
         tables.setdefault(table.record, []).append(table)

@@ -1,8 +1,8 @@
-"""All links of a device have the same byte order and the same word order, which is given where it matters: by one of
-them, and by each on which data are counted in words.
+"""All links of a device have the same byte order and the same word order. Where the device has words, such as registers
+or data that are counted in words, a link states the word order, and so does each link whose data are counted in words.
 
 Why: a value of several words means nothing without the order of its words. It is stated and never
-assumed; and the same register cannot have two orders.
+assumed; and the same register cannot have two orders. Where a protocol has bytes only, there are no words to order.
 
 Example: a register of type `u32` on a device whose link has no `word_order`.
 
@@ -13,12 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.facts import values
+from fieldspec.checks.facts import layers, values
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.sizes import messages_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link, Part
+from fieldspec.model.sizes import messages_on
 from fieldspec.model.value import Kind, Value
 
 _CODE = "orders_agree"
@@ -28,14 +28,14 @@ _WORD = 2
 def orders_agree(device: Device) -> Iterator[Diagnostic]:
     links = list(device.links.values())
     for key in ("byte_order", "word_order"):
-        given = [link for link in links if getattr(link, key)]
-        for link in given[1:]:
-            if getattr(link, key) != getattr(given[0], key):
-                text = f"the links {given[0].name} and {link.name} have different orders"
+        ordered = [link for link in links if getattr(link, key)]
+        for link in ordered[1:]:
+            if getattr(link, key) != getattr(ordered[0], key):
+                text = f"the links {ordered[0].name} and {link.name} have different orders"
                 help = "a device has one order; give both links the right one"
-                there = label(given[0].place, key, f"that of {given[0].name}")
+                there = label(ordered[0].place, key, f"that of {ordered[0].name}")
                 yield finding(_CODE, link.place, key, text, help, there)
-    if links and not any(link.word_order for link in links):
+    if links and not any(link.word_order for link in links) and _has_words(device):
         for fact, value in values(device):
             if _wide(value) and not isinstance(fact, Part):
                 text = f"{fact.name} has several words, and no link says in which order they come"
@@ -56,6 +56,21 @@ def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
                     there = label(field.place, "word_span", "where they lie")
                     yield finding(_CODE, link.place, "word_order", text, "give the link its `word_order`", there)
                     return
+
+
+def _has_words(device: Device) -> bool:
+    """Whether anything of a device is counted in words of 16 bits."""
+    if device.tables or any(True for _ in device.registers()):
+        return True
+    if any(
+        message.accesses is not None or message.request_words is not None or message.response_words is not None
+        for message in device.messages.values()
+    ):
+        return True
+    return any(
+        layer.words is not None or any(field.words is not None or field.word_span is not None for field in layer.fields)
+        for layer in layers(device)
+    )
 
 
 def _wide(value: Value) -> bool:

@@ -33,8 +33,8 @@ def parameter_messages_complete(device: Device) -> Iterator[Diagnostic]:
     for conversion in device.conversions.values():
         for path in conversion.references:
             references.setdefault(path, []).append(conversion)
-    for held in device.parameters.values():
-        for parameter in held.parameters:
+    for parameter_set in device.parameters.values():
+        for parameter in parameter_set.parameters:
             if parameter.messages:
                 yield from _wider(device, parameter, carried)
                 yield from _referring(device, parameter, references.get(parameter.place.path, []), carried)
@@ -54,7 +54,7 @@ def _carried(device: Device) -> _Signals:
 
 def _wider(device: Device, parameter: Parameter, carried: _Signals) -> Iterator[Diagnostic]:
     for name, signals in carried.items():
-        within = [one for one in parameter.messages if carried.get(one) and carried[one] <= signals]
+        within = [message for message in parameter.messages if carried.get(message) and carried[message] <= signals]
         if name not in parameter.messages and within:
             text = f"{parameter.name} has an effect with {within[0]}, and {name} carries all signals of that"
             yield _finding(device, parameter, name, text)

@@ -24,16 +24,16 @@ _FEW = 4
 
 
 def parameter_numbers_ascending(device: Device) -> Iterator[Diagnostic]:
-    for held in device.parameters.values():
-        pairs = list(pairwise(held.parameters))
+    for parameter_set in device.parameters.values():
+        pairs = list(pairwise(parameter_set.parameters))
         skips = sum(behind.number > before.number + before.count for before, behind in pairs)
-        holes_meant = held.numbers is not None or skips * _FEW > len(pairs)
+        holes_meant = parameter_set.numbers is not None or skips * _FEW > len(pairs)
         for before, parameter in pairs:
             number, last = parameter.number, before.number + before.count - 1
             if number == last + 1 or (number > last and holes_meant):
                 continue
             if number > last:
-                text = f"{held.name} does not list {interval(last + 1, number - 1)}"
+                text = f"{parameter_set.name} does not list {interval(last + 1, number - 1)}"
                 help = "transcribe what is missing, or allow it with a reason"
             else:
                 text = f"parameter {number} is listed behind {last}"

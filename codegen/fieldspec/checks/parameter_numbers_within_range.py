@@ -28,8 +28,8 @@ _CODE = "parameter_numbers_within_range"
 
 
 def parameter_numbers_within_range(device: Device) -> Iterator[Diagnostic]:
-    for held in device.parameters.values():
-        yield from _set_numbers(held)
+    for parameter_set in device.parameters.values():
+        yield from _set_numbers(parameter_set)
     for fact, value in values(device):
         part = value.parameter
         sets = device.sets(part.set) if part is not None else []
@@ -41,22 +41,25 @@ def parameter_numbers_within_range(device: Device) -> Iterator[Diagnostic]:
             yield from _field_numbers(fact, fact.count, sets[0])
 
 
-def _set_numbers(held: ParameterSet) -> Iterator[Diagnostic]:
-    for parameter in held.parameters:
+def _set_numbers(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
+    numbers = parameter_set.numbers
+    if numbers is None:
+        return
+    inside = merged(numbers.intervals)
+    for parameter in parameter_set.parameters:
         last = parameter.number + parameter.count - 1
-        inside = merged(held.numbers.intervals) if held.numbers is not None else []
-        if held.numbers is not None and not any(low <= parameter.number and last <= high for low, high in inside):
-            text = f"{held.name} has the numbers {held.numbers.text()}, not {interval(parameter.number, last)}"
-            there = label(held.place, "numbers", "the numbers")
+        if not any(low <= parameter.number and last <= high for low, high in inside):
+            text = f"{parameter_set.name} has the numbers {numbers.text()}, not {interval(parameter.number, last)}"
+            there = label(parameter_set.place, "numbers", "the numbers")
             yield finding(_CODE, parameter.place, "number", text, "put the number or the set right", there)
 
 
-def _field_numbers(field: Field, count: int, held: ParameterSet) -> Iterator[Diagnostic]:
-    have = sum(parameter.count for parameter in held.parameters)
+def _field_numbers(field: Field, count: int, parameter_set: ParameterSet) -> Iterator[Diagnostic]:
+    have = sum(parameter.count for parameter in parameter_set.parameters)
     if count != have:
-        text = f"{field.name} has {count} values; {held.name} has {plural(have, 'parameter')}"
+        text = f"{field.name} has {count} values; {parameter_set.name} has {plural(have, 'parameter')}"
         help = "put the number of values, or the list, right"
-        yield finding(_CODE, field.place, "count", text, help, _list(held))
+        yield finding(_CODE, field.place, "count", text, help, _list(parameter_set))
 
 
 def _compared(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> Iterator[Diagnostic]:
@@ -80,5 +83,5 @@ def _compared(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> 
         yield finding(_CODE, fact.place, key, text, "put the range or the list right", _list(sets[0]))
 
 
-def _list(held: ParameterSet) -> Label:
-    return label(held.place, "name", "the parameters")
+def _list(parameter_set: ParameterSet) -> Label:
+    return label(parameter_set.place, "name", "the parameters")

@@ -30,9 +30,9 @@ def printed_names_match(device: Device) -> Iterator[Diagnostic]:
     for enum in device.enums.values():
         members: _Rows = [(member, {"value": member.value, "number": member.number}) for member in enum.members]
         yield from _of_list(enum, enum.printed_as, ("value", "number"), members)
-    for held in device.parameters.values():
-        rows: _Rows = [(row, {"number": row.number}) for row in held.parameters]
-        yield from _of_list(held, held.printed_as, ("number",), rows)
+    for parameter_set in device.parameters.values():
+        rows: _Rows = [(row, {"number": row.number}) for row in parameter_set.parameters]
+        yield from _of_list(parameter_set, parameter_set.printed_as, ("number",), rows)
 
 
 def _of_list(holder: Fact, form: str, keys: tuple[str, ...], rows: _Rows) -> Iterator[Diagnostic]:

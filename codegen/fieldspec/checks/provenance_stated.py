@@ -16,7 +16,7 @@ from collections.abc import Iterator
 
 from fieldspec.checks.facts import facts
 from fieldspec.checks.finding import finding
-from fieldspec.checks.inferred_keys_given import has_key
+from fieldspec.checks.inferred_keys_present import has_key
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import COMPUTED, Fact

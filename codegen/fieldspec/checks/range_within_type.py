@@ -87,9 +87,9 @@ def _of_stations(link: Link) -> Iterator[Diagnostic]:
     part = next((p for p in link.request if p.role == "unit_address" and p.value is not None), None)
     if link.unit_addresses is None or part is None or part.value is None or part.value.type.kind not in _WHOLE:
         return
-    held = part.value.type
-    if outside(link.unit_addresses.ranges, held.low, held.high):
-        text = f"{part.name} cannot be {_text(link.unit_addresses.ranges)} as {_type_range(held)}"
+    primitive = part.value.type
+    if outside(link.unit_addresses.ranges, primitive.low, primitive.high):
+        text = f"{part.name} cannot be {_text(link.unit_addresses.ranges)} as {_type_range(primitive)}"
         yield finding("range_within_type", link.unit_addresses.place, "range", text, _HELP)
 
 

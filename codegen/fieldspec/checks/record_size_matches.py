@@ -13,24 +13,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label, plural
-from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.record import Record
 from fieldspec.model.registers import Table
+from fieldspec.model.sizes import RecordSizes
 
 _CODE = "record_size_matches"
 
 
 def record_size_matches(device: Device) -> Iterator[Diagnostic]:
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for record in device.records.values():
         yield from _of_record(record, sizes)
     for table in device.tables.values():
         yield from _of_table(table, sizes, device.records.get(table.record))
 
 
-def _of_record(record: Record, sizes: Sizes) -> Iterator[Diagnostic]:
+def _of_record(record: Record, sizes: RecordSizes) -> Iterator[Diagnostic]:
     size = sizes.named(record.name)
     fields = label(record.place, "fields", "the fields")
     for key, printed, noun, each in (("size", record.size, "byte", 1), ("words", record.words, "word", 2)):
@@ -44,7 +44,7 @@ def _of_record(record: Record, sizes: Sizes) -> Iterator[Diagnostic]:
             yield finding(_CODE, record.place, key, text, "put a field or the size right", fields)
 
 
-def _of_table(table: Table, sizes: Sizes, record: Record | None) -> Iterator[Diagnostic]:
+def _of_table(table: Table, sizes: RecordSizes, record: Record | None) -> Iterator[Diagnostic]:
     if record is None or record.name in sizes.endless:
         return
     size = sizes.named(record.name)

@@ -12,13 +12,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding
-from fieldspec.checks.sizes import MOST_LEVELS, Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.sizes import MOST_LEVELS, RecordSizes
 
 
 def records_finite(device: Device) -> Iterator[Diagnostic]:
-    endless = Sizes(device).endless
+    endless = RecordSizes(device).endless
     for name in endless:
         record = device.records[name]
         for field in record.fields:

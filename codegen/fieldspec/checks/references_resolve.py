@@ -14,12 +14,12 @@ from collections.abc import Collection, Iterable, Iterator
 
 from fieldspec.checks.facts import cases, facts, values
 from fieldspec.checks.finding import finding, near
-from fieldspec.checks.sizes import sent_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Flags
 from fieldspec.model.fact import Place
 from fieldspec.model.record import Field, Message, Record
+from fieldspec.model.sizes import sent_on
 from fieldspec.model.texts import Example, Lookup
 from fieldspec.model.value import UNSPECIFIED, ParameterPart, Value
 
@@ -69,18 +69,18 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         if register.same_as or register.copy_of:
             yield from _named(register.place, "same_as", "register", register.same_as, registers)
             yield from _named(register.place, "copy_of", "register", register.copy_of, registers)
-    for held in device.parameters.values():
-        for parameter in held.parameters:
+    for parameter_set in device.parameters.values():
+        for parameter in parameter_set.parameters:
             yield from _all(parameter.place, "messages", "message", parameter.messages, device.messages)
     paths = {fact.place.path for fact in facts(device)}
     for conversion in device.conversions.values():
         yield from _all(conversion.place, "signals", "signal", conversion.signals, device.signals)
         yield from _all(conversion.place, "references", "fact", conversion.references, paths)
     for fact in facts(device):
-        said = getattr(fact, "handling", UNSPECIFIED)
-        if said is not UNSPECIFIED:
-            yield from _named(fact.place, "saved_by", "fact", said.saved_by, paths)
-            yield from _named(fact.place, "opposite_of", "fact", said.opposite_of, paths)
+        handling = getattr(fact, "handling", UNSPECIFIED)
+        if handling is not UNSPECIFIED:
+            yield from _named(fact.place, "saved_by", "fact", handling.saved_by, paths)
+            yield from _named(fact.place, "opposite_of", "fact", handling.opposite_of, paths)
     paths.update(f"examples/{example}" for example in device.examples)
     for note in device.notes:
         yield from _all(note.place, "about", "fact", map(_holder, note.about), paths)
@@ -113,7 +113,7 @@ def _all(place: Place, key: str, what: str, names: Iterable[str], known: Collect
 
 
 def _of_part(device: Device, place: Place, part: ParameterPart) -> Iterator[Diagnostic]:
-    sets = {*device.parameters, *(held.space for held in device.parameters.values())}
+    sets = {*device.parameters, *(parameter_set.space for parameter_set in device.parameters.values())}
     yield from _named(place, "parameter", "parameter set", part.set, sets)
     if part.part == "values" and len(device.sets(part.set)) > 1:
         text = f"the values of {part.set} are those of several sets, whose order nothing says"
@@ -137,8 +137,8 @@ def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
     yield from _within(device, message.response, message.request, message.request)
     if message.accesses is not None:
         asked = {field.name for field in message.request.fields}
-        given = {field.name for field in message.response.fields}
-        holder = given if message.accesses.operation == "read" else asked
+        answered = {field.name for field in message.response.fields}
+        holder = answered if message.accesses.operation == "read" else asked
         place = message.place
         yield from _named(place, "accesses", "address space", message.accesses.space, device.spaces)
         yield from _named(place, "accesses", "field of the request", message.accesses.start, asked)

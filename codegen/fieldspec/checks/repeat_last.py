@@ -14,15 +14,15 @@ from collections.abc import Iterator
 
 from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.sizes import RecordSizes
 
 _CODE = "repeat_last"
 
 
 def repeat_last(device: Device) -> Iterator[Diagnostic]:
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for layer in layers(device):
         for field in layer.fields:
             if field.repeat is not None:

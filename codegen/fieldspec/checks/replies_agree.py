@@ -37,9 +37,9 @@ def replies_agree(device: Device) -> Iterator[Diagnostic]:
                 text = f"{reply.id} has the {key} {mine}, its request {theirs}"
                 yield finding(_CODE, reply.place, key, text, _HELP, there)
         for name, asked in _echoed(device, reply):
-            given, echoed = reply.values.get(name), request.values.get(asked)
-            if given is not None and echoed is not None and given != echoed:
-                text = f"{name} is {given} in {reply.id} and {echoed} in its request"
+            repeated, echoed = reply.values.get(name), request.values.get(asked)
+            if repeated is not None and echoed is not None and repeated != echoed:
+                text = f"{name} is {repeated} in {reply.id} and {echoed} in its request"
                 yield finding(_CODE, reply.place, "values", text, _HELP, there)
 
 
@@ -48,8 +48,8 @@ def _echoed(device: Device, reply: Example) -> Iterator[tuple[str, str]]:
     link = device.links.get(reply.link)
     if link is not None:
         asked = [part.name for part in link.request if part.role == "unit_address"]
-        given = [part.name for part in link.response if part.role == "unit_address"]
-        yield from zip(given, asked, strict=False)
+        repeated = [part.name for part in link.response if part.role == "unit_address"]
+        yield from zip(repeated, asked, strict=False)
     if not reply.exception_response:
         for field in body(device, reply):
             if field.same_as:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from decimal import Decimal
 
 from fieldspec.checks.finding import enumeration, hexadecimal, interval
-from fieldspec.checks.sizes import Sizes, sent_on
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.model.fact import Fact, ScalarValue
 from fieldspec.model.link import CHECKSUM_STARTS, Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, Subindex, Table
+from fieldspec.model.sizes import RecordSizes, sent_on
 from fieldspec.model.texts import Limit
 from fieldspec.model.value import Conversion, Ranges, Signal, Value, exact_scale, intervals, merged
 
@@ -22,41 +22,41 @@ _NAMES = ("applies_to", "messages", "available_since")
 Intervals = tuple[tuple[Decimal, Decimal], ...]
 
 
-def claimed_value(key: str, written: ScalarValue) -> object:
-    """What a claim says under a key, in the form that `said` gives."""
+def claimed_value(key: str, claim: ScalarValue) -> object:
+    """The value of a claim under a key, in the form of `statements`."""
     if key in _RANGES:
-        pairs = intervals(str(written))
+        pairs = intervals(str(claim))
         if any(bound != bound.to_integral_value() for pair in pairs for bound in pair):
             return tuple(sorted(pairs))
         return tuple(merged((int(low), int(high)) for low, high in pairs))
     if key == "unit_range":
-        return tuple(sorted(intervals(str(written))))
+        return tuple(sorted(intervals(str(claim))))
     if key in _NAMES:
-        return frozenset(str(written).split(", "))
-    if key == "scale" and isinstance(written, str):
-        return exact_scale(written)
-    return written
+        return frozenset(str(claim).split(", "))
+    if key == "scale" and isinstance(claim, str):
+        return exact_scale(claim)
+    return claim
 
 
-def as_text(key: str, held: object) -> str:
-    """What a fact or a claim says under a key, as text."""
-    if isinstance(held, tuple):
-        return ", ".join(interval(low, high) for low, high in held)
-    if isinstance(held, frozenset):
-        return enumeration(sorted(held))
-    if isinstance(held, Decimal):
-        return f"{held:f}"
-    if isinstance(held, bool):
-        return str(held).lower()
-    return hexadecimal(held) if key in _ADDRESSES and isinstance(held, int) else str(held)
+def as_text(key: str, value: object) -> str:
+    """The value of a fact or of a claim under a key, as text."""
+    if isinstance(value, tuple):
+        return ", ".join(interval(low, high) for low, high in value)
+    if isinstance(value, frozenset):
+        return enumeration(sorted(value))
+    if isinstance(value, Decimal):
+        return f"{value:f}"
+    if isinstance(value, bool):
+        return str(value).lower()
+    return hexadecimal(value) if key in _ADDRESSES and isinstance(value, int) else str(value)
 
 
-def statements(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
+def statements(device: Device, sizes: RecordSizes, fact: Fact) -> dict[str, object]:
     """What a fact says, by key; a key that it says nothing about is not there, or None."""
     return {"available_since": frozenset(fact.since) or None, **_all_statements(device, sizes, fact)}
 
 
-def _all_statements(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
+def _all_statements(device: Device, sizes: RecordSizes, fact: Fact) -> dict[str, object]:
     if isinstance(fact, Register):
         return {
             **_value(device, fact.value),
@@ -122,7 +122,11 @@ def _refusal_code(device: Device, message: Message) -> int | None:
 
 
 def _parameter(device: Device, parameter: Parameter) -> dict[str, object]:
-    bases = [held.base for held in device.parameters.values() if any(one is parameter for one in held.parameters)]
+    bases = [
+        parameter_set.base
+        for parameter_set in device.parameters.values()
+        if any(member is parameter for member in parameter_set.parameters)
+    ]
     return {
         "code": parameter.number,
         "number": parameter.number,
@@ -155,7 +159,7 @@ def _value(device: Device, value: Value) -> dict[str, object]:
     }
 
 
-def _field(device: Device, sizes: Sizes, field: Field) -> dict[str, object]:
+def _field(device: Device, sizes: RecordSizes, field: Field) -> dict[str, object]:
     both = sizes.field(field)
     fixed = both[0] if both is not None and both[0] == both[1] else None
     repeat = field.repeat

@@ -16,10 +16,10 @@ from collections.abc import Iterator
 from fieldspec.checks.facts import facts
 from fieldspec.checks.finding import finding, label
 from fieldspec.checks.restatements import as_text, claimed_value, statements
-from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Claim, Fact
+from fieldspec.model.sizes import RecordSizes
 
 _CODE = "restatements_agree"
 _NOT_HERE = ("printed_name", "label", "span", "word_span")
@@ -44,7 +44,7 @@ _STANDS_UNDER = {
 
 
 def restatements_agree(device: Device) -> Iterator[Diagnostic]:
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for fact in facts(device):
         if fact.restated:
             own = statements(device, sizes, fact)
@@ -53,11 +53,11 @@ def restatements_agree(device: Device) -> Iterator[Diagnostic]:
 
 
 def _compared(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diagnostic]:
-    for key, written in claim.values.items():
+    for key, claimed in claim.values.items():
         if key in _NOT_HERE:
             continue
         if key == "present":
-            if written is not True:
+            if claimed is not True:
                 text = f"{fact.name} is missing where {_where(claim)} should have it"
                 help = "say `present: true` and write an erratum"
                 yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
@@ -67,8 +67,8 @@ def _compared(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diag
             text = f"{fact.name} has no `{key}` that {_where(claim)} could state again"
             help = "give it to the fact, or take it out of `restated`"
             yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
-        elif claimed_value(key, written) != have:
-            text = f"`{key}` of {fact.name} is {as_text(key, have)}, but {as_text(key, written)} in {_where(claim)}"
+        elif claimed_value(key, claimed) != have:
+            text = f"`{key}` of {fact.name} is {as_text(key, have)}, but {as_text(key, claimed)} in {_where(claim)}"
             help = "give both the right value, and write an erratum for the misprint"
             yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
 

@@ -38,25 +38,27 @@ def series_regular(device: Device) -> Iterator[Diagnostic]:
         if enum.derived:
             continue
         yield from _of_list((member, "value", member.value, 1) for member in enum.members)
-    for held in device.parameters.values():
-        yield from _of_list((one, "number", one.number, 1) for one in held.parameters if one.count == 1)
+    for parameter_set in device.parameters.values():
+        yield from _of_list(
+            (parameter, "number", parameter.number, 1) for parameter in parameter_set.parameters if parameter.count == 1
+        )
 
 
 def _of_list(rows: Iterable[_Placed]) -> Iterator[Diagnostic]:
-    listed = list(rows)
+    all_rows = list(rows)
     reported: set[int] = set()
     for key in ("printed_name", "label"):
         series: dict[tuple[str, str, int], list[tuple[int, _Placed]]] = {}
-        for row in listed:
+        for row in all_rows:
             text = getattr(row[0], key)
             match = _NUMBERED.fullmatch(text) if text else None
             if match:
                 series.setdefault((match[1], match[3], row[3]), []).append((int(match[2]), row))
         for numbered in series.values():
-            for found in _odd(numbered):
-                if found.span.start not in reported:
-                    reported.add(found.span.start)
-                    yield found
+            for odd in _odd(numbered):
+                if odd.span.start not in reported:
+                    reported.add(odd.span.start)
+                    yield odd
 
 
 def _odd(numbered: list[tuple[int, _Placed]]) -> Iterator[Diagnostic]:

@@ -1,4 +1,5 @@
-"""A field agrees in range, scale and unit with the fields of the same name and type.
+"""A field agrees in range, scale and unit with the fields of the same name and type. A field that holds the size of
+another one is left to measures_match_repeats: its range follows from what it measures.
 
 Why: a manual describes the same quantity in many places. If one of them differs from all the others, it
 is misprinted more often than not, and nobody who reads that one alone can see it.
@@ -28,7 +29,8 @@ _SMALL = 4
 def siblings_agree(device: Device) -> Iterator[Diagnostic]:
     families: dict[tuple[str, str], list[tuple[Field, Value]]] = {}
     for field in fields(device):
-        if field.value is not None and not field.reserved and field.value.parameter is None:
+        meant = not field.reserved and field.measures is None
+        if field.value is not None and meant and field.value.parameter is None:
             families.setdefault((field.name, field.value.type.name), []).append((field, field.value))
     for family in families.values():
         yield from _odd(family, "range", lambda value: value.ranges.intervals if value.ranges else None)
@@ -41,16 +43,16 @@ def _odd(
     family: list[tuple[Field, Value]], what: str, quality: Callable[[Value], Hashable | None]
 ) -> Iterator[Diagnostic]:
     """Findings where all but one, or all but a small part, of those that say something say the same."""
-    saying = [(field, said) for field, value in family if (said := quality(value)) is not None]
+    saying = [(field, statement) for field, value in family if (statement := quality(value)) is not None]
     if len(saying) < _FEWEST:
         return
-    usual, times = Counter(said for _, said in saying).most_common(1)[0]
+    usual, times = Counter(statement for _, statement in saying).most_common(1)[0]
     odd = len(saying) - times
     if odd == 0 or (odd > 1 and odd * _SMALL >= len(saying)):
         return
-    example = next(field for field, said in saying if said == usual)
-    for field, said in saying:
-        if said != usual:
+    example = next(field for field, statement in saying if statement == usual)
+    for field, statement in saying:
+        if statement != usual:
             yield finding(
                 "siblings_agree",
                 field.place,

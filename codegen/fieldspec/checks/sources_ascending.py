@@ -43,9 +43,9 @@ def _columns(rows: Sequence[Fact]) -> list[list[Fact]]:
 
 
 def _of_column(rows: Sequence[Fact]) -> Iterator[Diagnostic]:
-    kept = longest_ascent([row.sources[0].line() for row in rows])
+    ascent = longest_ascent([row.sources[0].line() for row in rows])
     for number, row in enumerate(rows):
-        if number not in kept:
+        if number not in ascent:
             other = rows[number - 1] if number else rows[1]
             text = f"{row.name} cites line {row.sources[0].line()}, out of the order of the rows around it"
             there = label(other.place, "source", f"{other.name} cites line {other.sources[0].line()}")

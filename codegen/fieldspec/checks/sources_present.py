@@ -39,7 +39,7 @@ def sources_present(device: Device) -> Iterator[Diagnostic]:
 
 
 def cited_places(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], bool]]:
-    """Everything that has sources: what it is, where it stands, the sources, whether there must be some."""
+    """Everything that has sources: its name, its place, its sources, and whether it must have some."""
     copied = _copied_as_blocks(device)
     for fact in facts(device):
         needed = not isinstance(fact, _INHERITING) and fact.place.path not in copied
@@ -73,8 +73,8 @@ def cited_places(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, .
         yield erratum.id, erratum.place, erratum.sources, True
     for note in device.notes:
         yield note.name, note.place, note.sources, False
-        for one in note.statements:
-            yield f"a statement of {note.name}", one.place, one.sources, True
+        for statement in note.statements:
+            yield f"a statement of {note.name}", statement.place, statement.sources, True
 
 
 def _copied_as_blocks(device: Device) -> set[str]:

@@ -16,11 +16,11 @@ from collections.abc import Iterator
 
 from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Place
 from fieldspec.model.record import Field
+from fieldspec.model.sizes import RecordSizes
 
 _SPAN = re.compile(r"([0-9]{1,18})(?:-([0-9]{1,18}))?")
 _UNITS = {"span": ("byte", 1), "word_span": ("word", 2)}
@@ -31,7 +31,7 @@ _Span = tuple[int, int]
 
 
 def spans_match_layout(device: Device) -> Iterator[Diagnostic]:
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     starts = _starts(device, sizes)
     for layer in layers(device):
         begins = starts[layer.name] if device.records.get(layer.name) is layer else [0]
@@ -43,7 +43,7 @@ def spans_match_layout(device: Device) -> Iterator[Diagnostic]:
                     yield _finding(field, place, key, printed, first)
 
 
-def _starts(device: Device, sizes: Sizes) -> dict[str, list[int]]:
+def _starts(device: Device, sizes: RecordSizes) -> dict[str, list[int]]:
     """At which bytes of the data each record may begin: 0, and where messages hold it."""
     starts: dict[str, list[int]] = {name: [0] for name in device.records}
     for layer in layers(device):
@@ -54,7 +54,7 @@ def _starts(device: Device, sizes: Sizes) -> dict[str, list[int]]:
     return starts
 
 
-def _spans(field: Field, offset: int, sizes: Sizes, unit: int) -> list[_Span]:
+def _spans(field: Field, offset: int, sizes: RecordSizes, unit: int) -> list[_Span]:
     """The first and last unit of a field, counted from 1; those of a repeated one for each number of elements."""
     both = sizes.field(field)
     if both is None or offset % unit:
@@ -95,7 +95,7 @@ def _text(span: _Span, unit: str) -> str:
     return f"{unit} {span[0]}" if span[0] == span[1] else f"{unit}s {span[0]}-{span[1]}"
 
 
-def _read(written: object) -> _Span | None:
+def _read(text: object) -> _Span | None:
     """`1-4` as its first and last number; None where nothing is written."""
-    match = _SPAN.fullmatch(str(written)) if written is not None else None
+    match = _SPAN.fullmatch(str(text)) if text is not None else None
     return (int(match[1]), int(match[2] or match[1])) if match else None

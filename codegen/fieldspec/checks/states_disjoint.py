@@ -39,8 +39,8 @@ def _of_word(word: Flags) -> Iterator[Diagnostic]:
                 else f"no bit shows the state {state.name}"
             )
             yield finding(_CODE, state.place, "set", text, "put the bits of the state right")
-    shown_by_bits = [state for state in word.states if state.set or state.clear]
-    for state, other in combinations(shown_by_bits[:_MOST], 2):
+    states = [state for state in word.states if state.set or state.clear]
+    for state, other in combinations(states[:_MOST], 2):
         mask, value = word.masked(state)
         same, theirs = word.masked(other)
         if not (value ^ theirs) & mask & same:

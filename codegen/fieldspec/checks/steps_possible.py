@@ -45,7 +45,7 @@ def steps_possible(device: Device) -> Iterator[Diagnostic]:
 
 
 def _of_step(device: Device, operands: Operands, task: Task, step: Step) -> Iterator[Diagnostic]:
-    yield from _given(step)
+    yield from _value_present(step)
     known = {message for message in task.messages if message in device.messages}
     for message in sorted(known) or [""]:
         targets = operands.target(step.target, message)
@@ -54,15 +54,15 @@ def _of_step(device: Device, operands: Operands, task: Task, step: Step) -> Iter
             text = f"nothing{where} is `{step.target}`"
             help = "give a fact this role, or name one by its path"
             if targets:
-                text = f"{enumeration([one.path for one in targets])} are `{step.target}`{where}"
+                text = f"{enumeration([operand.path for operand in targets])} are `{step.target}`{where}"
                 help = "name one of them by its path"
             yield finding(_RULE, step.place, step.action, text, help)
             return
         yield from _on(device, step, targets[0])
 
 
-def _given(step: Step) -> Iterator[Diagnostic]:
-    """What is said of a step that its action does not take, or needs."""
+def _value_present(step: Step) -> Iterator[Diagnostic]:
+    """Findings of a value that the action of a step needs or does not take."""
     takes = step.action in _TAKE
     has = step.value is not None or bool(step.argument)
     if takes and not has:

@@ -23,8 +23,8 @@ _CODE = "subindices_match_elements"
 
 
 def subindices_match_elements(device: Device) -> Iterator[Diagnostic]:
-    for held in device.parameters.values():
-        for parameter in held.parameters:
+    for parameter_set in device.parameters.values():
+        for parameter in parameter_set.parameters:
             if parameter.subindices:
                 yield from _of_parameter(parameter)
 

@@ -37,9 +37,9 @@ from fieldspec.checks.finding import Allowance, Check, allowances, covered
 from fieldspec.checks.flags_forms_agree import flags_forms_agree
 from fieldspec.checks.frame_length_matches import frame_length_matches
 from fieldspec.checks.gaps_declared import gaps_declared
-from fieldspec.checks.identifiers_spelled_alike import identifiers_spelled_alike
+from fieldspec.checks.identifiers_consistent import identifiers_consistent
 from fieldspec.checks.illegible_inferred import illegible_inferred
-from fieldspec.checks.inferred_keys_given import inferred_keys_given
+from fieldspec.checks.inferred_keys_present import inferred_keys_present
 from fieldspec.checks.keys_fit_type import keys_fit_type
 from fieldspec.checks.labels_consistent import labels_consistent
 from fieldspec.checks.labels_unique import labels_unique
@@ -127,9 +127,9 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("flags_forms_agree", flags_forms_agree),
     ("frame_length_matches", frame_length_matches),
     ("gaps_declared", gaps_declared),
-    ("identifiers_spelled_alike", identifiers_spelled_alike),
+    ("identifiers_consistent", identifiers_consistent),
     ("illegible_inferred", illegible_inferred),
-    ("inferred_keys_given", inferred_keys_given),
+    ("inferred_keys_present", inferred_keys_present),
     ("keys_fit_type", keys_fit_type),
     ("labels_consistent", labels_consistent),
     ("labels_unique", labels_unique),
@@ -191,18 +191,22 @@ MOST_FINDINGS = 200
 
 _BY_NAME = dict(CHECKS)
 
+INSTALLED: dict[str, Check] = {}
+"""The checks of installed packages, by their codes; `commands` adds them."""
+
 
 def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
     """The findings of all checks, `without` those of some, in order."""
-    given = list(allowances(device))
+    all_allowances = list(allowances(device))
     by_check: dict[str, list[Allowance]] = {}
-    for allowance in given:
+    for allowance in all_allowances:
         by_check.setdefault(allowance.check, []).append(allowance)
     used: set[Allowance] = set()
-    names = [name for name, _ in CHECKS if name not in without]
-    found = [finding for name in names for finding in _unallowed(device, name, by_check.get(name, []), used)]
-    unused = () if "allowances_used" in without else allowances_used(given, used, _BY_NAME)
-    return in_order([*found, *unused])
+    names = [name for name in (*_BY_NAME, *INSTALLED) if name not in without]
+    findings = [finding for name in names for finding in _unallowed(device, name, by_check.get(name, []), used)]
+    checks = {**_BY_NAME, **INSTALLED}
+    unused = () if "allowances_used" in without else allowances_used(all_allowances, used, checks)
+    return in_order([*findings, *unused])
 
 
 def run_named(device: Device, name: str) -> list[Diagnostic]:
@@ -212,19 +216,21 @@ def run_named(device: Device, name: str) -> list[Diagnostic]:
     return in_order(_unallowed(device, name, list(allowances(device, name)), set()))
 
 
-def _unallowed(device: Device, name: str, given: list[Allowance], used: set[Allowance]) -> Iterator[Diagnostic]:
-    """The findings of a check that none of its allowances allows; those that are met are added to `used`."""
+def _unallowed(
+    device: Device, name: str, own_allowances: list[Allowance], used: set[Allowance]
+) -> Iterator[Diagnostic]:
+    """The findings of a check that no allowance covers; the allowances that cover a finding are added to `used`."""
     own: list[tuple[Allowance, list[Span]]] = []
-    kept = 0
-    for finding in _BY_NAME[name](device):
-        own = own or [(allowance, allowance.spans()) for allowance in given]
+    count = 0
+    for finding in (_BY_NAME.get(name) or INSTALLED[name])(device):
+        own = own or [(allowance, allowance.spans()) for allowance in own_allowances]
         covering = [allowance for allowance, spans in own if covered(finding, spans)]
         used.update(covering)
         if covering:
             continue
-        if kept == MOST_FINDINGS:
+        if count == MOST_FINDINGS:
             text = f"`{name}` has more than {MOST_FINDINGS} findings; the rest is not listed"
             yield Diagnostic("too_many_findings", text, finding.span, help="mend the first ones")
             return
-        kept += 1
+        count += 1
         yield finding

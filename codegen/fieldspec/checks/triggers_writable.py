@@ -18,9 +18,9 @@ from fieldspec.model.registers import Parameter, Register
 
 
 def triggers_writable(device: Device) -> Iterator[Diagnostic]:
-    held: list[Register | Parameter] = [*device.registers()]
-    held += [one for parameters in device.parameters.values() for one in parameters.parameters]
-    for fact in held:
+    startable: list[Register | Parameter] = [*device.registers()]
+    startable += [parameter for parameters in device.parameters.values() for parameter in parameters.parameters]
+    for fact in startable:
         if fact.trigger and fact.access == "ro":
             text = f"{fact.name} starts an action when it is written, but its access is ro"
             there = label(fact.place, "trigger", "only writing starts an action")

@@ -25,7 +25,7 @@ _HELP = "put one of them right, or list the value under `sentinels`"
 def value_within_range(device: Device) -> Iterator[Diagnostic]:
     legal = Legal(device)
     for fact, value in values(device):
-        why = legal.objection(value, value.const, written=True) if value.const is not None else ""
+        why = legal.objection(value, value.const, writes=True) if value.const is not None else ""
         if why:
             text = f"{fact.name} is always {value.const}, which {why}"
             yield finding("value_within_range", fact.place, "const", text, _HELP)

@@ -25,35 +25,39 @@ _CODE = "wire_numbers_match"
 
 
 def wire_numbers_match(device: Device) -> Iterator[Diagnostic]:
-    for held in device.parameters.values():
-        yield from _printed(held)
+    for parameter_set in device.parameters.values():
+        yield from _printed(parameter_set)
     spaces: dict[str, list[ParameterSet]] = {}
-    for held in device.parameters.values():
-        earlier = spaces.setdefault(held.space, [])
+    for parameter_set in device.parameters.values():
+        earlier = spaces.setdefault(parameter_set.space, [])
         for other in earlier:
-            yield from _claimed(held, other)
-        earlier.append(held)
+            yield from _claimed(parameter_set, other)
+        earlier.append(parameter_set)
 
 
-def _printed(held: ParameterSet) -> Iterator[Diagnostic]:
-    for parameter in held.parameters:
-        right = held.base + parameter.number
+def _printed(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
+    for parameter in parameter_set.parameters:
+        right = parameter_set.base + parameter.number
         if parameter.wire_number is not None and parameter.wire_number != right:
             text = f"{parameter.name} has the number {hexadecimal(parameter.wire_number)} on the wire; as"
-            text += f" {held.number_text(parameter.number)} it has {hexadecimal(right)}"
-            there = label(held.place, "base", f"{held.name} begins at {hexadecimal(held.base)}")
+            text += f" {parameter_set.number_text(parameter.number)} it has {hexadecimal(right)}"
+            there = label(
+                parameter_set.place, "base", f"{parameter_set.name} begins at {hexadecimal(parameter_set.base)}"
+            )
             help = "put the number, the one on the wire or the base right"
             yield finding(_CODE, parameter.place, "wire_number", text, help, there)
 
 
-def _claimed(held: ParameterSet, other: ParameterSet) -> Iterator[Diagnostic]:
+def _claimed(parameter_set: ParameterSet, other: ParameterSet) -> Iterator[Diagnostic]:
     """The first number of a set that another one has too."""
     taken = wire_numbers([other])
     claims: list[tuple[int, int, str, Place, str]] = [
-        (*on_wire(held, row), row.name, row.place, "number") for row in held.parameters
+        (*on_wire(parameter_set, row), row.name, row.place, "number") for row in parameter_set.parameters
     ]
-    for low, high in held.numbers.intervals if held.numbers is not None else ():
-        claims.append((held.base + low, held.base + high, held.name, held.place, "numbers"))
+    for low, high in parameter_set.numbers.intervals if parameter_set.numbers is not None else ():
+        claims.append(
+            (parameter_set.base + low, parameter_set.base + high, parameter_set.name, parameter_set.place, "numbers")
+        )
     for low, high, name, place, key in claims:
         if uncovered(low, high, taken) != [(low, high)]:
             text = f"{name} has {addresses(low, high)} on the wire, where {other.name} has numbers too"

@@ -14,31 +14,31 @@ from collections.abc import Iterator
 
 from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, label, plural
-from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.sizes import RecordSizes
 
 
 def words_match_type(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
         yield from _compared(register, register.words, 2 * register.width, register.value.type.name)
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for layer in layers(device):
         for field in layer.fields:
             both = sizes.field(field)
             if both is not None and both[0] == both[1]:
-                held = field.value.type.name if field.value is not None else field.record
-                yield from _compared(field, field.words, both[0], held)
+                type_name = field.value.type.name if field.value is not None else field.record
+                yield from _compared(field, field.words, both[0], type_name)
 
 
-def _compared(fact: Fact, words: int | None, size: int, held: str) -> Iterator[Diagnostic]:
+def _compared(fact: Fact, words: int | None, size: int, type_name: str) -> Iterator[Diagnostic]:
     if words is not None and 2 * words != size:
         yield finding(
             "words_match_type",
             fact.place,
             "words",
-            f"{fact.name} is printed with {plural(words, 'word')}; as {held} it has {plural(size, 'byte')}",
+            f"{fact.name} is printed with {plural(words, 'word')}; as {type_name} it has {plural(size, 'byte')}",
             "put the type, the length or the words right",
             label(fact.place, "length" if "length" in fact.place else "type", "its type"),
         )

@@ -53,9 +53,9 @@ def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
 
 def _in_frame(device: Device, outer: Field, field: Field, depth: int = 8) -> Iterator[Diagnostic]:
     """What is wrong with a field of a message, or with one of the records that lie in it."""
-    given = [field.value] if field.value is not None else []
-    given += [case.value for case in field.choice.cases] if field.choice is not None else []
-    if any(value.write_ranges is not None for value in given):
+    values_here = [field.value] if field.value is not None else []
+    values_here += [case.value for case in field.choice.cases] if field.choice is not None else []
+    if any(value.write_ranges is not None for value in values_here):
         text = f"{field.name} lies in a message, and is either written or read"
         there = label(outer.place, "name", "the field of the message")
         help = "give the message a field of its own, with the `range` that it has there"

@@ -29,22 +29,22 @@ def write_range_within_range(device: Device) -> Iterator[Diagnostic]:
             yield from _compared(fact, value, value.write_ranges)
 
 
-def _compared(fact: Fact, value: Value, written: Ranges) -> Iterator[Diagnostic]:
+def _compared(fact: Fact, value: Value, writable: Ranges) -> Iterator[Diagnostic]:
     read = value.ranges.intervals if value.ranges is not None else ((value.type.low, value.type.high),)
-    sentinels = tuple((one.value, one.value) for one in value.sentinels)
-    beyond = _beyond(written, [*read, *sentinels])
+    sentinels = tuple((sentinel.value, sentinel.value) for sentinel in value.sentinels)
+    beyond = _beyond(writable, [*read, *sentinels])
     if beyond is not None:
         text = f"{beyond} may be written to {fact.name}, but is none of what it may be"
         key = "type" if value.ranges is None else range_key(fact.place)
         yield finding(_CODE, fact.place, "write_range", text, _HELP, label(fact.place, key, "what it may be"))
     for sentinel in value.sentinels:
-        if sentinel.value not in written:
+        if sentinel.value not in writable:
             text = f"the sentinel {sentinel.name}, {sentinel.value}, cannot be written to {fact.name}"
             help = "add it to `write_range`, or make it a member of an enum if it is only read"
             yield finding(_CODE, fact.place, "write_range", text, help, label(fact.place, "sentinels", "the sentinel"))
 
 
-def _beyond(written: Ranges, read: list[tuple[int, int]]) -> int | None:
+def _beyond(writable: Ranges, read: list[tuple[int, int]]) -> int | None:
     """The first number that lies in none of some intervals; None where there is none."""
     known = merged(read)
-    return next((holes[0][0] for low, high in written.intervals if (holes := uncovered(low, high, known))), None)
+    return next((holes[0][0] for low, high in writable.intervals if (holes := uncovered(low, high, known))), None)

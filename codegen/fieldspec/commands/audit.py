@@ -1,4 +1,4 @@
-"""`fieldspec audit`: what shows that the spec of a device is right, also beside a register dump."""
+"""`fieldspec audit`: the evidence that the spec of a device is right, and the judgement of register dumps."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from fieldspec.audit.register_dump import compared, judged, section
-from fieldspec.commands import list_files, manuals, signing, specs
-from fieldspec.commands.output import print_blocks, print_findings
-from fieldspec.commands.storing import write
+from fieldspec.commands import audit_files, list_files, specs
+from fieldspec.commands.storage import write
+from fieldspec.commands.terminal import print_blocks, print_findings
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import Diagnostic, has_errors, in_order
 from fieldspec.layout.device import DeviceLayout
@@ -31,41 +31,41 @@ COLUMNS = ("address", "value", "words", "space")
 
 
 def register_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> tuple[Section, tuple[Diagnostic, ...]]:
-    """The section of a dump, and what is wrong with it. Raises UsageError for a file that cannot be used."""
-    given = {role: text for role in COLUMNS if (text := getattr(arguments, role)) is not None}
+    """The section about a dump, and its findings. Raises UsageError for a file that cannot be used."""
+    columns = list_files.column_options(arguments, COLUMNS)
     encoding = arguments.encoding or ""
-    held = list_files.content(arguments.dump)
+    data = list_files.content(arguments.dump)
     try:
-        sheet = object_sheet(held, encoding) or list_files.sheet(held, encoding, arguments.sheet or "")
-        found = dump(sheet, given, arguments.base or "")
-        file, rows = _file(arguments.dump, held, encoding, sheet)
+        sheet = object_sheet(data, encoding) or list_files.sheet(data, encoding, arguments.sheet or "")
+        dump_rows = dump(sheet, columns, arguments.base or "")
+        file, rows = _file(arguments.dump, data, encoding, sheet)
     except ListError as error:
         raise UsageError(f"{_quote(arguments.dump)} {error}") from None
-    told = compared(layout, found, arguments.offset or 0)
-    if told.unknown and not (told.read or told.holes or told.too_great):
+    comparison = compared(layout, dump_rows, arguments.offset or 0)
+    if comparison.unknown and not (comparison.read or comparison.holes or comparison.too_great):
         raise UsageError(
             f"{_quote(arguments.dump)} has no address that {layout.device.name} has; if it is a dump of this device, "
             "say with --base or --offset how its addresses are counted"
         )
-    wrong = tuple(in_order(judged(told, file, rows)))
-    return section(told, wrong, len(found.skipped)), wrong
+    wrong = tuple(in_order(judged(comparison, file, rows)))
+    return section(comparison, wrong, len(dump_rows.skipped)), wrong
 
 
 def _quote(name: str) -> str:
     return "standard input" if name == "-" else name
 
 
-def _file(name: str, held: bytes, encoding: str, sheet: Sheet) -> tuple[SourceFile, Mapping[int, int]]:
-    """The text that findings show, with the offset of each row: the file itself, or its rows where it is no text."""
-    shown = _quote(name)
-    if not held.startswith(MAGIC):
-        text = decoded(held, encoding)
+def _file(name: str, data: bytes, encoding: str, sheet: Sheet) -> tuple[SourceFile, Mapping[int, int]]:
+    """The text that findings show, and the offset of each row in it: the file, or the rows of a workbook."""
+    label = _quote(name)
+    if not data.startswith(MAGIC):
+        text = decoded(data, encoding)
         lines = text.splitlines(keepends=True)
         if len(lines) == sheet.lines:
             starts = [0]
             for line in lines:
                 starts.append(starts[-1] + len(line))
-            return SourceFile(shown, text), dict(enumerate(starts, 1))
+            return SourceFile(label, text), dict(enumerate(starts, 1))
     rows: dict[int, int] = {}
     parts = []
     at = 0
@@ -73,88 +73,90 @@ def _file(name: str, held: bytes, encoding: str, sheet: Sheet) -> tuple[SourceFi
         rows[row.number] = at
         parts.append("\t".join(row.cells) + "\n")
         at += len(parts[-1])
-    return SourceFile(shown, "".join(parts)), rows
+    return SourceFile(label, "".join(parts)), rows
 
 
 OF_DUMPS = ("address", "value", "words", "space", "base", "offset", "encoding", "sheet")
 """The options that say how a dump is read."""
 
 ALONE = ("sign", "dump", "record", "as_printed")
-"""The options of which each asks for something else than the audit, so that one excludes the others."""
+"""The options that ask for something other than the audit; each excludes the others."""
 
 FORMED = ("sign", "record")
-"""Those that write a file of the spec, and print nothing that has a form."""
+"""Those that write a file of the spec and print no report."""
 
 WHOLE = ("sarif", "html")
-"""The formats that hold all sections."""
+"""The formats of the whole report."""
 
 LISTS = ("csv", "xlsx")
-"""The formats that hold one table."""
+"""The formats of a single table."""
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Prints the audit, or one table of it. Exit code 1 where a section has a finding that is an error.
 
-    What is found in the print says nothing against the spec, and has the exit code 0.
+    Findings in the print, with `--as-printed`, say nothing against the spec; the exit code is then 0.
     """
     from fieldspec.audit.report import printed_report, report
     from fieldspec.audit.section import Subject
+    from fieldspec.commands.plugin_loading import load_checks
     from fieldspec.facts import of_versions
     from fieldspec.proofs.running import errata_proofs
 
     _must_go_together(arguments)
     if arguments.format in LISTS and not arguments.table:
-        raise UsageError(f"{arguments.format} holds one table; name it with --table, such as --table ledger")
+        raise UsageError(f"{arguments.format} holds a single table; name it with --table, such as --table ledger")
     if arguments.table and arguments.format in WHOLE:
-        raise UsageError(f"{arguments.format} is of the whole audit; give --table with text, json, csv or xlsx")
+        raise UsageError(f"{arguments.format} shows the whole audit; use --table with text, json, csv or xlsx")
     if arguments.out and not arguments.table and arguments.format != "html":
         raise UsageError("--out writes a page or a table; give --format html, or --table, such as --table ledger")
-    given = [option for option in ("by", "on", "how") if getattr(arguments, option) is not None]
-    if given and not arguments.sign:
-        raise UsageError(f"--{given[0]} goes with --sign SECTION")
-    given = [option for option in OF_DUMPS if getattr(arguments, option) is not None]
-    if given and not arguments.dump:
-        raise UsageError(f"--{given[0]} goes with --dump FILE")
+    options = [option for option in ("by", "on", "how") if getattr(arguments, option) is not None]
+    if options and not arguments.sign:
+        raise UsageError(f"--{options[0]} goes with --sign SECTION")
+    options = [option for option in OF_DUMPS if getattr(arguments, option) is not None]
+    if options and not arguments.dump:
+        raise UsageError(f"--{options[0]} goes with --dump FILE")
+    load_checks()
     spec, version = specs.spec_at(arguments.specs, arguments.device)
-    layouts = {one: specs.layout_of(spec, one) for one in dict.fromkeys((*spec.versions(), version))}
+    layouts = {
+        each_version: specs.layout_of(spec, each_version) for each_version in dict.fromkeys((*spec.versions(), version))
+    }
     layout = layouts[version]
     if arguments.sign:
-        return signing.sign(arguments, spec, [layouts[one] for one in spec.versions()])
+        return audit_files.sign(arguments, spec, [layouts[each_version] for each_version in spec.versions()])
     if arguments.dump:
         return _print_dump(arguments, layout)
     if arguments.record:
-        return manuals.record(arguments.specs, layout.device, arguments.manual)
-    index, manual = manuals.compared(arguments.specs, spec.id, arguments.manual)
+        return audit_files.record(arguments.specs, layout.device, arguments.manual)
+    index, manual = audit_files.compared(arguments.specs, spec.id, arguments.manual)
     proofs = errata_proofs(spec)
-    held = tuple(layouts.values())
-    subject = Subject(spec, layout, held, of_versions(held), proofs, index, manual)
+    all_layouts = tuple(layouts.values())
+    subject = Subject(spec, layout, all_layouts, of_versions(all_layouts), proofs, index, manual)
     if arguments.as_printed:
-        made, found = printed_report(subject)
+        audit_report, findings = printed_report(subject)
     else:
-        made = report(subject)
-        found = tuple(in_order(made.findings()))
+        audit_report = report(subject)
+        findings = tuple(in_order(audit_report.findings()))
     if arguments.table:
-        _print_table(made, arguments)
+        _print_table(audit_report, arguments)
     else:
-        _print_report(made, found, arguments, layout.device)
-    return 1 if has_errors(found) and not arguments.as_printed else 0
+        _print_report(audit_report, findings, arguments, layout.device)
+    return 1 if has_errors(findings) and not arguments.as_printed else 0
 
 
 def _must_go_together(arguments: argparse.Namespace) -> None:
-    """Refuses options of which one would do nothing beside the other."""
+    """Refuses options that exclude each other. Raises UsageError."""
     asked = [option for option in ALONE if getattr(arguments, option)]
     if len(asked) > 1:
-        raise UsageError(
-            f"{_option_text(asked[0])} and {_option_text(asked[1])} do not go together; ask for one at a time"
-        )
+        raise UsageError(f"{_option_text(asked[0])} and {_option_text(asked[1])} cannot be combined; use one at a time")
     beside = [option for option in ("table", "out", "all") if getattr(arguments, option)]
     beside += ["format"] if arguments.format != "text" else []
     if asked and asked[0] in FORMED and beside:
         raise UsageError(
-            f"{_option_text(asked[0])} prints no report, so {_option_text(beside[0])} has no use; leave it out"
+            f"{_option_text(asked[0])} prints no report, so {_option_text(beside[0])} has no effect; leave it out"
         )
     if asked and asked[0] in ("sign", "dump") and arguments.manual:
-        raise UsageError(f"{_option_text(asked[0])} looks into no manual, so --manual has no use; leave it out")
+        raise UsageError(f"{_option_text(asked[0])} reads no manual, so --manual has no effect; leave it out")
 
 
 def _option_text(option: str) -> str:
@@ -162,25 +164,27 @@ def _option_text(option: str) -> str:
 
 
 def _print_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> int:
-    """Prints what a dump says. Exit code 1 where the device held what it should not."""
+    """Prints the report on a dump. Exit code 1 where a finding is an error."""
     from fieldspec.audit.report import dump_report
 
-    section, found = register_dump(arguments, layout)
-    made = dump_report(layout, section)
+    section, findings = register_dump(arguments, layout)
+    report = dump_report(layout, section)
     if arguments.table:
-        _print_table(made, arguments)
+        _print_table(report, arguments)
     else:
-        _print_report(made, found, arguments, layout.device)
-    return 1 if has_errors(found) else 0
+        _print_report(report, findings, arguments, layout.device)
+    return 1 if has_errors(findings) else 0
 
 
-def _print_report(made: Report, found: tuple[Diagnostic, ...], arguments: argparse.Namespace, device: Device) -> None:
+def _print_report(
+    report: Report, findings: tuple[Diagnostic, ...], arguments: argparse.Namespace, device: Device
+) -> None:
     """Prints the whole audit, or writes the page to a file."""
     form = arguments.format
     if form == "html":
         from fieldspec.render.audit_html import rendered as page
 
-        text = page(made, device, {})
+        text = page(report, device, {})
         if arguments.out:
             write(Path(arguments.out), text.encode("utf-8"))
         else:
@@ -188,29 +192,29 @@ def _print_report(made: Report, found: tuple[Diagnostic, ...], arguments: argpar
     elif form == "json":
         from fieldspec.render.audit_formats import rendered
 
-        print(rendered(made), end="")
+        print(rendered(report), end="")
     elif form == "sarif":
-        print_findings(found, "sarif", "")
+        print_findings(findings, "sarif", "")
     else:
         from fieldspec.render.audit_formats import blocks
 
-        print_blocks(blocks(made, arguments.all or arguments.as_printed))
-        if found:
+        print_blocks(blocks(report, arguments.all or arguments.as_printed))
+        if findings:
             print()
-            print_findings(found, "text", "")
+            print_findings(findings, "text", "")
 
 
-def _print_table(made: Report, arguments: argparse.Namespace) -> None:
+def _print_table(report: Report, arguments: argparse.Namespace) -> None:
     """Prints one table, or writes it to a file."""
     from fieldspec.render.audit_formats import as_csv, as_json, as_xlsx, table_blocks
 
-    tables = {table.name: table for section in made.sections for table in section.tables}
+    tables = {table.name: table for section in report.sections for table in section.tables}
     if arguments.table not in tables:
         raise unknown("table", arguments.table, tables, most=len(tables))
     table = tables[arguments.table]
     if arguments.format == "text":
         if arguments.out:
-            raise UsageError("a table in a file has a format; give --format csv, xlsx or json")
+            raise UsageError("--out needs a format for the table; give --format csv, xlsx or json")
         print_blocks(table_blocks(table))
         return
     data = {"csv": as_csv, "xlsx": as_xlsx, "json": as_json}[arguments.format](table)
@@ -219,6 +223,6 @@ def _print_table(made: Report, arguments: argparse.Namespace) -> None:
     elif arguments.format != "xlsx":
         print(data.decode("utf-8"), end="")
     elif sys.stdout.isatty():
-        raise UsageError("a workbook is no text; name its file with --out")
+        raise UsageError("a workbook cannot be printed; name a file with --out")
     else:
         sys.stdout.buffer.write(data)

@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Iterator
 
 from fieldspec.commands import specs
-from fieldspec.commands.output import print_blocks
+from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
 from fieldspec.reading.nodes import Mapping, Node, Scalar, find, keys, node_at
 from fieldspec.render.blocks import Table
@@ -16,13 +16,13 @@ _LONGEST = 60
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints one row for each attribute; those that a group gives its rows are marked."""
+    """Prints one row for each attribute; defaults of its group are marked."""
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     tree = spec.tree_at(version)
     fact = find(tree, arguments.path)
     if not isinstance(fact, Mapping):
-        held = "" if fact is None else ", only a list"
-        known = f"{arguments.device.partition('@')[0]} has no fact {arguments.path} at {version}{held}"
+        hint = "" if fact is None else ", only a list"
+        known = f"{arguments.device.partition('@')[0]} has no fact {arguments.path} at {version}{hint}"
         raise UsageError(f"{known}; `fieldspec facts` lists the paths")
     rows = [*_rows(fact, ""), *_inherited(tree, arguments.path, fact)]
     print_blocks([Table(_HEADINGS, tuple(rows))])
@@ -38,12 +38,12 @@ def _rows(node: Mapping, before: str, beside: str = "") -> Iterator[tuple[str, s
             yield from _rows(value, f"{name}/", beside)
         else:
             texts = [item.text for item in value.items if isinstance(item, Scalar)]
-            shown = ", ".join(texts) if len(texts) == len(value.items) else f"{len(value.items)} entries"
-            yield name, _shortened(shown), _place(value) + beside
+            summary = ", ".join(texts) if len(texts) == len(value.items) else f"{len(value.items)} entries"
+            yield name, _shortened(summary), _place(value) + beside
 
 
 def _inherited(tree: Mapping, path: str, fact: Mapping) -> Iterator[tuple[str, str, str]]:
-    """What the group around a row gives it."""
+    """The attributes that a row takes from the defaults of its group."""
     at = keys(tree, path) or []
     for end in range(len(at) - 1, 0, -1):
         holder = node_at(tree, at[:end])

@@ -10,15 +10,24 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from fieldspec.commands import manifest, sources
-from fieldspec.commands.fresh import Earlier, Hashes, digest
-from fieldspec.commands.making import BuildRequest, BuildResult, build_result
-from fieldspec.commands.placing import Beside
+from fieldspec.commands import spec_files
+from fieldspec.commands.building import build_result
+from fieldspec.commands.freshness import (
+    MANIFEST,
+    BuildRequest,
+    BuildResult,
+    EarlierBuild,
+    Hashes,
+    digest,
+    read_manifest,
+)
+from fieldspec.commands.placement import Staging
+from fieldspec.commands.plugins import package_hashes
 from fieldspec.commands.usage import UsageError, unknown
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Builds, or with `--check` tells what a build would change. Exit code 1 for findings and stale files."""
+    """Builds, or with `--check` lists what a build would change. Exit code 1 for findings and stale files."""
     if arguments.watch:
         return watch(arguments)
     return build(arguments)
@@ -26,28 +35,32 @@ def run(arguments: argparse.Namespace) -> int:
 
 def build(arguments: argparse.Namespace) -> int:
     """Builds once."""
-    wanted = BuildRequest(_outputs(arguments.to), _devices(arguments.devices))
+    anew = arguments.check or arguments.no_cache
+    wanted = BuildRequest(_outputs(arguments.to, anew), _devices(arguments.devices))
+    packages = package_hashes(anew)
     out = Path(arguments.out)
-    with Beside(out, look=arguments.check) as beside:
-        path, files = sources.of_devices(arguments.specs, frozenset(wanted.devices))
-        earlier = Earlier(out, files, trusted=not (arguments.check or arguments.no_cache or wanted.picked))
+    with Staging(out, look=arguments.check) as beside:
+        path, files = spec_files.of_devices(arguments.specs, frozenset(wanted.devices))
+        earlier = EarlierBuild(out, files, packages, trusted=not (anew or wanted.picked))
         result = build_result(wanted, path, files, earlier, None if arguments.check else beside)
         if result.findings:
-            from fieldspec.commands.output import print_findings
+            from fieldspec.commands.terminal import print_findings
             from fieldspec.diagnostics import has_errors
 
             print_findings(result.findings, "text", "")
             if has_errors(result.findings):
                 return 1
-        before = manifest.read(out)
+        before = read_manifest(out)
         hashes = _hashes(wanted, result)
         gone = before.gone(hashes, wanted.outputs) if wanted.whole else []
-        now = before.renewed(wanted, result, hashes, gone).text()
-        stale = sorted([*result.stale, *([manifest.NAME] if earlier.hash_of(manifest.NAME) != digest(now) else [])])
+        now = before.renewed(wanted, result, hashes, gone, packages).text()
+        stale = sorted([*result.stale, *([MANIFEST] if earlier.hash_of(MANIFEST) != digest(now) else [])])
         if arguments.check:
-            return _report([(path, before.reason(path, result, earlier)) for path in stale], gone, beside.unfinished)
+            return _report(
+                [(path, before.reason(path, result, earlier, packages)) for path in stale], gone, beside.unfinished
+            )
         if stale or gone:
-            beside.write(manifest.NAME, now)
+            beside.write(MANIFEST, now)
             beside.place(stale, gone)
         if not wanted.picked:
             earlier.keep(result.devices, result.shared, wanted.whole, result.quiet)
@@ -55,9 +68,11 @@ def build(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _outputs(text: str | None) -> tuple[str, ...]:
+def _outputs(text: str | None, anew: bool) -> tuple[str, ...]:
     from fieldspec.backends import OUTPUTS
+    from fieldspec.commands.plugin_loading import load_outputs
 
+    load_outputs(anew)
     if text is None:
         return tuple(OUTPUTS)
     names = tuple(name for name in text.split(",") if name)
@@ -65,28 +80,33 @@ def _outputs(text: str | None) -> tuple[str, ...]:
         if name not in OUTPUTS:
             raise unknown("output", name, OUTPUTS)
     if not names:
-        raise UsageError(f"--to names no output; there are {', '.join(OUTPUTS)}")
+        raise UsageError(f"--to names no output; the outputs are {', '.join(OUTPUTS)}")
     return names
 
 
 def _devices(texts: Sequence[str]) -> dict[str, frozenset[str]]:
-    """The versions that are asked for, by device; none where all are, as a device without a version asks for them."""
-    pairs = [sources.split(text) for text in texts]
+    """The requested versions by device; no version means all of them."""
+    pairs = [spec_files.split(text) for text in texts]
     named = {device: {version for name, version in pairs if name == device} for device, _ in pairs}
     return {device: frozenset() if "" in versions else frozenset(versions) for device, versions in named.items()}
 
 
 def _hashes(wanted: BuildRequest, result: BuildResult) -> Hashes:
-    """The hashes of all files of the outputs that are built, whether they were made anew or not."""
+    """The hashes of all files of the requested outputs, rebuilt or not."""
     holders = [result.shared, *(device.outputs for device in result.devices.values())]
-    return {path: one for held in holders for name in wanted.outputs for path, one in held.get(name, {}).items()}
+    return {
+        path: digest
+        for hashes_by_output in holders
+        for name in wanted.outputs
+        for path, digest in hashes_by_output.get(name, {}).items()
+    }
 
 
 def _report(stale: Sequence[tuple[str, str]], gone: Sequence[str], unfinished: Sequence[str]) -> int:
     for text in unfinished:
         print(text)
     for path, reason in stale:
-        print(f"not fresh: {path}" + (f" ({reason})" if path != manifest.NAME else ""))
+        print(f"not fresh: {path}" + (f" ({reason})" if path != MANIFEST else ""))
     for path in gone:
         print(f"no longer produced: {path}")
     if not (stale or gone or unfinished):
@@ -99,14 +119,14 @@ def _report(stale: Sequence[tuple[str, str]], gone: Sequence[str], unfinished: S
 PAUSE = 0.05
 """Seconds between two looks at the files."""
 SETTLED = 0.02
-"""Seconds for which nothing changes once a file is written whole."""
+"""Seconds without a change after which a file counts as completely written."""
 
 State = dict[str, tuple[int, int]]
 
 
 def watch(arguments: argparse.Namespace) -> int:
-    """Builds, then waits for a spec to change. It ends with an interrupt, or where the first build is wrong use."""
-    path = sources.folder(arguments.specs)
+    """Builds, then waits for a spec to change, until interrupted. Raises UsageError if the first build does."""
+    path = spec_files.folder(arguments.specs)
     built: State | None = None
     while True:
         now = _state(path)
@@ -120,7 +140,7 @@ def watch(arguments: argparse.Namespace) -> int:
 
 
 def _build(arguments: argparse.Namespace, first: bool) -> None:
-    """Builds once. What is wrong use may be put right while we wait, but for what was given to us."""
+    """Builds once. Wrong use may be corrected while we wait, except in the first build."""
     start = time.perf_counter()
     try:
         code = build(arguments)
@@ -140,13 +160,13 @@ def _build(arguments: argparse.Namespace, first: bool) -> None:
 
 def _state(path: str) -> State:
     """The time and size of every spec file."""
-    found = {}
+    state = {}
     for folder, _, names in os.walk(path):
         for name in names:
             if name.endswith(".yaml") and not name.startswith("."):
                 try:
-                    held = os.stat(os.path.join(folder, name))
+                    status = os.stat(os.path.join(folder, name))
                 except OSError:
                     continue  # it has gone in the meantime
-                found[os.path.join(folder, name)] = held.st_mtime_ns, held.st_size
-    return found
+                state[os.path.join(folder, name)] = status.st_mtime_ns, status.st_size
+    return state

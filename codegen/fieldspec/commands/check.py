@@ -1,20 +1,22 @@
-"""`fieldspec check`: everything that is wrong with the specs."""
+"""`fieldspec check`: all findings in the specs."""
 
 from __future__ import annotations
 
 import argparse
 
 from fieldspec.commands import specs
-from fieldspec.commands.output import print_findings
+from fieldspec.commands.terminal import print_findings
 from fieldspec.diagnostics import has_errors
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Prints all findings of all files. Exit code 1 where one of them is an error."""
     from fieldspec import pipeline
+    from fieldspec.commands.plugin_loading import load_checks
 
+    load_checks()
     project = specs.project(arguments.specs, frozenset(arguments.devices))
-    found = pipeline.checked(project)
+    findings = pipeline.checked(project)
     checked = ", ".join(sorted(project.devices)) or "nothing"
-    print_findings(found, arguments.format, f"no findings in {checked}")
-    return 1 if has_errors(found) else 0
+    print_findings(findings, arguments.format, f"no findings in {checked}")
+    return 1 if has_errors(findings) else 0

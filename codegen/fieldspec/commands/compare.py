@@ -1,16 +1,13 @@
-"""`fieldspec compare`: a device beside a register list that someone else has made."""
+"""`fieldspec compare`: a device beside a register list from another source."""
 
 from __future__ import annotations
 
 import argparse
 import json
 
-from fieldspec.commands import compiled, list_files
-from fieldspec.commands.output import print_blocks
+from fieldspec.commands import layout_cache, list_files
+from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError, unknown
-
-COLUMNS = ("address", "space", "name", "words", "type", "access")
-"""The columns that an option names."""
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -23,19 +20,19 @@ def run(arguments: argparse.Namespace) -> int:
 
     ignored = frozenset(filter(None, (arguments.ignore or "").split(",")))
     for aspect in sorted(ignored - {*ASPECTS}):
-        raise unknown("thing that is compared", aspect, ASPECTS)
-    layout = compiled.asked(arguments)
-    given = {role: text for role in COLUMNS if (text := getattr(arguments, role)) is not None}
+        raise unknown("aspect to compare", aspect, ASPECTS)
+    layout = layout_cache.requested_layout(arguments)
+    columns = list_files.column_options(arguments)
     try:
-        held = list_files.sheet(list_files.content(arguments.file), arguments.encoding or "", arguments.sheet or "")
-        found = listing(held, given, arguments.base or "")
+        sheet = list_files.sheet(list_files.content(arguments.file), arguments.encoding or "", arguments.sheet or "")
+        register_list = listing(sheet, columns, arguments.base or "")
     except ListError as error:
         raise UsageError(f"{arguments.file} {error}") from None
-    result = compared(items(layout), found, arguments.offset, ignored)
+    result = compared(items(layout), register_list, arguments.offset, ignored)
     if arguments.format == "json":
-        print(json.dumps(comparison.as_data(result, found), ensure_ascii=False, indent=1))
+        print(json.dumps(comparison.as_data(result, register_list), ensure_ascii=False, indent=1))
     elif arguments.format == "csv":
         print(comparison.as_csv(result), end="")
     else:
-        print_blocks(comparison.blocks(result, found))
+        print_blocks(comparison.blocks(result, register_list))
     return 0 if result.same else 1

@@ -3,8 +3,16 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterator
+from contextlib import suppress
 
-from fieldspec.commands.device_help import suggest
+from fieldspec.commands import specs
+from fieldspec.commands.usage import UsageError
+from fieldspec.explain.readings import DIRECTIONS, option_word
+from fieldspec.model.link import Link
+
+VERBS = ("decode", "encode")
+"""The verbs whose options have names of the device."""
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -15,3 +23,29 @@ def run(arguments: argparse.Namespace) -> int:
     suggest(parser)
     print(shtab.complete(parser, shell=arguments.shell))
     return 0
+
+
+def suggest(parser: argparse.ArgumentParser) -> None:
+    """Adds the names that devices have for messages and directions to what a shell offers."""
+    links = list(_links())
+    options = sorted({f"--{option_word(link.message_name)}" for link in links} - {"--message"})
+    directions = sorted({link.direction_name(way) for link in links for way in DIRECTIONS} - set(DIRECTIONS))
+    for verb in _verbs(parser):
+        for option in options:
+            verb.add_argument(option, metavar="NAME", help="the message, as the device calls it")
+        for action in verb._actions:
+            if "--direction" in action.option_strings:
+                action.choices = [*DIRECTIONS, *directions]
+
+
+def _links() -> Iterator[Link]:
+    """The links of all devices; none where there are no specs."""
+    with suppress(UsageError):
+        for spec in specs.project(None).devices.values():
+            yield from spec.at(spec.versions()[-1])[0].links.values()
+
+
+def _verbs(parser: argparse.ArgumentParser) -> Iterator[argparse.ArgumentParser]:
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            yield from (verb for name, verb in action.choices.items() if name in VERBS)

@@ -1,4 +1,4 @@
-"""`fieldspec devices`: what there is."""
+"""`fieldspec devices`: the devices and their versions."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import argparse
 import sys
 
 from fieldspec.commands import specs
-from fieldspec.commands.output import print_blocks
+from fieldspec.commands.terminal import print_blocks
 from fieldspec.diagnostics import has_errors
 from fieldspec.reading.project import DeviceSpec
 from fieldspec.render.blocks import Table
@@ -15,7 +15,7 @@ _HEADINGS = ("device", "name", "vendor", "versions", "registers", "parameters", 
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints one row a device, counted at its newest version. Exit code 1 where a device cannot be read."""
+    """Prints a row for each device, with counts at its newest version. Exit code 1 where a device cannot be read."""
     project = specs.project(arguments.specs)
     print_blocks([Table(_HEADINGS, tuple(_row(name, spec) for name, spec in sorted(project.devices.items())))])
     if has_errors(project.findings):

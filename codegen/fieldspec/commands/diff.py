@@ -1,4 +1,4 @@
-"""`fieldspec diff`: what differs between two versions, or two states of the specs, and whom it hurts."""
+"""`fieldspec diff`: the differences between two versions or two states of the specs, and whom they affect."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from collections.abc import Iterator
 from importlib import import_module
 
 from fieldspec.changes import RULES, changes
-from fieldspec.changes.judging import Compared, accepts_used, judged, rules_known
+from fieldspec.changes.acceptances import ComparedVersions, accepts_used, judged_changes, rules_known
 from fieldspec.changes.rules.facts import device_added, device_removed
 from fieldspec.classes import dataclass
-from fieldspec.commands.output import print_blocks, print_findings
-from fieldspec.commands.states import SpecState, spec_state
+from fieldspec.commands.spec_states import SpecState, spec_state
+from fieldspec.commands.terminal import print_blocks, print_findings
 from fieldspec.commands.usage import UsageError
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.proofs.running import previous
@@ -20,15 +20,15 @@ from fieldspec.render.changes import AcceptedChange, Difference, hurts
 
 FORMATS = ("text", "json", "markdown", "html", "sarif", "github")
 REVIEWS = ("sarif", "github")
-"""The forms that code reviews take."""
+"""The formats for code reviews."""
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the changes. Exit code 1 where `--fail-on` is met, or where a spec accepts what has not happened."""
-    plain = arguments.format in REVIEWS
-    old, new = (spec_state(text, arguments.specs, plain) for text in (arguments.old, arguments.new))
+    """Prints the changes. Exit code 1 where `--fail-on` applies, or where a spec accepts a change that is not there."""
+    bare_paths = arguments.format in REVIEWS
+    old, new = (spec_state(text, arguments.specs, bare_paths) for text in (arguments.old, arguments.new))
     compared = list(_compared(old, new))
-    differences = [*_devices(old, new), *(_difference(one) for one in compared)]
+    differences = [*_devices(old, new), *(_difference(comparison) for comparison in compared)]
     unused = _unused(compared)
     if arguments.format in REVIEWS:
         from fieldspec.render.changes import findings
@@ -50,23 +50,23 @@ def run(arguments: argparse.Namespace) -> int:
 
 @dataclass(frozen=True, slots=True)
 class _Compared:
-    """Comparisons that are shown as one: the same device at several versions, by the names of both sides."""
+    """Comparisons that are shown together: the same device at several versions. `old` and `new` are labels."""
 
     old: str
     new: str
-    by_version: dict[str, Compared]
+    by_version: dict[str, ComparedVersions]
 
 
 def _compared(old: SpecState, new: SpecState) -> Iterator[_Compared]:
-    """The comparisons that two sides ask for, device by device."""
+    """The comparisons of two states, device by device."""
     for device in _common(old, new):
         before, after = old.spec(device), new.spec(device)
         both = [version for version in after.versions() if version in before.versions()]
         if old.version or new.version or not both:
             yield _pair(old, new, device)
             continue
-        held = {version: _of(old, new, device, version, version) for version in both}
-        yield _Compared(old.label(device), new.label(device), held)
+        by_version = {version: _of(old, new, device, version, version) for version in both}
+        yield _Compared(old.label(device), new.label(device), by_version)
         for version in after.versions():
             based_on = previous(after, version)
             if version not in both and based_on is not None:
@@ -75,8 +75,8 @@ def _compared(old: SpecState, new: SpecState) -> Iterator[_Compared]:
 
 
 def _common(old: SpecState, new: SpecState) -> list[str]:
-    """The devices to compare: the one that is asked for, or all that both sides have."""
-    asked = {one.device for one in (old, new) if one.device}
+    """The devices to compare: the requested one, or all that both states have. Raises UsageError."""
+    asked = {spec_state.device for spec_state in (old, new) if spec_state.device}
     if len(asked) > 1:
         raise UsageError(f"{old.device} and {new.device} are two devices; compare two versions of one")
     if asked:
@@ -85,12 +85,12 @@ def _common(old: SpecState, new: SpecState) -> list[str]:
     if not common and old.project.devices.keys() != new.project.devices.keys():
         raise UsageError(f"{old.name} and {new.name} have no device in common")
     if len(common) > 1 and (old.version or new.version):
-        raise UsageError(f"say of which device the version is: there are {', '.join(common)}")
+        raise UsageError(f"say which device the version belongs to: there are {', '.join(common)}")
     return common
 
 
 def _pair(old: SpecState, new: SpecState, device: str) -> _Compared:
-    """One comparison of the versions that are asked for; where one side names none, the same or its newest."""
+    """The comparison of the requested versions; a state without one takes the same version, or its newest."""
     before, after = old.version, new.version
     if not before:
         known = old.spec(device).versions()
@@ -98,22 +98,22 @@ def _pair(old: SpecState, new: SpecState, device: str) -> _Compared:
     if not after:
         known = new.spec(device).versions()
         after = before if before in known else known[-1]
-    held = _of(old, new, device, before, after)
-    return _Compared(old.label(device, before), new.label(device, after), {after: held})
+    pair = _of(old, new, device, before, after)
+    return _Compared(old.label(device, before), new.label(device, after), {after: pair})
 
 
-def _of(old: SpecState, new: SpecState, device: str, before: str, after: str) -> Compared:
+def _of(old: SpecState, new: SpecState, device: str, before: str, after: str) -> ComparedVersions:
     first, second = old.at(device, before), new.at(device, after)
     spec = new.spec(device)
-    return Compared(first, second, changes(first, second), step=previous(spec, after) == before)
+    return ComparedVersions(first, second, changes(first, second), step=previous(spec, after) == before)
 
 
 def _difference(compared: _Compared) -> Difference:
-    """What a comparison shows: a change that is found at several versions once."""
-    found: dict[tuple[object, ...], list[str]] = {}
-    held: dict[tuple[object, ...], AcceptedChange] = {}
-    for version, one in compared.by_version.items():
-        for each in judged(one):
+    """The changes of a comparison; a change at several versions appears once."""
+    versions_of: dict[tuple[object, ...], list[str]] = {}
+    change_of: dict[tuple[object, ...], AcceptedChange] = {}
+    for version, step in compared.by_version.items():
+        for each in judged_changes(step):
             change = each.change
             key = (
                 change.rule,
@@ -124,39 +124,41 @@ def _difference(compared: _Compared) -> Difference:
                 change.new,
                 each.accepted is None,
             )
-            found.setdefault(key, []).append(version)
-            held[key] = AcceptedChange(change, each.accepted)
-    shown = [
+            versions_of.setdefault(key, []).append(version)
+            change_of[key] = AcceptedChange(change, each.accepted)
+    all_changes = [
         AcceptedChange(
-            one.change, one.accepted, tuple(found[key]) if len(found[key]) < len(compared.by_version) else ()
+            entry.change,
+            entry.accepted,
+            tuple(versions_of[key]) if len(versions_of[key]) < len(compared.by_version) else (),
         )
-        for key, one in held.items()
+        for key, entry in change_of.items()
     ]
-    return Difference(compared.old, compared.new, tuple(sorted(shown, key=lambda one: one.change.order())))
+    return Difference(compared.old, compared.new, tuple(sorted(all_changes, key=lambda entry: entry.change.order())))
 
 
 def _devices(old: SpecState, new: SpecState) -> Iterator[Difference]:
-    """The devices that one side alone has, where whole folders are compared."""
+    """The devices that only one state has, where whole folders are compared."""
     if old.device or new.device:
         return
     gone = [device for device in old.project.devices if device not in new.project.devices]
     come = [device for device in new.project.devices if device not in old.project.devices]
-    found = [
+    entries = [
         *(AcceptedChange(device_removed(old.at(device, ""))) for device in gone),
         *(AcceptedChange(device_added(new.at(device, ""))) for device in come),
     ]
-    if found:
-        yield Difference(old.name, new.name, tuple(sorted(found, key=lambda one: one.change.order())))
+    if entries:
+        yield Difference(old.name, new.name, tuple(sorted(entries, key=lambda entry: entry.change.order())))
 
 
 def _unused(compared: list[_Compared]) -> list[Diagnostic]:
-    """The findings of acceptances that accept nothing."""
+    """The findings about acceptances that accept nothing."""
     rules = {name for name, _, _ in RULES}
-    by_device: dict[str, list[Compared]] = {}
-    for one in (one for each in compared for one in each.by_version.values()):
-        by_device.setdefault(one.new.id, []).append(one)
-    found: list[Diagnostic] = []
-    for held in by_device.values():
-        found += rules_known((entry for one in held for entry in one.new.accepts), rules)
-        found += accepts_used(held)
-    return in_order(found)
+    by_device: dict[str, list[ComparedVersions]] = {}
+    for step in (step for each in compared for step in each.by_version.values()):
+        by_device.setdefault(step.new.id, []).append(step)
+    findings: list[Diagnostic] = []
+    for steps in by_device.values():
+        findings += rules_known((entry for step in steps for entry in step.new.accepts), rules)
+        findings += accepts_used(steps)
+    return in_order(findings)

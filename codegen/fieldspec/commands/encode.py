@@ -3,45 +3,47 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from fieldspec.classes import dataclass
-from fieldspec.commands import compiled
+from fieldspec.commands import layout_cache
 from fieldspec.commands.frame_options import frame_options, number_of
-from fieldspec.commands.register_words import register_words
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.explanation import explained
 from fieldspec.explain.parameters import nearest, parameter_number
 from fieldspec.explain.readings import DIRECTIONS
-from fieldspec.explain.registers import accessed, forbidden
+from fieldspec.explain.registers import Occupant, accessed, forbidden, occupant_at
 from fieldspec.explain.row import ExplanationRow
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.values import MeaningError, Raw, body_of, raw_of
+from fieldspec.layout.values import MeaningError, Raw, body_of, raw_of, raw_value
+from fieldspec.model.quantity import count_of
+from fieldspec.model.record import RegisterAccess
 from fieldspec.render.blocks import visible_text
 
 _MOST = 20
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the frame as hexadecimal bytes, with its characters where it is made of them."""
+    """Prints the frame in hexadecimal, and as characters where it consists of them."""
     from fieldspec.reference import CodecError, codec
 
-    layout = compiled.asked(arguments)
+    layout = layout_cache.requested_layout(arguments)
     way, pairs = _way(layout, arguments)
-    written = _nested(pairs)
+    texts = _nested(pairs)
     fields = _fields(layout, way)
-    _by_print(layout, way, written)
-    for name in written:
+    _by_print(layout, way, texts)
+    for name in texts:
         if name not in fields:
             raise unknown("field", name, fields)
-    _with_address(layout, way.message, written)
+    _with_address(layout, way.message, texts)
     parts = layout.links[way.link].frame(way.direction).head
     body = body_of(layout, way.link, way.direction, way.message, False)
     try:
-        _with_words(layout, way.message, written)
-        counted = {name: _count_of(layout, way, name, held) for name, held in written.items()}
-        values = raw_of(layout.device, parts, body, counted)
+        _with_words(layout, way.message, texts)
+        counts = {name: _count_of(layout, way, name, value) for name, value in texts.items()}
+        values = raw_of(layout.device, parts, body, counts)
         _refuse_access(layout, way, values)
         frame = codec(layout).links[way.link].encode(way.direction, way.message, values)
     except (MeaningError, CodecError) as error:
@@ -55,21 +57,21 @@ def _judge(layout: DeviceLayout, way: _Way, frame: bytes) -> None:
     """Refuses a frame with a value that no codec can judge alone: one beyond the range of the parameter or of the
     register that it is written to.
     """
-    found = explained(layout, way.link, way.direction, frame, way.message)
-    wrong = [row for row in (*found.rows, *found.registers) if row.verdict.startswith("wrong")]
+    explanation = explained(layout, way.link, way.direction, frame, way.message)
+    wrong = [row for row in (*explanation.rows, *explanation.registers) if row.verdict.startswith("wrong")]
     if wrong and way.direction == "request":
-        said = "; ".join(f"{_row_name(row)} is {row.value or repr(row.number)}: {row.verdict}" for row in wrong)
-        raise UsageError(f"out_of_range: {said}")
+        reasons = "; ".join(f"{_row_name(row)} is {row.value or repr(row.number)}: {row.verdict}" for row in wrong)
+        raise UsageError(f"out_of_range: {reasons}")
 
 
 def _row_name(row: ExplanationRow) -> str:
-    """The path of a value, with the parameter that it is."""
+    """The path of a value, with the name of its parameter."""
     return row.path if not row.meanings or not row.meanings[0].name else f"{row.path} ({row.meanings[0].name})"
 
 
 @dataclass(frozen=True, slots=True)
 class _Way:
-    """Which message is sent, and which way."""
+    """The message, its link and its direction."""
 
     link: str
     direction: str
@@ -77,17 +79,17 @@ class _Way:
 
 
 def _way(layout: DeviceLayout, arguments: argparse.Namespace) -> tuple[_Way, list[str]]:
-    """The message, and the values behind it."""
-    pairs = list(arguments.given)
+    """The message, and the assignments of values."""
+    pairs = list(arguments.assignments)
     named = arguments.message is not None or arguments.words
     if not named and pairs and "=" not in pairs[0]:
         arguments.message = pairs.pop(0)
-    said = frame_options(layout, arguments)
-    if not said.message:
-        raise UsageError(f"nothing says which message it is; {layout.device.id} has {_some(layout.messages)}")
+    options = frame_options(layout, arguments)
+    if not options.message:
+        raise UsageError(f"name the message; {layout.device.id} has {_some(layout.messages)}")
     if arguments.direction:
-        return _Way(*said.places[0], said.message), pairs
-    return _Way(said.places[0][0], "request", said.message), pairs
+        return _Way(*options.places[0], options.message), pairs
+    return _Way(options.places[0][0], "request", options.message), pairs
 
 
 def _spoken(layout: DeviceLayout, way: _Way) -> str:
@@ -105,17 +107,17 @@ def _nested(pairs: list[str]) -> dict[str, object]:
     for pair in pairs:
         name, equals, value = pair.partition("=")
         if not equals or not name:
-            raise UsageError(f"{pair} is no NAME=VALUE")
+            raise UsageError(f"{pair} is not of the form NAME=VALUE")
         *path, last = name.split(".")
-        holder = root
+        occupant = root
         for step in path:
-            inner = holder.setdefault(step, {})
+            inner = occupant.setdefault(step, {})
             if not isinstance(inner, dict):
                 raise UsageError(f"{name}: {step} has a value of its own")
-            holder = inner
-        if last in holder:
-            raise UsageError(f"{name} is given twice")
-        holder[last] = value
+            occupant = inner
+        if last in occupant:
+            raise UsageError(f"{name} has two values")
+        occupant[last] = value
     return {name: _lists_of(value) for name, value in root.items()}
 
 
@@ -123,7 +125,7 @@ def _lists_of(value: object) -> object:
     """Mappings whose keys are 0, 1, ... as lists."""
     if not isinstance(value, dict):
         return value
-    inner = {key: _lists_of(held) for key, held in value.items()}
+    inner = {key: _lists_of(inner_value) for key, inner_value in value.items()}
     if sorted(inner, key=_order) == [str(number) for number in range(len(inner))]:
         return [inner[str(number)] for number in range(len(inner))]
     return inner
@@ -133,37 +135,37 @@ def _order(key: str) -> tuple[int, str]:
     return len(key), key
 
 
-def _by_print(layout: DeviceLayout, way: _Way, written: dict[str, object]) -> None:
-    """Puts our names in the place of the manual's."""
+def _by_print(layout: DeviceLayout, way: _Way, texts: dict[str, object]) -> None:
+    """Replaces printed names by the names of fields. Raises UsageError for a field with two values."""
     body = body_of(layout, way.link, way.direction, way.message, False)
     printed = {field.field.printed_name.lower(): field.name for field in body.fields if field.field.printed_name}
-    for name in [name for name in written if body.named(name) is None and name.lower() in printed]:
+    for name in [name for name in texts if body.named(name) is None and name.lower() in printed]:
         own = printed[name.lower()]
-        if own in written:
-            raise UsageError(f"{name} is {own}, which is given twice")
-        written[own] = written.pop(name)
+        if own in texts:
+            raise UsageError(f"{name} and {own} are the same field; give it one value")
+        texts[own] = texts.pop(name)
 
 
-def _with_address(layout: DeviceLayout, message: str, written: dict[str, object]) -> None:
-    """Puts the address of a register in the place of its name."""
+def _with_address(layout: DeviceLayout, message: str, texts: dict[str, object]) -> None:
+    """Replaces the name of a register by its address. Raises UsageError for a register in another space."""
     device = layout.device
     accesses = device.register_access(layout.messages[message].message)
-    named = written.get(accesses.start) if accesses else None
+    named = texts.get(accesses.start) if accesses else None
     register = device.register(named) if isinstance(named, str) else None
     if accesses is None or register is None:
         return
     theirs, ours = device.space_name(register.space), device.space_name(accesses.space)
     if theirs != ours:
         raise UsageError(f"{register.name} lies in {theirs}, and {message} {accesses.operation}s {ours}")
-    written[accesses.start] = register.address
+    texts[accesses.start] = register.address
 
 
-def _with_words(layout: DeviceLayout, message: str, written: dict[str, object]) -> None:
-    """Puts the words of registers in the place of quantities in their units, and of names."""
+def _with_words(layout: DeviceLayout, message: str, texts: dict[str, object]) -> None:
+    """Replaces quantities and names by the words of registers. Raises UsageError."""
     access = layout.device.register_access(layout.messages[message].message)
     if access is None or access.operation != "write":
         return
-    text, start = written.get(access.values), written.get(access.start)
+    text, start = texts.get(access.values), texts.get(access.start)
     address = number_of(start) if isinstance(start, str) else start
     if not isinstance(text, str) or not isinstance(address, int):
         return
@@ -173,46 +175,46 @@ def _with_words(layout: DeviceLayout, message: str, written: dict[str, object]) 
         return
     if not field.is_list and len(words) != 1:
         raise UsageError(f"{text} takes {len(words)} words, and {message} writes one")
-    written[access.values] = words if field.is_list else words[0]
+    texts[access.values] = words if field.is_list else words[0]
 
 
 def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -> None:
-    """Refuses a request to write what can only be read, or to read what can only be written."""
+    """Refuses to write what can only be read, and to read what can only be written. Raises UsageError."""
     accesses = layout.device.register_access(layout.messages[way.message].message)
     if accesses is None or way.direction != "request":
         return
-    held = values.get(accesses.values)
-    carried = bytes(2 * (len(held) if isinstance(held, list) else 0 if held is None else 1))
+    words = values.get(accesses.values)
+    carried = bytes(2 * (len(words) if isinstance(words, list) else 0 if words is None else 1))
     span = accessed(accesses, values, {}, 0, carried)
     why = forbidden(layout, span, accesses.operation) if span is not None else ""
     if why:
-        raise UsageError(f"{why}: no frame is made of it")
+        raise UsageError(f"{why}; no frame is written")
 
 
-def _count_of(layout: DeviceLayout, way: _Way, name: str, held: object) -> object:
+def _count_of(layout: DeviceLayout, way: _Way, name: str, text: object) -> object:
     """A value as counts, where that needs more than its own field: the number of a named parameter, and what is a
     share of a power of two, of which hardly any value in the unit is a whole number. Says what it rounds.
     """
     body = body_of(layout, way.link, way.direction, way.message, False)
     field = body.named(name)
     value = field.value if field else None
-    if value is None or not isinstance(held, str):
-        return held
+    if value is None or not isinstance(text, str):
+        return text
     if value.parameter is not None and value.parameter.part == "number":
-        number = parameter_number(layout.device, value.parameter.set, held)
-        return held if number is None else number
+        number = parameter_number(layout.device, value.parameter.set, text)
+        return text if number is None else number
     if "/" not in value.scale_text:
-        return held
-    count = nearest(value, held)
+        return text
+    count = nearest(value, text)
     if count is None or count.is_whole:
-        return held
-    which = "" if count.text.replace(" ", "") == held.replace(" ", "") else f", which is {count.text}"
-    print(f"fieldspec: {name}: {held} is {count.exact} counts; {count.raw} is sent{which}", file=sys.stderr)
+        return text
+    which = "" if count.text.replace(" ", "") == text.replace(" ", "") else f", which is {count.text}"
+    print(f"fieldspec: {name}: {text} is {count.exact} counts; {count.raw} is sent{which}", file=sys.stderr)
     return count.raw
 
 
 def _fields(layout: DeviceLayout, way: _Way) -> list[str]:
-    """What can be given: the parts of the head that no other part decides, and the fields of the body."""
+    """The names that take values: parts of the header that nothing else decides, and fields of the body."""
     shape = layout.links[way.link].frame(way.direction)
     head = [part.name for part in shape.head if part.role in ("unit_address", "plain") and not part.reserved]
     body = body_of(layout, way.link, way.direction, way.message, False)
@@ -239,3 +241,43 @@ def _print(layout: DeviceLayout, way: _Way, form: str, frame: bytes) -> None:
     print(frame.hex(" ").upper())
     if form == "text" and characters is not None:
         print(visible_text(characters))
+
+
+_COUNTS = re.compile(r"[-+]?(?:0x[0-9A-Fa-f]+|[0-9]+)(?:[, ]+[-+]?(?:0x[0-9A-Fa-f]+|[0-9]+))*")
+
+
+def register_words(layout: DeviceLayout, access: RegisterAccess, start: int, text: str) -> list[int] | None:
+    """The words of `50.00 mm, 0x0001`: a quantity or a name stands for the whole value of the register at its address.
+
+    None where all items are raw words. Raises UsageError for an item that no register at its address takes.
+    """
+    if _COUNTS.fullmatch(text.strip()):
+        return None
+    words: list[int] = []
+    for item in (item.strip() for item in text.split(",")):
+        words += _words(layout, access, start + len(words), item)
+    return words
+
+
+def _words(layout: DeviceLayout, access: RegisterAccess, address: int, item: str) -> Iterator[int]:
+    count = count_of(item)
+    if count is not None and 0 <= count <= 0xFFFF:
+        yield count
+        return
+    occupant = occupant_at(layout, access.space, address)
+    if occupant is None or occupant.value.size % 2:
+        raise UsageError(f"no register or field of words begins at 0x{address:04X}, so that `{item}` has no meaning")
+    data = _bytes(layout, occupant, item)
+    big = layout.device.byte_order == "big"
+    for at in range(0, len(data), 2):
+        yield int.from_bytes(data[at : at + 2], "big" if big else "little")
+
+
+def _bytes(layout: DeviceLayout, occupant: Occupant, item: str) -> bytes:
+    """The bytes of a value in the order of the registers."""
+    from fieldspec.reference.records import encoded_value, value_construct
+
+    raw = raw_value(layout.device, occupant.path, occupant.value, item)
+    known = encoded_value(occupant.path, occupant.value, raw, layout.device)
+    built: bytes = value_construct(occupant.value, occupant.order, occupant.swapped).build(known)
+    return built

@@ -1,4 +1,4 @@
-"""`fieldspec export`: the registers and parameters of a device as a list for other programs and people."""
+"""`fieldspec export`: the registers and parameters of a device as a list for people and other programs."""
 
 from __future__ import annotations
 
@@ -6,30 +6,30 @@ import argparse
 import sys
 from pathlib import Path
 
-from fieldspec.commands import compiled
-from fieldspec.commands.storing import write
+from fieldspec.commands import layout_cache
+from fieldspec.commands.storage import write
 from fieldspec.commands.usage import UsageError
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the list to a file, or to the output."""
+    """Writes the list to a file or to standard output."""
     from fieldspec.lists.export import as_csv, as_json, as_xlsx
     from fieldspec.lists.item import items
 
-    layout = compiled.asked(arguments)
-    held = items(layout)
-    if not held:
+    layout = layout_cache.requested_layout(arguments)
+    entries = items(layout)
+    if not entries:
         raise UsageError(f"{layout.device.id} has no registers and no parameters")
     if arguments.to == "xlsx":
-        data = as_xlsx(held, layout.device.id)
+        data = as_xlsx(entries, layout.device.id)
     else:
-        data = (as_csv(held) if arguments.to == "csv" else as_json(held)).encode("utf-8")
+        data = (as_csv(entries) if arguments.to == "csv" else as_json(entries)).encode("utf-8")
     if arguments.out is not None:
         write(Path(arguments.out), data)
     elif arguments.to != "xlsx":
         print(data.decode("utf-8"), end="")
     elif sys.stdout.isatty():
-        raise UsageError("a workbook is no text; name its file with --out")
+        raise UsageError("a workbook cannot be printed; name a file with --out")
     else:
         sys.stdout.buffer.write(data)
     return 0

@@ -1,4 +1,4 @@
-"""`fieldspec facts`: every fact of a device, one row each."""
+"""`fieldspec facts`: all facts of a device, one in each row."""
 
 from __future__ import annotations
 
@@ -7,27 +7,27 @@ import json
 import sys
 from decimal import Decimal
 
-from fieldspec.commands import compiled
+from fieldspec.commands import layout_cache
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Prints the facts as CSV or JSON."""
     from fieldspec.facts import COLUMNS, rows
 
-    found = rows(compiled.asked(arguments))
+    fact_rows = rows(layout_cache.requested_layout(arguments))
     if arguments.format == "csv":
         import csv
 
         writer = csv.writer(sys.stdout, lineterminator="\n")
         writer.writerow(COLUMNS)
-        writer.writerows([_csv(row[column]) for column in COLUMNS] for row in found)
+        writer.writerows([_csv(row[column]) for column in COLUMNS] for row in fact_rows)
     else:
-        print(json.dumps(found, ensure_ascii=False, indent=1, default=_number))
+        print(json.dumps(fact_rows, ensure_ascii=False, indent=1, default=_number))
     return 0
 
 
 def _number(cell: object) -> int | float:
-    """An exact decimal as a number of JSON, which prints as it is written in the spec."""
+    """An exact decimal as a JSON number, which prints as in the spec."""
     if isinstance(cell, Decimal):
         return int(cell) if cell == cell.to_integral_value() else float(cell)
     raise TypeError(type(cell).__name__)

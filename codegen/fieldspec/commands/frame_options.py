@@ -1,18 +1,24 @@
-"""The link, direction and message that the user names in options."""
+"""The options of a frame: its link, its direction and its message, as the device calls them."""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Collection, Iterable
+import os
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from contextlib import suppress
+from itertools import pairwise
 
+from fieldspec.commands import layout_cache, spec_files
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.readings import DIRECTIONS, FrameOptions, option_word
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import MessageLayout
+from fieldspec.model.quantity import count_of
+from fieldspec.reading.findings import MAIN
 
 
 def frame_options(layout: DeviceLayout, arguments: argparse.Namespace) -> FrameOptions:
-    """What the options say. Raises UsageError for what the device does not have."""
+    """The meaning of the options. Raises UsageError for names that the device does not have."""
     links = _links(layout, arguments.link)
     what, text, links = _word(layout, arguments, links)
     message = ""
@@ -30,7 +36,7 @@ def _links(layout: DeviceLayout, name: str | None) -> list[str]:
 
 
 def _word(layout: DeviceLayout, arguments: argparse.Namespace, links: list[str]) -> tuple[str, str, list[str]]:
-    """What a message is called, the one that is asked for, and the links that have such ones."""
+    """What a message is called, the requested name, and the links with such messages."""
     words = {f"--{option_word(link.link.message_name)}": link.link.message_name for link in layout.links.values()}
     named = [("--message", arguments.message)] if arguments.message is not None else []
     named += [(option.replace("_", "-"), text) for option, text in arguments.words]
@@ -42,7 +48,7 @@ def _word(layout: DeviceLayout, arguments: argparse.Namespace, links: list[str])
     if not named:
         return "message", "", links
     if len(named) > 1:
-        raise UsageError(f"{named[0][0]} and {named[1][0]} both say which message it is; give one of them")
+        raise UsageError(f"{named[0][0]} and {named[1][0]} both name the message; use one of them")
     ((option, text),) = named
     word = words.get(option, "message")
     if option == "--message":
@@ -55,17 +61,19 @@ def _word(layout: DeviceLayout, arguments: argparse.Namespace, links: list[str])
 
 
 def _message(layout: DeviceLayout, what: str, text: str, links: Collection[str]) -> str:
-    """The message of some links that a name or a number means."""
-    sent = {name: laid for link in links for name, laid in layout.links[link].messages.items()}
+    """The message with a name or a number, on some links. Raises UsageError."""
+    sent = {name: message for link in links for name, message in layout.links[link].messages.items()}
     if text in sent:
         return text
     number = number_of(text)
-    found = [name for name, laid in sent.items() if number is not None and laid.message.number == number]
-    found = found or [name for name, laid in sent.items() if number is not None and laid.message.code == number]
-    if len(found) == 1:
-        return found[0]
-    if found:
-        raise UsageError(f"{text} may be {' or '.join(found)}; say which by its name")
+    candidates = [name for name, message in sent.items() if number is not None and message.message.number == number]
+    candidates = candidates or [
+        name for name, message in sent.items() if number is not None and message.message.code == number
+    ]
+    if len(candidates) == 1:
+        return candidates[0]
+    if candidates:
+        raise UsageError(f"{text} may be {' or '.join(candidates)}; use the name")
     elsewhere = [link.name for link in layout.links.values() if text in link.messages]
     if elsewhere:
         raise UsageError(f"{text} is not sent on {' or '.join(links)}, but on {' and '.join(elsewhere)}")
@@ -74,16 +82,16 @@ def _message(layout: DeviceLayout, what: str, text: str, links: Collection[str])
 
 def _numbers(sent: Iterable[MessageLayout]) -> Iterable[str]:
     """The numbers of messages, or else their names."""
-    held = list(sent)
-    numbers = [str(laid.message.number) for laid in held if laid.message.number is not None]
-    return numbers or [laid.name for laid in held]
+    messages = list(sent)
+    numbers = [str(message.message.number) for message in messages if message.message.number is not None]
+    return numbers or [message.name for message in messages]
 
 
 def number_of(text: str) -> int | None:
     """`0x2011`, `2011h` or `8209` as a number."""
     digits = text[:-1] if text[-1:] in ("h", "H") else text
     try:
-        return int(digits, 16) if digits != text else int(text, 0)
+        return int(digits, 16) if digits != text else count_of(text)
     except ValueError:
         return None
 
@@ -91,7 +99,7 @@ def number_of(text: str) -> int | None:
 def _places(
     layout: DeviceLayout, links: Collection[str], text: str | None, others: Collection[str]
 ) -> tuple[tuple[str, str], ...]:
-    """The links that have a direction of that name, with the direction. A name of the link goes before our words."""
+    """The links with a direction of that name. Names of the link take precedence over `request` and `response`."""
     if not text:
         return tuple((link, direction) for link in links for direction in DIRECTIONS)
     places = []
@@ -111,6 +119,26 @@ def _places(
 
 
 def direction_names(layout: DeviceLayout, link: str) -> tuple[str, str]:
-    """What a link calls its directions: to the device, and from it."""
-    held = layout.links[link].link
-    return held.request_name, held.response_name
+    """The names that a link has for its directions: to the device, and from it."""
+    named_link = layout.links[link].link
+    return named_link.request_name, named_link.response_name
+
+
+def device_help(arguments: Sequence[str]) -> str:
+    """What `--help` adds for the device among some arguments: its messages and directions. Empty without a device."""
+    with suppress(UsageError):
+        specs_option = next((after for before, after in pairwise(arguments) if before == "--specs"), None)
+        path = spec_files.folder(specs_option)
+        for argument in arguments:
+            name, _ = spec_files.split(argument)
+            if not name.startswith("-") and name and os.path.isfile(os.path.join(path, name, MAIN)):
+                return " ".join(_sentences(layout_cache.layout(specs_option, argument)))
+    return ""
+
+
+def _sentences(layout: DeviceLayout) -> Iterator[str]:
+    for link in layout.links.values():
+        messages = (message.message for message in link.messages.values())
+        names = ", ".join(message.name if message.number is None else str(message.number) for message in messages)
+        directions = " or ".join(direction_names(layout, link.name))
+        yield f"On {link.name}, --{option_word(link.link.message_name)} is one of {names}; --direction is {directions}."

@@ -1,4 +1,4 @@
-"""`fieldspec import`: the first file of a device, written from a register list that someone else has made."""
+"""`fieldspec import`: a first spec of a device, written from a register list of another source."""
 
 from __future__ import annotations
 
@@ -7,8 +7,7 @@ import hashlib
 import re
 from pathlib import Path
 
-from fieldspec.commands import list_files, specs, storing
-from fieldspec.commands.compare import COLUMNS
+from fieldspec.commands import list_files, specs, storage
 from fieldspec.commands.usage import UsageError
 from fieldspec.diagnostics import has_errors
 from fieldspec.reading.findings import MAIN
@@ -18,7 +17,7 @@ _FOLDER = re.compile(r"[^a-z0-9]+")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the file, or prints it for `-`; it refuses to write over another one, and what the check refuses."""
+    """Writes the file, or prints it for `-`. It overwrites no file, and writes none with errors."""
     from fieldspec.lists.cells import REFERENCE
     from fieldspec.lists.listing import listing, moved
     from fieldspec.lists.sheet import ListError
@@ -30,12 +29,12 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(f"there is a file {path} already")
     data = list_files.content(arguments.file)
     file = Path(arguments.file).name if arguments.file != "-" else "list.txt"
-    given = {role: text for role in COLUMNS if (text := getattr(arguments, role)) is not None}
+    columns = list_files.column_options(arguments)
     try:
         sheet = list_files.sheet(data, arguments.encoding or "", arguments.sheet or "")
-        found = listing(sheet, given, arguments.base or "")
-        base = REFERENCE if REFERENCE in found.bases else found.bases[0]
-        rows = list(moved(found.rows(base), arguments.offset or 0))
+        register_list = listing(sheet, columns, arguments.base or "")
+        base = REFERENCE if REFERENCE in register_list.bases else register_list.bases[0]
+        rows = list(moved(register_list.rows(base), arguments.offset or 0))
         low = next((row for row in rows if row.address < 0), None)
         if low is not None:
             raise ListError(f"has an address below 0 in row {low.row}, with the offset {arguments.offset}")
@@ -47,8 +46,8 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.to == "-":
         print(text, end="")
         return 0
-    storing.write(path, text.encode("utf-8"), new=True)
-    skipped = f", {len(found.skipped)} rows without an address" if found.skipped else ""
+    storage.write(path, text.encode("utf-8"), new=True)
+    skipped = f", {len(register_list.skipped)} rows without an address" if register_list.skipped else ""
     print(f"{specs.relative_path(path)}: {len(rows)} registers, addresses read as {base}{skipped}")
     return 0
 
@@ -56,20 +55,24 @@ def run(arguments: argparse.Namespace) -> int:
 def _device(path: Path) -> str:
     """The identity of the device: the name of the folder, or of the file."""
     name = path.resolve().parent.name if path.name == MAIN else path.stem
-    made = _FOLDER.sub("-", name.lower()).strip("-") or "device"
+    identity = _FOLDER.sub("-", name.lower()).strip("-") or "device"
     form = schema()["$defs"]["device_id"]
-    if path.name == MAIN and made != name:
-        raise UsageError(f"the folder {name} is no name of a device: {form['description']}")
-    if not re.fullmatch(form["pattern"], made) or len(made) > form["maxLength"]:
-        raise UsageError(f"{made} is no name of a device: {form['description']}")
-    return str(made)
+    if path.name == MAIN and identity != name:
+        raise UsageError(f"the folder {name} is not a valid name of a device: {form['description']}")
+    if not re.fullmatch(form["pattern"], identity) or len(identity) > form["maxLength"]:
+        raise UsageError(f"{identity} is no name of a device: {form['description']}")
+    return str(identity)
 
 
 def _passes(device: str, text: str, name: str) -> None:
-    """Refuses what would not pass the check: the list contradicts itself in a way that no skeleton can show."""
+    """Refuses a spec that would not pass the check, because the list contradicts itself. Raises UsageError."""
     from fieldspec import pipeline
+    from fieldspec.commands.plugin_loading import load_checks
 
-    found = pipeline.checked(pipeline.load({f"{device}/{MAIN}": text.encode("utf-8")}))
-    if has_errors(found):
-        said = "; ".join(dict.fromkeys(one.message for one in found if one.severity.value == "error"))
-        raise UsageError(f"{name} contradicts itself: {said[:400]}")
+    load_checks()
+    findings = pipeline.checked(pipeline.load({f"{device}/{MAIN}": text.encode("utf-8")}))
+    if has_errors(findings):
+        messages = "; ".join(
+            dict.fromkeys(finding.message for finding in findings if finding.severity.value == "error")
+        )
+        raise UsageError(f"{name} contradicts itself: {messages[:400]}")

@@ -1,13 +1,13 @@
-"""`fieldspec layout`: where a controller has the members of a record in its memory."""
+"""`fieldspec layout`: where a controller places the members of a record in memory."""
 
 from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator
 
-from fieldspec.commands import compiled
+from fieldspec.commands import layout_cache
 from fieldspec.commands.frame_options import number_of
-from fieldspec.commands.output import print_blocks, print_findings
+from fieldspec.commands.terminal import print_blocks, print_findings
 from fieldspec.commands.usage import unknown
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
@@ -19,11 +19,11 @@ from fieldspec.render.memory import blocks
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the places as a table and a drawing. Exit code 1 where they are not those on the wire."""
+    """Prints the offsets as a table and a drawing. Exit code 1 where they differ from those on the wire."""
     if arguments.target not in MEMORIES:
         raise unknown("target", arguments.target, MEMORIES)
     memory = MEMORIES[arguments.target]
-    layout = compiled.asked(arguments)
+    layout = layout_cache.requested_layout(arguments)
     wrong = []
     for number, (record, fact, title) in enumerate(_asked(layout, arguments.record)):
         if number:
@@ -39,26 +39,28 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _asked(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordLayout, Fact, str]]:
-    """The records that are meant, one for each type that a field can have, with what they are called."""
+    """The records that a name means, one for each case of a choice, with their titles. Raises UsageError."""
     known = list(_records(layout))
     number = number_of(name)
-    meant = [one for one in known if name == one[0].name]
-    meant = meant or [one for one in known if name in one[2] or (number is not None and str(number) in one[2])]
+    meant = [candidate for candidate in known if name == candidate[0].name]
+    meant = meant or [
+        candidate for candidate in known if name in candidate[2] or (number is not None and str(number) in candidate[2])
+    ]
     if not meant:
-        raise unknown(f"record of {layout.device.id}", name, {word for one in known for word in one[2]})
+        raise unknown(f"record of {layout.device.id}", name, {word for candidate in known for word in candidate[2]})
     for record, fact, _ in meant:
         for decided, chosen in choices(record):
             yield chosen, fact, f"{record.name}, {decided}" if decided else record.name
 
 
 def _records(layout: DeviceLayout) -> Iterator[tuple[RecordLayout, Fact, set[str]]]:
-    """All records with the words that mean them: records, those of tables, and the data of messages."""
+    """All records, of tables and messages too, with the words that name them."""
     for record in layout.records.values():
         tables = {table.name for table in layout.tables.values() if table.record is record}
         yield record, record.record, {record.name, *tables}
     for message in layout.messages.values():
-        held = message.message
+        model_message = message.message
         for data in (message.request, message.response):
             if data.fields:
-                number = {str(held.number)} if held.number is not None else set()
-                yield data, held, {data.name, held.name, *number}
+                number = {str(model_message.number)} if model_message.number is not None else set()
+                yield data, model_message, {data.name, model_message.name, *number}

@@ -1,8 +1,10 @@
-"""Files of register lists: reading, encoding and writing them."""
+"""Files of register lists, and the options that say how they are read."""
 
 from __future__ import annotations
 
+import argparse
 import sys
+from collections.abc import Sequence
 
 from fieldspec.commands import regular_file
 from fieldspec.commands.regular_file import SizeError
@@ -11,9 +13,17 @@ from fieldspec.lists.sheet import MOST_BYTES, ListError, Sheet
 from fieldspec.lists.text_sheet import text_sheet
 from fieldspec.lists.workbook import MAGIC, workbook_sheet
 
+COLUMNS = ("address", "space", "name", "words", "type", "access")
+"""The columns of a register list that an option names."""
+
+
+def column_options(arguments: argparse.Namespace, roles: Sequence[str] = COLUMNS) -> dict[str, str]:
+    """The columns that options name, by role."""
+    return {role: column for role in roles if (column := getattr(arguments, role)) is not None}
+
 
 def content(name: str) -> bytes:
-    """The bytes of a file, or of standard input for `-`."""
+    """The bytes of a file, or of standard input for `-`. Raises UsageError."""
     try:
         if name == "-":
             read = sys.stdin.buffer.read(MOST_BYTES + 1)
@@ -27,10 +37,10 @@ def content(name: str) -> bytes:
         raise UsageError(f"cannot read {name}: {error.strerror}") from None
 
 
-def sheet(held: bytes, encoding: str, named: str) -> Sheet:
-    """The rows of a list; what it is, its first bytes say and not its name."""
-    if held.startswith(MAGIC):
-        return workbook_sheet(held, named)
+def sheet(data: bytes, encoding: str, named: str) -> Sheet:
+    """The rows of a list. Its first bytes, not its name, decide whether it is a workbook. Raises ListError."""
+    if data.startswith(MAGIC):
+        return workbook_sheet(data, named)
     if named:
-        raise ListError("is no workbook, so there is no sheet to choose")
-    return text_sheet(held, encoding)
+        raise ListError("is not a workbook, so --sheet has no effect; leave it out")
+    return text_sheet(data, encoding)

@@ -1,4 +1,4 @@
-"""`fieldspec matrix`: facts by versions."""
+"""`fieldspec matrix`: the facts of all versions side by side."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import csv
 import sys
 
 from fieldspec.commands import specs
-from fieldspec.commands.output import print_blocks
+from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
 from fieldspec.commands.versions import each
 from fieldspec.facts import rows
@@ -16,25 +16,27 @@ from fieldspec.render.blocks import Line, Table
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints a row for each fact that is not the same in all versions, or for every fact."""
+    """Prints a row for each fact that differs between versions, or for every fact."""
     name, version = specs.split(arguments.device)
     if version:
-        raise UsageError(f"the matrix is of all versions; leave out @{version}")
+        raise UsageError(f"the matrix shows all versions; leave out @{version}")
     spec, _ = specs.spec_at(arguments.specs, name)
-    found = matrix({version: rows(specs.layout_of(spec, version)) for version in each(spec)}, arguments.all)
+    fact_matrix = matrix({version: rows(specs.layout_of(spec, version)) for version in each(spec)}, arguments.all)
     if arguments.format == "text":
-        print_blocks([_table(found)] if found.rows else [Line(f"all versions of {name} have the same facts")])
+        print_blocks(
+            [_table(fact_matrix)] if fact_matrix.rows else [Line(f"all versions of {name} have the same facts")]
+        )
     elif arguments.format == "csv":
         writer = csv.writer(sys.stdout, lineterminator="\n")
-        writer.writerow(("path", "kind", *found.versions))
-        writer.writerows((row.path, row.kind, *row.cells) for row in found.rows)
+        writer.writerow(("path", "kind", *fact_matrix.versions))
+        writer.writerows((row.path, row.kind, *row.cells) for row in fact_matrix.rows)
     else:
         from fieldspec.render.matrix_html import rendered
 
-        print(rendered(spec.id, found), end="")
+        print(rendered(spec.id, fact_matrix), end="")
     return 0
 
 
-def _table(found: Matrix) -> Table:
-    cells = tuple((row.path, *(cell or "-" for cell in row.cells)) for row in found.rows)
-    return Table(("fact", *found.versions), cells)
+def _table(matrix: Matrix) -> Table:
+    cells = tuple((row.path, *(cell or "-" for cell in row.cells)) for row in matrix.rows)
+    return Table(("fact", *matrix.versions), cells)

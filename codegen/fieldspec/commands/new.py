@@ -1,4 +1,4 @@
-"""`fieldspec new`: the first file of a device, or the file of a version, with comments that say how to go on."""
+"""`fieldspec new`: the first file of a device or the file of a version, with comments on the next steps."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from importlib import resources
 from pathlib import Path
 from string import Template
 
-from fieldspec.commands import regular_file, specs
-from fieldspec.commands.sources import INSTALLED
-from fieldspec.commands.storing import write
+from fieldspec.commands import regular_file, spec_files, specs
+from fieldspec.commands.spec_files import INSTALLED
+from fieldspec.commands.storage import write
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.reading.findings import LARGEST_FILE, MAIN, PROTOCOLS, VERSIONS
 from fieldspec.reading.nodes import Mapping, Scalar, identity, mappings
@@ -21,17 +21,17 @@ from fieldspec.reading.yaml_reader import decoded, parsed
 from fieldspec.schema import schema
 
 SHAPES = ("packet", "telegram")
-"""The skeletons of devices that share no protocol."""
+"""The skeletons of devices without a protocol."""
 
 _EDITORS = "# yaml-language-server: $$schema=$schema\n"
 """The line that tells editors where the schema is."""
 
-# Sections of a protocol whose items a device cites, and the key that an item needs there.
+# The sections of a protocol whose entries a device must cite, and the key that an entry needs there.
 _CITED = {"links": "", "messages": "", "enums": "", "records": "fields"}
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the file; it refuses to write over another one."""
+    """Writes the file; never overwrites one."""
     if arguments.kind == "version":
         path, text = _version(arguments)
     else:
@@ -47,7 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _version(arguments: argparse.Namespace) -> tuple[Path, str]:
     if arguments.version is None:
-        raise UsageError("name the version: fieldspec new version DEVICE VERSION --based-on VERSION")
+        raise UsageError("name the version; use: fieldspec new version DEVICE VERSION --based-on VERSION")
     spec, newest = specs.spec_at(arguments.specs, arguments.name)
     base = arguments.based_on or newest
     if base not in spec.lines.place:
@@ -56,14 +56,19 @@ def _version(arguments: argparse.Namespace) -> tuple[Path, str]:
         raise UsageError(f"{arguments.name} has a version {arguments.version} already")
     _fits(arguments.version, "version", "a version")
     line = arguments.line or _line_of(spec, base)
-    known = [identity(held) or "" for held in mappings(spec.tree.values.get("versions"))]
+    known = [identity(version_line) or "" for version_line in mappings(spec.tree.values.get("versions"))]
     if line not in known:
         raise unknown(f"line of versions of {arguments.name}", line, known)
     after = ""
     if line != _line_of(spec, base):
-        members = [one.id for held in spec.at(newest)[0].lines if held.name == line for one in held.versions]
+        members = [
+            version.id
+            for version_line in spec.at(newest)[0].lines
+            if version_line.name == line
+            for version in version_line.versions
+        ]
         after = f'  after: "{members[-1]}"\n'
-    path = specs.writable(arguments.specs) / arguments.name / VERSIONS / f"{arguments.version}.yaml"
+    path = specs.writable_folder(arguments.specs) / arguments.name / VERSIONS / f"{arguments.version}.yaml"
     return path, _filled(
         "version",
         path,
@@ -83,12 +88,13 @@ def _line_of(spec: DeviceSpec, version: str) -> str:
 
 def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
     if arguments.version is not None:
-        raise UsageError("a new device has no version yet: fieldspec new device NAME --protocol PROTOCOL")
+        raise UsageError("a new device has no version yet; use: fieldspec new device NAME --protocol PROTOCOL")
     name = arguments.name
     _fits(name, "device_id", "a device")
     folder = specs.folder(arguments.specs)
     folder = Path(specs.FOLDER) if str(folder) == INSTALLED else folder
-    places = {path.stem: path for place in (Path(INSTALLED), folder) for path in (place / PROTOCOLS).glob("*.yaml")}
+    places = {name: Path(path) for name, path in spec_files.installed_protocols().items()}
+    places |= {path.stem: path for path in (folder / PROTOCOLS).glob("*.yaml")}
     protocols = sorted(places)
     if arguments.protocol is None or arguments.protocol not in (*SHAPES, *protocols):
         raise unknown("protocol", arguments.protocol or "", [*protocols, *SHAPES])
@@ -101,24 +107,24 @@ def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
 
 
 def _bring_protocols(folder: Path, name: str) -> None:
-    """Copies a protocol, and those that it uses, from the specs of the installation, unless they are there already."""
-    if (folder / PROTOCOLS / f"{name}.yaml").exists():
-        return
-    files = specs.files(INSTALLED, frozenset([PROTOCOLS]))
+    """Copies a protocol of fieldspec, and those that it uses, unless they are there already."""
+    own = spec_files.bundled_protocols()
     waiting = [name]
-    for one in waiting:
-        path = f"{PROTOCOLS}/{one}.yaml"
-        tree, _ = parsed(decoded(path, files[path])[0])
+    for protocol in waiting:
+        path = f"{PROTOCOLS}/{protocol}.yaml"
+        if (folder / path).exists() or protocol not in own:
+            continue
+        data = regular_file.content(own[protocol], LARGEST_FILE)
+        tree, _ = parsed(decoded(path, data)[0])
         if isinstance(tree, Mapping):
             used = (use.values.get("protocol") for use in mappings(tree.values.get("uses")))
             waiting += [use.text for use in used if isinstance(use, Scalar) and use.text not in waiting]
-        if not (folder / path).exists():
-            write(folder / path, files[path], new=True)
-            print(specs.relative_path(folder / path))
+        write(folder / path, data, new=True)
+        print(specs.relative_path(folder / path))
 
 
 def _overlays(path: Path) -> Iterator[str]:
-    """A line for each item of a protocol that a device has to cite."""
+    """A line for each entry of a protocol that a device must cite. Raises UsageError."""
     try:
         content = regular_file.content(path, LARGEST_FILE)
     except OSError as error:
@@ -141,12 +147,12 @@ def _overlays(path: Path) -> Iterator[str]:
 def _fits(text: str, form: str, what: str) -> None:
     part = schema()["$defs"][form]
     if not re.fullmatch(part["pattern"], text) or len(text) > part["maxLength"]:
-        raise UsageError(f"{text} is no name of {what}: {part['description']}")
+        raise UsageError(f"{text} is not a valid name of {what}: {part['description']}")
 
 
 def _filled(skeleton: str, path: Path, **words: str) -> str:
     text = resources.files("fieldspec").joinpath(f"skeletons/{skeleton}.yaml").read_text("utf-8")
     up = "../" * (2 if path.parent.name != VERSIONS else 3)
-    if Path(INSTALLED).is_dir():  # nobody knows where the schema lies from there
+    if Path(INSTALLED).is_dir():  # the schema is not beside the specs
         text = text.removeprefix(_EDITORS)
     return Template(text).substitute(words, schema=f"{up}codegen/fieldspec/schema/spec.schema.json")

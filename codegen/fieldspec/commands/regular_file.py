@@ -1,7 +1,7 @@
-"""Bytes of regular files, bounded in size before any of them is read.
+"""Reads regular files of a bounded size.
 
-A pipe can wait for ever, a device can go on for ever, and a sparse file can claim to be larger than the memory. So a
-file is opened in a way that does not wait, and looked at before it is read.
+A pipe can block, a device may never end, and a sparse file can claim to be larger than the memory. So a file is opened
+without waiting, and its type and size are checked before it is read.
 """
 
 from __future__ import annotations
@@ -33,13 +33,13 @@ class IrregularError(OSError):
 
 
 class SizeError(OSError):
-    """A file with more bytes than are read; `size` is how many it has, as far as that is known."""
+    """A file that is too large; `size` is its number of bytes, as far as that is known."""
 
     size = 0
 
 
 def content(path: str | os.PathLike[str], most: int, flags: int = 0) -> bytes:
-    """The bytes of a regular file that has at most `most` of them.
+    """The bytes of a regular file with at most `most` bytes.
 
     Raises IrregularError, SizeError, and any other OSError of the system; each names the file.
     """
@@ -64,7 +64,7 @@ def content(path: str | os.PathLike[str], most: int, flags: int = 0) -> bytes:
 
 
 def regular(state: os.stat_result, path: str | os.PathLike[str], most: int) -> int:
-    """The size of a file in bytes. Raises IrregularError or SizeError for one that is not to be read."""
+    """The size of a file in bytes. Raises IrregularError, or SizeError where it is above `most`."""
     if not stat.S_ISREG(state.st_mode):
         raise _irregular(state.st_mode, path)
     if state.st_size > most:

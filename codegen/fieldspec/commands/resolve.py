@@ -1,4 +1,4 @@
-"""`fieldspec resolve`: the one whole spec of a version, with the place of each value."""
+"""`fieldspec resolve`: the complete spec of a version, with the place of each value."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from fieldspec.commands import specs
 from fieldspec.reading.nodes import Mapping, Sequence
 from fieldspec.render.resolved import resolved
 
-# What the tree has written out already; read again, it would be written out twice.
+# Keys whose content the tree contains already, expanded; read again, it would be expanded twice.
 _EXPANDED = {"registers": "copies", "enums": "derived"}
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the spec as YAML; protocols, overlays and copies are in it, and only facts of the version."""
+    """Prints the spec as YAML: with protocols, overlays and copies, and only the facts of the version."""
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     tree = spec.tree_at(version).without("uses")
     for section, key in _EXPANDED.items():
-        held = tree.values.get(section)
-        if isinstance(held, Sequence):
-            items = tuple(item.without(key) if isinstance(item, Mapping) else item for item in held.items)
-            tree = tree.with_value(section, replace(held, items=items))
+        section_items = tree.values.get(section)
+        if isinstance(section_items, Sequence):
+            items = tuple(item.without(key) if isinstance(item, Mapping) else item for item in section_items.items)
+            tree = tree.with_value(section, replace(section_items, items=items))
     print(resolved(tree), end="")
     return 0

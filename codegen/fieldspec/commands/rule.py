@@ -1,19 +1,21 @@
-"""`fieldspec rule`: what a rule of findings or of changes says, why, an example, and the cure."""
+"""`fieldspec rule`: what a rule demands, why, an example, and the cure."""
 
 from __future__ import annotations
 
 import argparse
 
-from fieldspec.commands.output import print_blocks
+from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import unknown
 from fieldspec.render.blocks import Line, Table
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints one rule, or a list of all."""
-    from fieldspec.rules import all_rules, change_rules
+    """Prints a rule, or a list of all rules."""
+    from fieldspec.commands.plugin_loading import load_checks
+    from fieldspec.rules import all_rules, change_rules, installed_rules
 
-    findings, changes = all_rules(), change_rules()
+    load_checks()
+    findings, changes = (*all_rules(), *installed_rules()), change_rules()
     if arguments.code is None:
         print_blocks(
             [

@@ -1,12 +1,12 @@
-"""`fieldspec show`: a device, or one item of it, with its bits drawn."""
+"""`fieldspec show`: a device or one of its items, with its bits drawn."""
 
 from __future__ import annotations
 
 import argparse
 
-from fieldspec.commands import compiled
+from fieldspec.commands import layout_cache
 from fieldspec.commands.frame_options import number_of
-from fieldspec.commands.output import print_blocks
+from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import unknown
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.render.item import Item, handles, items, numbered, unnamed
@@ -15,8 +15,8 @@ from fieldspec.render.overview import overview
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints an overview of the device, or every item that the given text means."""
-    layout = compiled.asked(arguments)
+    """Prints an overview of the device, or every item that a text names."""
+    layout = layout_cache.requested_layout(arguments)
     if arguments.item is None:
         print_blocks(overview(layout))
         return 0
@@ -29,22 +29,22 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
-    """The items with a name, else those with an address or a number; our names go before the manual's words."""
+    """The items with a name, else those with an address or a number; names of the spec come before printed ones."""
     known = list(items(layout))
     for exact in (True, False):
         for place in range(3):
-            found = [item for item in known if text and _called(item, text, place, exact)]
-            if found:
-                return found
-    found = [item for item in known if number is not None and numbered(item, number)]
-    found = found or list(unnamed(layout, text, number))
-    if not found:
+            matches = [item for item in known if text and _called(item, text, place, exact)]
+            if matches:
+                return matches
+    matches = [item for item in known if number is not None and numbered(item, number)]
+    matches = matches or list(unnamed(layout, text, number))
+    if not matches:
         names = {handle for item in known for handle in handles(item) if handle}
         raise unknown(f"item of {layout.device.id}", text, names)
-    return found
+    return matches
 
 
 def _called(item: Item, text: str, place: int, exact: bool) -> bool:
-    """Whether a text is one of the handles of an item, capital letters being others only where it is `exact`."""
+    """Whether a text is one of the handles of an item; upper and lower case differ only where it is `exact`."""
     handle = "".join(handles(item)[place : place + 1])
     return handle == text if exact else handle.lower() == text.lower()

@@ -1,12 +1,21 @@
-"""Finds the specs' folder, reads its files, and picks devices and versions."""
+"""Reads specs, and selects devices and versions. It imports the compiler; `spec_files` does not."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 from fieldspec.checks.layout_conditions import has_layout
-from fieldspec.commands import sources
-from fieldspec.commands.sources import FOLDER, VARIABLE, files, of_devices, relative_path, split
+from fieldspec.commands import spec_files
+from fieldspec.commands.spec_files import (
+    FOLDER,
+    VARIABLE,
+    files,
+    of_devices,
+    origins,
+    relative_path,
+    split,
+    with_protocols,
+)
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
@@ -18,60 +27,62 @@ __all__ = [
     "files",
     "folder",
     "layout_of",
+    "origins",
     "picked",
     "project",
     "relative_path",
     "spec_at",
     "split",
     "unsound",
-    "writable",
+    "with_protocols",
+    "writable_folder",
 ]
 
 
-def folder(given: str | None) -> Path:
-    """The specs' folder, as `sources` finds it."""
-    return Path(sources.folder(given))
+def folder(specs_option: str | None) -> Path:
+    """The folder with the specs. Raises UsageError."""
+    return Path(spec_files.folder(specs_option))
 
 
-def writable(given: str | None) -> Path:
-    """The specs' folder for a verb that writes into it, as `sources` finds it."""
-    return Path(sources.writable(given))
+def writable_folder(specs_option: str | None) -> Path:
+    """The folder with the specs, for a verb that writes there. Raises UsageError."""
+    return Path(spec_files.writable_folder(specs_option))
 
 
-def project(given: str | None, devices: frozenset[str] = frozenset()) -> Project:
-    """The project in the specs' folder; devices that are asked for must be there."""
-    path, held = of_devices(given, devices)
-    return read(held, devices, relative_path(path))
+def project(specs_option: str | None, devices: frozenset[str] = frozenset()) -> Project:
+    """The project in the folder with the specs. Raises UsageError for unknown devices."""
+    path, contents = of_devices(specs_option, devices)
+    return read(contents, devices, relative_path(path), origins(contents))
 
 
 def picked(spec: DeviceSpec, version: str) -> str:
-    """The version that is asked for, or the newest."""
+    """The requested version, or the newest. Raises UsageError for an unknown one."""
     known = spec.versions()
     if not version:
         return known[-1]
-    for one in version.split(JOINT):
-        if one not in spec.lines.place and version not in known:
-            raise unknown(f"version of {spec.id}", one, spec.lines.place)
+    for part in version.split(JOINT):
+        if part not in spec.lines.place and version not in known:
+            raise unknown(f"version of {spec.id}", part, spec.lines.place)
     return version
 
 
-def spec_at(given: str | None, text: str) -> tuple[DeviceSpec, str]:
-    """The spec of `DEVICE` or `DEVICE@VERSION` and the version, for verbs that look at the spec as it is written."""
+def spec_at(specs_option: str | None, text: str) -> tuple[DeviceSpec, str]:
+    """The spec of `DEVICE` or `DEVICE@VERSION`, and the version. Raises UsageError."""
     name, version = split(text)
-    found = project(given, frozenset([name]))
-    if name not in found.devices:
+    read_specs = project(specs_option, frozenset([name]))
+    if name not in read_specs.devices:
         raise unsound(name)
-    spec = found.devices[name]
+    spec = read_specs.devices[name]
     return spec, picked(spec, version)
 
 
 def unsound(name: str) -> UsageError:
-    """That a verb which does not judge specs cannot use that of a device."""
+    """The error of a verb that cannot use a spec with findings."""
     return UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
 
 
 def layout_of(spec: DeviceSpec, version: str) -> DeviceLayout:
-    """The layout of a device at a version."""
+    """The layout of a device at a version. Raises UsageError for a spec with errors."""
     device, broken = spec.at(version)
     if has_errors(broken) or not has_layout(device):
         raise unsound(spec.id)

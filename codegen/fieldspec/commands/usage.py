@@ -7,24 +7,24 @@ from collections.abc import Iterable
 
 
 class UsageError(Exception):
-    """A call that cannot be carried out: one line that says what is wrong and what to do. Exit code 2."""
+    """Wrong use: one line that says what is wrong and what to do. Exit code 2."""
 
 
-def unknown(what: str, given: str, known: Iterable[str], most: int = 20) -> UsageError:
-    """That there is no such thing, with the nearest one, or all of them, if they are not more than `most`."""
+def unknown(what: str, name: str, known: Iterable[str], most: int = 20) -> UsageError:
+    """The error for an unknown name, with the nearest known one, or all if there are not more than `most`."""
     import difflib
 
     names = sorted(set(known), key=_in_order)
-    near = [] if given.isdecimal() else difflib.get_close_matches(given, names, 1, 0.6)
+    near = [] if name.isdecimal() else difflib.get_close_matches(name, names, 1, 0.6)
     if near:
         hint = f"did you mean {near[0]}?"
     elif names and len(names) <= most:
         hint = f"there are {', '.join(names)}"
     else:
         hint = f"there are {len(names)} of them" if names else "there are none"
-    return UsageError(f"there is no {what} {given}; {hint}")
+    return UsageError(f"there is no {what} {name}; {hint}")
 
 
 def _in_order(name: str) -> list[object]:
-    """By letters, and by what numbers count."""
+    """A sort key: letters as letters, digits as numbers."""
     return [int(part) if number % 2 else part for number, part in enumerate(re.split(r"([0-9]{1,9})", name))]

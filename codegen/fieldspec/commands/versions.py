@@ -1,4 +1,4 @@
-"""`fieldspec versions`: the versions of a device, and what depends on them."""
+"""`fieldspec versions`: the versions of a device and what depends on them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from fieldspec.commands import specs
-from fieldspec.commands.output import print_blocks
+from fieldspec.commands.terminal import print_blocks
 from fieldspec.reading.nodes import Mapping, Node, Scalar, children
 from fieldspec.reading.project import DeviceSpec
 from fieldspec.reading.versions import named
@@ -28,13 +28,13 @@ def run(arguments: argparse.Namespace) -> int:
     for number, line in enumerate(device.lines):
         rows = [
             (
-                held.id,
-                "yes" if held.id in spec.versions() else "shared" if held.id in spec.lines.alike else "",
-                spec.bases.get(held.id, ""),
-                *(str(counts[bound][held.id] or "") for bound in _BOUNDS),
-                held.doc or held.inferred or held.title,
+                version.id,
+                "yes" if version.id in spec.versions() else "shared" if version.id in spec.lines.alike else "",
+                spec.bases.get(version.id, ""),
+                *(str(counts[bound][version.id] or "") for bound in _BOUNDS),
+                version.doc or version.inferred or version.title,
             )
-            for held in line.versions
+            for version in line.versions
         ]
         title = Line(line.title or line.name, "bold")
         print_blocks([*([Line("")] if number else []), title, Table(_HEADINGS, tuple(rows))])
@@ -42,16 +42,16 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _named(node: Node, bound: str) -> Iterator[str]:
-    """The versions that a bound names, once for each fact that has it."""
+    """The versions that a bound names, once for each fact with that bound."""
     if isinstance(node, Mapping):
-        yield from (held.text for held in named(node.values.get(bound)))
+        yield from (scalar.text for scalar in named(node.values.get(bound)))
     for _, inner in children(node):
         if not isinstance(inner, Scalar):
             yield from _named(inner, bound)
 
 
 def each(spec: DeviceSpec) -> list[str]:
-    """Every version of a device on its own; of lines without outputs, which say what it is too, beside the newest."""
+    """Every version of a device; those of lines without outputs are joined with the newest version."""
     built = spec.versions()
     others = [version for version in spec.lines.place if version not in built]
-    return [*built, *(one if one in spec.lines.alike else f"{built[-1]}+{one}" for one in others)]
+    return [*built, *(other if other in spec.lines.alike else f"{built[-1]}+{other}" for other in others)]

@@ -1,4 +1,4 @@
-"""The rows of a frame body, and the references of its conversions."""
+"""The body of a frame, field by field, and quantities as percentages of their references."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from decimal import Context, Decimal
 
 from fieldspec.classes import replace
 from fieldspec.explain.parameters import with_parameter
-from fieldspec.explain.row import ExplanationRow, Spot, errata_at, fact_row, wrong_row
+from fieldspec.explain.row import ExplanationRow, Spot, errata_at, fact_row, surplus_row, wrong_row
 from fieldspec.explain.values import DecodedValue, Meaning, decimal_text, decode_value, in_unit
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
@@ -20,29 +20,29 @@ from fieldspec.model.value import Conversion, Value
 _EXACT = Context(prec=200)
 
 
-def with_share(device: Device, row: ExplanationRow, field: FieldLayout, number: Raw) -> ExplanationRow:
-    """A row of a field that places a signal, with the quantities of which the signal is a share."""
+def with_percentages(device: Device, row: ExplanationRow, field: FieldLayout, number: Raw) -> ExplanationRow:
+    """The row of a field that carries a signal, with the percentages that its conversions give."""
     if not field.field.signal or not isinstance(number, int):
         return row
-    shares = tuple(
-        Meaning(conversion.name, conversion.label, share_text(device, conversion, number), "")
+    meanings = tuple(
+        Meaning(conversion.name, conversion.label, percentage_text(device, conversion, number), "")
         for conversion in device.conversions.values()
         if field.field.signal in conversion.signals
     )
-    return replace(row, meanings=(*row.meanings, *shares)) if shares else row
+    return replace(row, meanings=(*row.meanings, *meanings)) if meanings else row
 
 
-def share_text(device: Device, conversion: Conversion, number: int) -> str:
-    """`50 % of Pt317 (3000 rpm by default) or Pt386`"""
+def percentage_text(device: Device, conversion: Conversion, number: int) -> str:
+    """The percentage that a count stands for: `50 % of Pt317 (3000 rpm by default) or Pt386`."""
     from fractions import Fraction
 
     percent = conversion.quantity(number, Fraction(100))
-    share = _EXACT.divide(Decimal(percent.numerator), Decimal(percent.denominator))
-    return f"{decimal_text(share)} % of {references_text(device, conversion)}"
+    exact = _EXACT.divide(Decimal(percent.numerator), Decimal(percent.denominator))
+    return f"{decimal_text(exact)} % of {references_text(device, conversion)}"
 
 
 def references_text(device: Device, conversion: Conversion) -> str:
-    """The references of a conversion by their printed names, with their defaults."""
+    """The printed names of a conversion's references with their defaults: `Pt317 (3000 rpm by default) or Pt386`."""
     return " or ".join(_reference(device, path) for path in conversion.references) or "its reference"
 
 
@@ -55,7 +55,7 @@ def _reference(device: Device, path: str) -> str:
 
 
 def _values(device: Device) -> Iterator[tuple[Fact, Value]]:
-    """Everything that may hold a reference."""
+    """The facts that a conversion can refer to, with their values."""
     for words in device.parameters.values():
         yield from ((parameter, parameter.value) for parameter in words.parameters)
     yield from ((register, register.value) for register in device.registers())
@@ -65,8 +65,8 @@ def _values(device: Device) -> Iterator[tuple[Fact, Value]]:
 class Body:
     """The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes.
 
-    `rows` and `values` are filled as far as the bytes go. `asked` are the values of the request that is
-    answered. `outer` is the message, or whatever else cites the manual for fields that do not.
+    `rows` and `values` go as far as the bytes do. `asked` are the values of the request that the frame answers.
+    `outer` is the message or the record; its sources stand in for fields without their own.
     """
 
     def __init__(
@@ -83,7 +83,7 @@ class Body:
         self.layout, self.outer, self.spot, self.asked = layout, outer, spot, asked
         self.data, self.start, self.end = data, start, end
         self.record = record.of_data(data[start:end]) or record
-        self.written = isinstance(outer, Message) and record.record is outer.request
+        self.is_request = isinstance(outer, Message) and record.record is outer.request
         self.values: dict[str, Raw] = {}
         self.rows = list(self._rows())
 
@@ -101,12 +101,10 @@ class Body:
                 yield self._missing(number, at)
                 return
         if at < self.end:
-            over = self.data[at : self.end]
-            text = f"{len(over)} bytes are over"
-            yield wrong_row(self.spot, at, over, "wrong_length", text)
+            yield surplus_row(self.spot, at, self.data[at : self.end])
 
     def _count(self, field: FieldLayout) -> int:
-        """How many elements of a field belong here: all that there is room for, where their number is free."""
+        """How many elements the field should have: as many as fit if their number is free."""
         repeat = field.field.repeat
         if repeat is None:
             return field.count or 0
@@ -114,7 +112,7 @@ class Body:
         return min(max(room, repeat.low), repeat.high)
 
     def _missing(self, number: int, at: int) -> ExplanationRow:
-        """The row where the body ends too early."""
+        """The row of the place where the body ends too early."""
         field = self.record.fields[number]
         missing = self.record.least - (self.end - self.start)
         later = ", ".join(other.name for other in self.record.fields[number:])
@@ -122,35 +120,35 @@ class Body:
         return self._wrong(field, at, "incomplete", text)
 
     def _undecided(self, field: FieldLayout, at: int) -> ExplanationRow:
-        """The row of what nobody can read, because the field that decides about it has a value without a case."""
+        """The row of a field whose type is open, because the field that decides it has a value without a case."""
         size, by = self.end - self.start, self.record.selector
         assert by is not None
         if size < self.record.least:
             return self._missing(len(self.record.fields) - 1, at)
         long = self.record.most is not None and size > self.record.most
-        reason, text = "unknown_value", f"{by.name} {self.values[by.name]!r} does not say what lies here"
+        reason, text = "unknown_value", f"{by.name} {self.values[by.name]!r} does not decide the type of {field.name}"
         if long:
-            reason, text = "wrong_length", f"{text}; {field.name} are {size - (self.record.most or 0)} bytes too long"
+            reason, text = "wrong_length", f"{text}, which is {size - (self.record.most or 0)} bytes too long"
         return self._wrong(field, at, reason, text)
 
     def _wrong(self, field: FieldLayout, at: int, reason: str, text: str) -> ExplanationRow:
-        """The row of the rest of the body, in which a field should lie."""
+        """The row of the rest of the body, where a field is expected."""
         path = field.field.place.path
         row = wrong_row(self.spot, at, self.data[at : self.end], reason, text, field.name, path)
         return replace(row, errata=errata_at(self.layout.device, path))
 
     def _field(self, field: FieldLayout, at: int, count: int) -> Iterator[ExplanationRow]:
-        """The rows of the elements of one field; adds their values."""
-        held: list[Raw] = []
+        """The rows of the elements of one field. Adds their values to `values`."""
+        values: list[Raw] = []
         for index in range(count):
             path = f"{field.name}[{index}]" if field.is_list else field.name
             rows, value = self._element(field, path, at + index * field.size, index)
-            held.append(value)
+            values.append(value)
             yield from rows
         if field.is_list:
-            self.values[field.name] = held
-        elif held:
-            self.values[field.name] = held[0]
+            self.values[field.name] = values
+        elif values:
+            self.values[field.name] = values[0]
 
     def _element(self, field: FieldLayout, path: str, at: int, index: int) -> tuple[list[ExplanationRow], Raw]:
         """The rows and the value of one element of a field of the message."""
@@ -159,7 +157,7 @@ class Body:
         return self._value(field, path, at, index, top=True)
 
     def _inner(self, record: RecordLayout, path: str, at: int) -> tuple[list[ExplanationRow], Raw]:
-        """The rows and the values of a record within the body, all of whose bytes are there."""
+        """The rows and the values of a record within the body. All of its bytes are there."""
         rows: list[ExplanationRow] = []
         values: dict[str, Raw] = {}
         for field in record.fields:
@@ -186,11 +184,11 @@ class Body:
         if top:
             read = self._measured(field, self._repeated(field, read))
         row = fact_row(device, "field", path, field.field, self.spot, at, raw, read, self.outer)
-        row = with_parameter(device, row, field, index, {**self.asked, **self.values}, self.outer, self.written)
-        return [with_share(device, row, field, number)], number
+        row = with_parameter(device, row, field, index, {**self.asked, **self.values}, self.outer, self.is_request)
+        return [with_percentages(device, row, field, number)], number
 
     def _measured(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
-        """Adds whether a field that measures another one is right."""
+        """The value of a field that measures another one, judged by the size of that field."""
         measure = field.field.measures
         other = self.record.named(measure.field) if measure else None
         if measure is None or other is None or other.cases:
@@ -201,7 +199,7 @@ class Body:
         return read.judged(read.number == should, should, "wrong_measure")
 
     def _repeated(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
-        """Adds whether a field of a response repeats what the request has."""
+        """The value of a field that repeats one of the request, judged by the value there."""
         should = self.asked.get(field.field.same_as)
         if read.reason or should is None:
             return read

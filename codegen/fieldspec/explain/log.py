@@ -1,4 +1,4 @@
-"""Frames as text: bytes in any spelling, and lines of a sniffer log."""
+"""Reads frames from text: bytes in any usual spelling, and lines of a sniffer log."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from itertools import islice
 from fieldspec.classes import dataclass
 from fieldspec.model.link import Link
 
-# Patterns are texts, which `re` compiles when they are first used: plain bytes need none of them.
+# The patterns are texts, which `re` compiles when they are first used; a line of nothing but digits needs none of them.
 _EACH_ENCLOSED = r"(?:\[[0-9A-Fa-f]{2}\]\s*)+|(?:<[0-9A-Fa-f]{2}>\s*)+"
 _QUOTED = r"""(?s)b?(["'])(.*)\1[,;]?|\[(.*)\]|\{(.*)\}|\((.*)\)"""
 _SEPARATOR = r"[\s,;:+_|-]+|(?<=[0-9A-Fa-f])(?=\\x)"
-_PIECE = r"(?i)(?:0x|\\x|16#|&h|\$)?(?P<digits>[0-9a-f]+)|(?P<behind>[0-9a-f]+)h"
+_PIECE = r"(?i)(?:0x|\\x|16#|&h|\$)?(?P<digits>[0-9a-f]+)|(?P<suffixed>[0-9a-f]+)h"
 
 _LAST = r"(?i)(?:\\x(?P<code>[0-9a-f]{2})|[<\[]?(?P<name>crlf|cr|lf|\\r|\\n)[>\]]?|(?P<real>[\r\n]))\Z"
 _CHARACTERS = {"\\r": "\r", "\\n": "\n", "cr": "\r", "lf": "\n", "crlf": "\r\n"}
@@ -21,22 +21,22 @@ _CONTROLS = {0x02: "STX", 0x03: "ETX", 0x0A: "LF", 0x0D: "CR"}
 
 
 class Unreadable(ValueError):
-    """A text that cannot be understood as bytes; says why."""
+    """A text that is not bytes. The message says why."""
 
 
 def is_hex_word(word: str) -> bool:
-    """Whether a word without blanks may be bytes."""
+    """Whether a word can be read as bytes."""
     pieces = [piece for piece in re.split(_SEPARATOR, word) if piece]
     return bool(pieces) and all(re.fullmatch(_PIECE, piece) for piece in pieces)
 
 
 def is_each_enclosed(text: str) -> bool:
-    """Whether every byte stands in brackets of its own."""
+    """Whether every byte has its own brackets."""
     return re.fullmatch(_EACH_ENCLOSED, text.strip()) is not None
 
 
 def unquoted(text: str) -> str:
-    """A text without the quotes, brackets or braces around it; brackets around each byte are left."""
+    """A text without the quotes, brackets or braces around it. Brackets around each byte stay."""
     match = None if is_each_enclosed(text) else re.fullmatch(_QUOTED, text.strip())
     return next(inner for inner in match.groups()[1:] if inner is not None) if match else text
 
@@ -52,8 +52,8 @@ def bytes_of(text: str) -> bytes:
             continue
         match = re.fullmatch(_PIECE, piece)
         if match is None:
-            raise Unreadable(f"`{piece}` is no byte in hexadecimal digits")
-        digits = match["digits"] or match["behind"]
+            raise Unreadable(f"`{piece}` is not a byte in hexadecimal digits")
+        digits = match["digits"] or match["suffixed"]
         if len(digits) % 2 and len(digits) > 1:
             raise Unreadable(f"`{piece}` has an odd number of digits")
         data += bytes.fromhex(digits.zfill(2))
@@ -63,9 +63,9 @@ def bytes_of(text: str) -> bytes:
 
 
 def in_characters(text: str, links: Iterable[Link]) -> tuple[bytes, tuple[str, ...]] | None:
-    """A frame that is written as its characters, with remarks on what the text lacks of its end.
+    """A frame that the text shows as characters, with a remark on what is missing at its end.
 
-    None where the text does not begin as the frames of one of the links that send characters.
+    None if the text does not begin like a frame of one of the links that send characters.
     """
     text = unquoted(text).lstrip()
     for link in links:
@@ -77,7 +77,7 @@ def in_characters(text: str, links: Iterable[Link]) -> tuple[bytes, tuple[str, .
 
 
 def _ended(text: str) -> tuple[str, str]:
-    """The text without the control characters at its end, and these, which may be spelled."""
+    """The text without the control characters at its end, which may be spelled as words, and these characters."""
     end = ""
     while match := re.search(_LAST, text.rstrip(" \t")[-8:]):
         text = text.rstrip(" \t")
@@ -90,27 +90,25 @@ def _ended(text: str) -> tuple[str, str]:
 
 
 def _closed(body: bytes, end: bytes, link: Link) -> tuple[bytes, tuple[str, ...]]:
-    """A frame with its whole end mark: what the text has of it, and what it lacks."""
+    """A frame with its whole end delimiter, and a remark if the text has only a part of the delimiter."""
     if end.endswith(link.end):
         return body + link.end, ()
     if not link.end.startswith(end):
         return body + end, ()
     lacking = link.end[len(end) :]
     named = " ".join(_CONTROLS.get(byte, f"{byte:02X}") for byte in lacking)
-    return body + link.end, (f"the text lacks {named} at the end of the frame, which is taken as sent",)
+    return body + link.end, (f"{named} is missing at the end of the text and is assumed to have been sent",)
 
 
-# Before the bytes may stand times, words, and marks such as `RX:`, `Tx`, `>` or `<-`; behind them a comment.
+# Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment behind them.
 
 _WORDS = {
     "request": ("tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"),
     "response": ("rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"),
 }
 _DIRECTIONS = {word: direction for direction, words in _WORDS.items() for word in words}
-# More marks are no log, and each is tried.
+# Each mark is tried, and a line of a log has few.
 _MOST_MARKS = 8
-
-# Patterns are texts, which `re` compiles when they are first used: plain bytes need none of them.
 _MARK = (
     rf"(?i)(?<![\w.])(?P<word>{'|'.join(_DIRECTIONS)})(?![\w.])(?:\s*[\[(][^\])]{{0,40}}[\])])?(?:\s*[:=](?=\s|\w|$))?"
     r"|(?:^|(?<=[\s\]]))(?P<arrow>[-=]{0,2}>{1,3}|<{1,3}[-=]{0,2})(?=[\s:\w\[]|$)(?![0-9A-Fa-f]{2}>)"
@@ -129,9 +127,9 @@ _BEHIND = rf"\s(?:{_ENCLOSED}|\|.{{0,80}}\|)$"
 
 @dataclass(frozen=True, slots=True)
 class LogLine:
-    """What a line holds. `frame` is empty where the line only says what comes next.
+    """A line of a log. `frame` is empty if the line only announces the next one.
 
-    `direction` is what a mark says: `request`, `response`, or empty. `remarks` say what the text lacks.
+    `direction` is that of the mark in the line: `request`, `response`, or empty. `remarks` say what is missing.
     """
 
     frame: bytes
@@ -140,9 +138,9 @@ class LogLine:
 
 
 def log_line(text: str, links: Collection[Link]) -> LogLine | None:
-    """The frame in a line, None for a blank one or a comment. Raises Unreadable."""
-    if plain := _hex_bytes(text):
-        return LogLine(plain)
+    """The frame in a line; None for a blank line or a comment. Raises Unreadable."""
+    if data := _hex_bytes(text):
+        return LogLine(data)
     if text.endswith("\n") and not text.endswith("\r\n"):
         text = text[:-1]
     text = re.sub(_COMMENT, "", text)
@@ -165,7 +163,7 @@ def log_line(text: str, links: Collection[Link]) -> LogLine | None:
 
 
 def _hex_bytes(text: str) -> bytes:
-    """The bytes of a text that has nothing but them; none for any other."""
+    """The bytes of a text that is nothing but hexadecimal digits; empty for any other text."""
     try:
         return bytes.fromhex(text)
     except ValueError:
@@ -173,13 +171,14 @@ def _hex_bytes(text: str) -> bytes:
 
 
 class _NoBytes(Unreadable):
-    """Nothing in the text may be bytes."""
+    """The text has nothing that can be read as bytes."""
 
 
 def _direction(text: str, marks: list[re.Match[str]], links: Collection[Link]) -> str:
-    """What marks say. Words go before arrows, which point from one name to the other where names stand before.
+    """The direction that marks tell; empty if they tell none.
 
-    A word that a link uses the other way round says nothing: nobody knows who wrote the log.
+    Words count more than arrows, and an arrow behind a name tells nothing, as it may point either way. A word that a
+    link uses for the other direction tells nothing either: the log may take either side's view.
     """
     words = [mark["word"].lower() for mark in marks if mark["word"]]
     if words:
@@ -192,7 +191,7 @@ def _direction(text: str, marks: list[re.Match[str]], links: Collection[Link]) -
 
 
 def _unmarked(text: str, links: Collection[Link]) -> tuple[bytes, str, tuple[str, ...]]:
-    """The frame of a line without marks; brackets around each byte are marks themselves."""
+    """The frame of a line without marks; brackets around each byte tell its direction."""
     frame, remarks = _frame(text, links)
     start = text.strip()[0]
     enclosed = text.count(start) == len(frame)
@@ -200,12 +199,12 @@ def _unmarked(text: str, links: Collection[Link]) -> tuple[bytes, str, tuple[str
 
 
 def _frame(text: str, links: Collection[Link]) -> tuple[bytes, tuple[str, ...]]:
-    """The frame behind what may stand before it, and what the text lacks of it."""
+    """The frame behind times, labels and words, and remarks on what the text lacks of it."""
     text = text.lstrip(" \t")
     while text:
-        found = in_characters(text, links)
-        if found is not None:
-            return found
+        frame = in_characters(text, links)
+        if frame is not None:
+            return frame
         if is_each_enclosed(text) or unquoted(text) != text:
             return bytes_of(text), ()
         before = re.match(_BEFORE, text)

@@ -1,8 +1,7 @@
-"""Numbered parameters in a frame, and the count nearest to a quantity that a user enters."""
+"""Parameters in a frame, and the raw value nearest to a quantity that a user enters."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from decimal import Decimal
 from fractions import Fraction
@@ -14,6 +13,7 @@ from fieldspec.layout.record import FieldLayout
 from fieldspec.layout.values import Raw
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.quantity import quantity_of
 from fieldspec.model.record import Message
 from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 from fieldspec.model.value import Kind, ParameterPart, Value
@@ -23,9 +23,9 @@ _COUNTS = (Kind.INTEGER, Kind.BOOLEAN)
 
 @dataclass(frozen=True, slots=True)
 class _Element:
-    """An element of a parameter, or the whole of it: what is said of it, and as what its value is read."""
+    """A parameter of a set, or one of its elements. `parameter` is None for a number that the spec does not list."""
 
-    words: ParameterSet
+    parameter_set: ParameterSet
     number: int
     parameter: Parameter | None
     index: int | None
@@ -33,23 +33,23 @@ class _Element:
 
     @property
     def meaning(self) -> Meaning:
-        """Its name; of a number without a row, the set's, and the number as the manual writes it."""
+        """Its name, or that of the set if the spec does not list the number, with the number as printed."""
         index = "" if self.index is None else f"[{self.index}]"
-        text = f"parameter {self.words.number_text(self.number)}{index}"
+        text = f"parameter {self.parameter_set.number_text(self.number)}{index}"
         fact = self.fact
         if fact is None:
-            return Meaning(self.words.name, "", text, "")
-        names = dict.fromkeys(one.name for one in (self.parameter, self.subindex) if one is not None and one.name)
+            return Meaning(self.parameter_set.name, "", text, "")
+        names = dict.fromkeys(fact.name for fact in (self.parameter, self.subindex) if fact is not None and fact.name)
         return Meaning(".".join(names), fact.label, text, "")
 
     @property
     def fact(self) -> Parameter | Subindex | None:
-        """The row of the spec that it has."""
+        """The fact that describes it."""
         return self.subindex or self.parameter
 
     @property
     def sources(self) -> str:
-        """Where the manual prints it."""
+        """The places where the manual prints it, as text."""
         fact, parameter = self.fact, self.parameter
         own = fact.sources if fact is not None else ()
         return citations(own or (parameter.sources if parameter is not None else ()))
@@ -62,26 +62,29 @@ def with_parameter(
     index: int,
     known: Mapping[str, Raw],
     outer: Fact,
-    written: bool,
+    is_request: bool,
 ) -> ExplanationRow:
-    """A row of element `index` of a field with what the parameter adds; `known` are the values of the frame so far,
-    and those of the request that it answers. `outer` is the message; `written` says that it is a request.
+    """The row of element `index` of a field, with the name and the meaning that its parameter gives it.
+
+    `known` are the values of the frame so far and those of the request that it answers. `outer` is the message.
     """
     part = field.value.parameter if field.value else None
     if part is None:
         return row
     if part.part == "values":
-        (words,) = device.sets(part.set)
-        if index >= len(words.parameters):
+        (parameter_set,) = device.sets(part.set)
+        if index >= len(parameter_set.parameters):
             return row
-        held = words.parameters[index]
-        return _read_as(device, row, field, _Element(words, held.number, held, None, None), written)
+        parameter = parameter_set.parameters[index]
+        return _read_as(
+            device, row, field, _Element(parameter_set, parameter.number, parameter, None, None), is_request
+        )
     asked = row.number if part.part == "number" else known.get(part.number)
-    found = device.parameter_at(part.set, asked) if isinstance(asked, int) else None
-    if found is None:
+    match = device.parameter_at(part.set, asked) if isinstance(asked, int) else None
+    if match is None:
         return row
-    words, number = found
-    parameter = words.numbered(number)
+    parameter_set, number = match
+    known_parameter = parameter_set.numbered(number)
     if part.part == "number":
         at = None
     elif part.part == "subindex":
@@ -89,57 +92,57 @@ def with_parameter(
     else:
         first = known.get(_index_field(outer, part), 0)
         at = first + index if isinstance(first, int) else None
-    element = _element(words, number, parameter, at)
+    element = _element(parameter_set, number, known_parameter, at)
     if part.part == "value":
-        return _read_as(device, row, field, element, written)
+        return _read_as(device, row, field, element, is_request)
     if part.part == "subindex" and element.index is None:
         return row
     return replace(row, meanings=(*row.meanings, element.meaning))
 
 
-def number_of_text(words: ParameterSet, text: str) -> int | None:
-    """The number of a set, with a row or without one, that a text is as the manual writes it."""
-    if words.numbers is None or not words.printed_as:
+def number_of_text(parameter_set: ParameterSet, text: str) -> int | None:
+    """The number of a set that the manual prints as `text`, whether or not the spec lists it; None if there is none."""
+    if parameter_set.numbers is None or not parameter_set.printed_as:
         return None
-    for low, high in words.numbers.intervals:
+    for low, high in parameter_set.numbers.intervals:
         for number in range(low, high + 1):
-            if words.number_text(number).lower() == text.lower():
+            if parameter_set.number_text(number).lower() == text.lower():
                 return number
     return None
 
 
 def _index_field(outer: Fact, part: ParameterPart) -> str:
-    """The field of a message that holds the index of the first element whose values it has."""
+    """The name of the field with the index of the first element that a message carries; empty if it has none."""
     if not isinstance(outer, Message):
         return ""
     for field in (*outer.request.fields, *outer.response.fields):
-        held = field.value.parameter if field.value else None
-        if held is not None and (held.part, held.number) == ("subindex", part.number):
+        parameter_part = field.value.parameter if field.value else None
+        if parameter_part is not None and (parameter_part.part, parameter_part.number) == ("subindex", part.number):
             return field.name
     return ""
 
 
-def _element(words: ParameterSet, number: int, parameter: Parameter | None, at: object) -> _Element:
-    """An element of a parameter that has several; else the whole parameter."""
+def _element(parameter_set: ParameterSet, number: int, parameter: Parameter | None, at: object) -> _Element:
+    """The element of a parameter that has several, else the whole parameter."""
     several = parameter is not None and (parameter.elements is not None or parameter.subindices)
     if parameter is None or not several or not isinstance(at, int):
-        return _Element(words, number, parameter, None, None)
+        return _Element(parameter_set, number, parameter, None, None)
     subindex = next((inner for inner in parameter.subindices if at in inner.indices), None)
-    return _Element(words, number, parameter, at, subindex)
+    return _Element(parameter_set, number, parameter, at, subindex)
 
 
 def _read_as(
-    device: Device, row: ExplanationRow, field: FieldLayout, element: _Element, written: bool
+    device: Device, row: ExplanationRow, field: FieldLayout, element: _Element, is_request: bool
 ) -> ExplanationRow:
-    """A row whose bytes are read as a parameter: its unit, members and notes. No codec refuses it for these."""
+    """The row with its bytes read as the value of a parameter. No codec refuses a frame for what is wrong with that."""
     fact = element.fact
     if fact is None or element.parameter is None:
         return replace(row, meanings=(element.meaning, *row.meanings))
     again = None if row.reason else _again(fact.value, field, row)
     if again is None:
         return replace(row, meanings=(element.meaning, *row.meanings), notes=(*row.notes, *fact.notes))
-    read = decode_value(device, fact.value.for_writing() if written else fact.value, *again, reserved=fact.reserved)
-    if element.parameter.trigger and not written:
+    read = decode_value(device, fact.value.for_writing() if is_request else fact.value, *again, reserved=fact.reserved)
+    if element.parameter.trigger and not is_request:
         read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     errata = (*row.errata, *errata_at(device, element.parameter.place.path))
     return replace(
@@ -158,7 +161,7 @@ def _read_as(
 
 
 def _again(value: Value, field: FieldLayout, row: ExplanationRow) -> tuple[bytes, str, bool] | None:
-    """The bytes of a row as those of a value, and their order; None where they cannot be it."""
+    """The bytes of a row as bytes of another value, with their order; None if they cannot be read as it."""
     own = field.primitive
     alike = own.kind is value.type.kind or (own.kind in _COUNTS and value.type.kind in _COUNTS)
     if value.size == field.size and (alike or Kind.FLOAT not in (own.kind, value.type.kind)):
@@ -168,13 +171,12 @@ def _again(value: Value, field: FieldLayout, row: ExplanationRow) -> tuple[bytes
     return None
 
 
-_QUANTITY = re.compile(r"([-+]?[0-9]{1,30}(?:\.[0-9]{1,30})?) ?(\S.*)")
-_MOST_NAMES = 4
+_PLACES = 4
 
 
 @dataclass(frozen=True, slots=True)
 class Count:
-    """The count next to a quantity: `exact` is the quantity in counts, `text` is what `raw` stands for."""
+    """The raw value nearest to a quantity. `exact` is the quantity in counts, `text` that of `raw`."""
 
     raw: int
     exact: str
@@ -183,23 +185,26 @@ class Count:
 
 
 def nearest(value: Value, text: str) -> Count | None:
-    """The count next to `50 %`; of two the even one. None where the text is no quantity in the value's unit."""
-    match = _QUANTITY.fullmatch(text.strip())
-    if match is None or match[2] != value.unit:
+    """The raw value nearest to `50 %`, the even one of two; None if the text is not a quantity in the unit."""
+    quantity = quantity_of(text.strip())
+    if quantity is None or quantity[1] != value.unit:
         return None
-    counts = (Fraction(match[1]) - Fraction(value.offset)) / Fraction(value.scale)
+    counts = (Fraction(quantity[0]) - Fraction(value.offset)) / Fraction(value.scale)
     raw = round(counts)
-    exact = f"{Decimal(round(counts * 10**_MOST_NAMES)).scaleb(-_MOST_NAMES).normalize():f}"
+    exact = f"{Decimal(round(counts * 10**_PLACES)).scaleb(-_PLACES).normalize():f}"
     return Count(raw, exact, in_unit(value, raw), counts == raw)
 
 
 def parameter_number(device: Device, name: str, text: str) -> int | None:
-    """The number on the wire of a parameter of a set, or of a space of sets, that a name of ours or of print means."""
-    for words in device.sets(name):
-        for parameter in words.parameters:
+    """The number on the wire of a parameter in a set or in a space of sets; None if there is none.
+
+    `text` is its name, its printed name, or its number as the manual prints it.
+    """
+    for parameter_set in device.sets(name):
+        for parameter in parameter_set.parameters:
             if text.lower() in (parameter.name, parameter.printed_name.lower()):
-                return words.base + parameter.number
-        number = number_of_text(words, text)
+                return parameter_set.base + parameter.number
+        number = number_of_text(parameter_set, text)
         if number is not None:
-            return words.base + number
+            return parameter_set.base + number
     return None

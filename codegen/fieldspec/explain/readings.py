@@ -1,4 +1,4 @@
-"""The link, direction and message of a frame, how certain they are, and remarks about them."""
+"""Chooses what a frame is, its link, direction and message, and says how certain that is."""
 
 from __future__ import annotations
 
@@ -14,34 +14,34 @@ DIRECTIONS = ("request", "response")
 
 @dataclass(frozen=True, slots=True)
 class FrameOptions:
-    """What the user says of frames; empty where he leaves it to us. `places` are the links and directions."""
+    """What the user says about the frames. `places` are links and directions; what is empty is open."""
 
     places: tuple[tuple[str, str], ...] = ()
     message: str = ""
 
     def allows(self, reading: Reading) -> bool:
-        """Whether a reading is one of those that the user means."""
+        """Whether a reading agrees with the options."""
         link, direction, message, _ = reading
         return self.goes(link, direction) and (not self.message or self.message == message)
 
     def goes(self, link: str, direction: str) -> bool:
-        """Whether a frame may go this way on a link."""
+        """Whether the options allow a direction on a link."""
         return not self.places or (link, direction) in self.places
 
     @property
     def directions(self) -> frozenset[str]:
-        """The directions that are meant."""
+        """The directions that the options allow."""
         return frozenset(direction for _, direction in self.places) if self.places else frozenset(DIRECTIONS)
 
 
 def option_word(name: str) -> str:
-    """A word of the device as an option has it."""
+    """A name of the device as the name of an option."""
     return name.replace("_", "-")
 
 
 @dataclass(frozen=True, slots=True)
 class OpenRequest:
-    """The request that the next response answers. `sure` says that the user has named it."""
+    """The request that the next response answers. `sure` if the user has named it."""
 
     request: Explanation
     sure: bool
@@ -49,11 +49,11 @@ class OpenRequest:
 
 @dataclass(frozen=True, slots=True)
 class ChosenReading:
-    """A frame's explanation under one reading.
+    """The explanation of a frame under the chosen reading.
 
-    `readings` are all that fit; none where the frame is wrong under every one of them. `chosen` says how the one
-    was found that is explained: `only` one fits; the `request` before it or a `mark` in the log chose among
-    several, or nothing but likelihood did (`likeliest`); none fits, and this is the `closest`.
+    `readings` are all readings that fit, none if the frame is wrong under all of them. `chosen` says why this reading
+    is explained: it is the `only` one that fits; the `request` before it or a `mark` in the log decided between
+    several; nothing did, and it is the `likeliest`; none fits, and it is the `closest`.
     `mismatches` say where a response does not fit its request.
     """
 
@@ -69,22 +69,22 @@ class ChosenReading:
 
     @property
     def others(self) -> tuple[Reading, ...]:
-        """The other readings that fit as well."""
+        """The other readings that fit."""
         own = _reading(self.explanation)
         return tuple(reading for reading in self.readings if reading != own)
 
 
 def read(
-    layout: DeviceLayout, frame: bytes, given: FrameOptions, mark: str = "", asked: OpenRequest | None = None
+    layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: str = "", asked: OpenRequest | None = None
 ) -> ChosenReading:
-    """The explanation of a frame. `mark` is the direction that a log says, which need not be true."""
-    if asked is not None and "response" in given.directions:
+    """The explanation of a frame. `mark` is the direction that a log tells, which may be wrong."""
+    if asked is not None and "response" in options.directions:
         answer = _answer(layout, frame, asked)
         if asked.sure or (mark != "request" and not answer.wrong):
             return answer
-    fitting = [reading for reading in recognised(layout, frame) if given.allows(reading)]
+    fitting = [reading for reading in recognised(layout, frame) if options.allows(reading)]
     if not fitting:
-        return _closest(layout, frame, given, mark)
+        return _closest(layout, frame, options, mark)
     examples = _examples(layout, frame)
     fitting.sort(key=lambda reading: _doubts(layout, reading, mark, examples))
     marked = [reading for reading in fitting if reading[1] == mark]
@@ -93,7 +93,7 @@ def read(
 
 
 def _examples(layout: DeviceLayout, frame: bytes) -> frozenset[Reading]:
-    """The readings of the examples of the spec that have exactly these bytes."""
+    """The readings of the examples that have exactly these bytes."""
     return frozenset(
         (example.link, example.direction, example.message, example.exception_response)
         for example in layout.device.examples.values()
@@ -101,8 +101,8 @@ def _examples(layout: DeviceLayout, frame: bytes) -> frozenset[Reading]:
     )
 
 
-def _reading(held: Explanation) -> Reading:
-    return held.link, held.direction, held.message, held.error
+def _reading(explanation: Explanation) -> Reading:
+    return explanation.link, explanation.direction, explanation.message, explanation.error
 
 
 def _explained(layout: DeviceLayout, frame: bytes, reading: Reading) -> Explanation:
@@ -113,8 +113,8 @@ def _explained(layout: DeviceLayout, frame: bytes, reading: Reading) -> Explanat
 def _doubts(
     layout: DeviceLayout, reading: Reading, mark: str, examples: frozenset[Reading]
 ) -> tuple[bool, bool, bool, bool]:
-    """What speaks against a reading, the worst first: the mark, that no example of the spec has it, a message that is
-    guessed, and that any length fits.
+    """What speaks against a reading, the gravest first: the mark in the log, that no example is such a frame, that the
+    message is a guess, and that its length may be any.
     """
     link, direction, message, _ = reading
     guessed = layout.links[link].frame(direction).role("code") is None
@@ -122,98 +122,97 @@ def _doubts(
     return bool(mark) and direction != mark, reading not in examples, guessed, loose
 
 
-def _closest(layout: DeviceLayout, frame: bytes, given: FrameOptions, mark: str) -> ChosenReading:
-    """The reading of which the least is wrong."""
-    near = [reading for reading in closest(layout, frame) if given.allows(reading)]
+def _closest(layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: str) -> ChosenReading:
+    """The reading with the fewest faults."""
+    near = [reading for reading in closest(layout, frame) if options.allows(reading)]
     if not near:
         places = ((link, direction) for link in layout.links for direction in DIRECTIONS)
-        near = [(*place, given.message, False) for place in places if given.goes(*place)]
+        near = [(*place, options.message, False) for place in places if options.goes(*place)]
 
     examples = _examples(layout, frame)
 
     def faults(reading: Reading) -> tuple[object, ...]:
-        held = _explained(layout, frame, reading)
-        marks = sum(reason in ("wrong_mark", "not_hex") for reason in held.reasons)
-        return marks, _doubts(layout, reading, mark, examples), len(held.reasons)
+        explanation = _explained(layout, frame, reading)
+        marks = sum(reason in ("wrong_mark", "not_hex") for reason in explanation.reasons)
+        return marks, _doubts(layout, reading, mark, examples), len(explanation.reasons)
 
     return ChosenReading(_explained(layout, frame, min(near, key=faults)), (), "closest")
 
 
 def _answer(layout: DeviceLayout, frame: bytes, asked: OpenRequest) -> ChosenReading:
-    """A frame as the response to a request."""
+    """The explanation of a frame as the response to a request."""
     request = asked.request
-    held = explained(layout, request.link, "response", frame, request.message, request.frame)
-    mismatches = tuple(_mismatches(layout, request, held))
+    response = explained(layout, request.link, "response", frame, request.message, request.frame)
+    mismatches = tuple(_mismatches(layout, request, response))
     return ChosenReading(
-        held, () if held.reasons else (_reading(held),), "closest" if held.reasons else "request", mismatches
+        response,
+        () if response.reasons else (_reading(response),),
+        "closest" if response.reasons else "request",
+        mismatches,
     )
 
 
 def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanation) -> Iterator[str]:
-    """Where a response does not fit its request."""
+    """The places where a response does not fit its request."""
     for role in ("unit_address", "code"):
         ours = layout.links[request.link].request.role(role)
         theirs = layout.links[request.link].response.role(role)
         want = request.values.get(ours.name) if ours else None
         have = response.values.get(theirs.name) if theirs else None
         if ours and isinstance(want, int) and isinstance(have, int) and have != want:
-            yield f"{ours.name} is {have}, and {want} in the request"
+            yield f"{ours.name} is {have}, but {want} in the request"
     for row in response.rows:
         if row.verdict.startswith("wrong") and not row.reason:
             yield f"{row.path} does not repeat the request: {row.verdict.removeprefix('wrong: ')}"
-    laid = layout.messages.get(response.message)
-    accesses = layout.device.register_access(laid.message) if laid and not response.error else None
+    message = layout.messages.get(response.message)
+    accesses = layout.device.register_access(message.message) if message and not response.error else None
     if accesses is not None and accesses.operation == "read":
         want = request.values.get(accesses.count) if accesses.count else 1
         have = response.values.get(accesses.values)
         words = len(have) if isinstance(have, list) else None
         if isinstance(want, int) and words is not None and words != want:
-            yield f"the request asks for {want} words, and the response has {words}"
+            yield f"the request asks for {want} words, but the response has {words}"
 
 
 _NAMED = 3
 
 
-def remarks(layout: DeviceLayout, held: ChosenReading, asked_in: int, said: FrameOptions) -> Iterator[str]:
-    """The remarks on a frame; `asked_in` is the line of the request before it, 0 where there is none."""
-    if held.chosen == "closest":
-        yield f"this is no good frame of {layout.device.id}; it comes closest to what is explained here"
-        yield from _of_other_length(layout, held, said)
-    elif asked_in and held.explanation.direction == "response":
-        answers = "this answers" if held.chosen == "request" else "this does not answer"
+def remarks(layout: DeviceLayout, chosen: ChosenReading, asked_in: int, options: FrameOptions) -> Iterator[str]:
+    """The remarks on a frame. `asked_in` is the line of the request before it, 0 if there is none."""
+    if chosen.chosen == "closest":
+        yield f"this is not a valid frame of {layout.device.id}; what is explained here comes closest"
+        yield from _of_other_length(layout, chosen, options)
+    elif asked_in and chosen.explanation.direction == "response":
+        answers = "this answers" if chosen.chosen == "request" else "this does not answer"
         yield f"{answers} the request in line {asked_in}"
-    if held.chosen == "likeliest":
-        yield _ambiguous(layout, held)
-    yield from held.mismatches
+    if chosen.chosen == "likeliest":
+        yield _ambiguous(layout, chosen)
+    yield from chosen.mismatches
 
 
 def _coded(layout: DeviceLayout, link: str) -> bool:
-    """Whether a frame of a link says itself which message it is."""
+    """Whether frames of a link carry the code of their message."""
     return any(layout.links[link].frame(direction).role("code") is not None for direction in DIRECTIONS)
 
 
-def _ambiguous(layout: DeviceLayout, held: ChosenReading) -> str:
-    """Which other readings fit, and which options tell them apart."""
-    own = held.explanation
-    readings = [_reading_of(own), *held.others]
+def _ambiguous(layout: DeviceLayout, chosen: ChosenReading) -> str:
+    """The remark that other readings fit, and which options tell them apart."""
+    own = chosen.explanation
+    readings = [_reading(own), *chosen.others]
     if all(not _coded(layout, link) for link, _, _, _ in readings):
         bytes_ = f"{len(own.frame)} bytes"
         names = _alternatives([_sent(layout.device.links[link], way, name) for link, way, name, _ in readings], "or")
-        return f"ambiguous: {bytes_} may be {names}; {_options(layout, own, held.others)}"
+        return f"ambiguous: {bytes_} may be {names}; {_options(layout, own, chosen.others)}"
     others: dict[tuple[str, str, bool], list[str]] = {}
-    for link, direction, message, error in held.others:
+    for link, direction, message, error in chosen.others:
         others.setdefault((link, direction, error), []).append(message or "an unknown message")
-    listed = " or ".join(_named(layout, own, *key, names) for key, names in others.items())
+    others_text = " or ".join(_named(layout, own, *key, names) for key, names in others.items())
     explained = _named(layout, own, own.link, own.direction, own.error, [own.message or "an unknown message"])
-    return f"ambiguous: explained as {explained}, it may also be {listed}; {_options(layout, own, held.others)}"
-
-
-def _reading_of(held: Explanation) -> Reading:
-    return held.link, held.direction, held.message, held.error
+    return f"ambiguous: explained as {explained}, it may also be {others_text}; {_options(layout, own, chosen.others)}"
 
 
 def _options(layout: DeviceLayout, own: Explanation, others: Sequence[Reading]) -> str:
-    """The options that tell the readings apart: those of which one is enough, else all that help."""
+    """The options that tell the readings apart: those that are each enough, else all that help."""
     words = {layout.device.links[link].message_name for link in (own.link, *(other[0] for other in others))}
     word = f"--{option_word(words.pop())}" if len(words) == 1 else "--message"
     telling = {
@@ -230,14 +229,14 @@ def _options(layout: DeviceLayout, own: Explanation, others: Sequence[Reading]) 
 
 
 def _asks(layout: DeviceLayout, link: str) -> bool:
-    """Whether the request says which message a response on a link is."""
+    """Whether the request tells which message a response on a link is."""
     return layout.links[link].request.role("code") is not None
 
 
 def _named(
     layout: DeviceLayout, own: Explanation, link: str, direction: str, error: bool, messages: Sequence[str]
 ) -> str:
-    """`the response to stop on rtu`, or `a response to one of 28 messages: stop, move, homing, ..`"""
+    """Readings in words: `the response to stop on rtu`, `a response to one of 28 messages (stop, move, homing, ..)`."""
     place = "" if link == own.link else f" on {link}"
     names = ", ".join(messages if len(messages) <= _NAMED else [*messages[:_NAMED], ".."])
     name = layout.device.links[link].direction_name(direction)
@@ -263,14 +262,14 @@ def _alternatives(names: Iterable[str], last: str) -> str:
     return f"{', '.join(rest)} {last} {end}" if rest else end
 
 
-def _of_other_length(layout: DeviceLayout, held: ChosenReading, said: FrameOptions) -> Iterator[str]:
-    """How long the messages are, where the length alone tells which one a frame is, and tells none."""
-    own = held.explanation
+def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: FrameOptions) -> Iterator[str]:
+    """The lengths of the messages, if only the length could tell which one the frame is, and it tells none."""
+    own = chosen.explanation
     link = layout.links[own.link]
     if _coded(layout, own.link) or not {"wrong_length", "incomplete", "unknown_code"} & set(own.reasons):
         return
-    names = [said.message] if said.message in link.messages else list(link.messages)
-    ways = [direction for direction in DIRECTIONS if said.goes(own.link, direction)]
+    names = [options.message] if options.message in link.messages else list(link.messages)
+    ways = [direction for direction in DIRECTIONS if options.goes(own.link, direction)]
     sizes = (
         f"{_sent(link.link, direction, name)} has {_bounds(*lengths(link, direction, name))}"
         for name in names

@@ -14,19 +14,19 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.record import RegisterAccess
 from fieldspec.model.value import Value
 
-_PART = {
-    False: "The frame holds a part of its words.",
-    True: "The frame holds a part of its words, which must be accessed in one request.",
+_PARTIAL = {
+    False: "The frame contains only some of its words.",
+    True: "The frame contains only some of its words, which must be accessed in one request.",
 }
 
 
 FORBIDS = {("write", "ro"): "can only be read", ("read", "wo"): "can only be written"}
-"""What an access forbids."""
+"""By operation and access: what the access forbids."""
 
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """`words` from `address` on in a space, and their bytes: `data` at `at` in the parts of the frame, or none."""
+    """`words` from `address` on in a space. `data` are their bytes in the frame, at `at` in its parts, or empty."""
 
     space: str
     address: int
@@ -40,7 +40,7 @@ class Span:
         return self.address + self.words
 
     def bytes_of(self, address: int, size: int) -> tuple[int, bytes] | None:
-        """Where the bytes of a value lie in the frame, and these bytes, where the frame has all of them."""
+        """The offset of a value in the parts of the frame and its bytes; None unless the frame has all of them."""
         start = 2 * (address - self.address)
         if start < 0 or start + size > len(self.data):
             return None
@@ -48,8 +48,8 @@ class Span:
 
 
 @dataclass(frozen=True, slots=True)
-class Holder:
-    """A register, or a field in an element of a table, at an address."""
+class Occupant:
+    """What is at an address: a register, or a field in an element of a table."""
 
     address: int
     words: int
@@ -68,9 +68,9 @@ class Holder:
 def accessed(
     access: RegisterAccess, values: Mapping[str, Raw], asked: Mapping[str, Raw], at: int, data: bytes
 ) -> Span | None:
-    """The words that a message accesses: its own values say which, or those of the request that it answers.
+    """The words that a message accesses, by its own values or those of the request that it answers; None if unknown.
 
-    `data` are the bytes of the words, which lie at `at`; none where the message does not carry them.
+    `data` are the bytes of the words, at `at` in the parts; empty if the message does not carry them.
     """
     start = values.get(access.start, asked.get(access.start))
     count = values.get(access.count, asked.get(access.count)) if access.count else 1
@@ -81,39 +81,39 @@ def accessed(
 
 
 def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) -> Iterator[ExplanationRow]:
-    """A row for every register that shares words with a span, by address; and for words that none has.
+    """The rows of all registers that share words with a span, by address, and of words that no register has.
 
-    `operation` is `read` or `write`: a note says which registers do not allow it.
+    `operation` is `read` or `write`. Registers that do not allow it have a note.
     """
-    held = sorted(_holders(layout, span), key=lambda holder: holder.address)
+    occupants = sorted(_occupants(layout, span), key=lambda occupant: occupant.address)
     at = span.address
-    for holder in held:
-        if holder.address > at:
-            yield _unlisted(layout, span, at, holder.address, spot)
-        at = max(at, holder.address + holder.words)
-        row = _row(layout, span, holder, spot, operation)
-        why = FORBIDS.get((operation, holder.access), "")
+    for occupant in occupants:
+        if occupant.address > at:
+            yield _unlisted(layout, span, at, occupant.address, spot)
+        at = max(at, occupant.address + occupant.words)
+        row = _row(layout, span, occupant, spot, operation)
+        why = FORBIDS.get((operation, occupant.access), "")
         yield replace(row, notes=(*row.notes, f"It {why}.")) if why else row
     if at < span.end:
         yield _unlisted(layout, span, at, span.end, spot)
 
 
 def forbidden(layout: DeviceLayout, span: Span, operation: str) -> str:
-    """Why the words of a span cannot be read, or written, at once; empty where nothing says that they cannot."""
-    for holder in sorted(_holders(layout, span), key=lambda holder: holder.address):
-        why = FORBIDS.get((operation, holder.access))
+    """Why the words of a span cannot be read or written; empty if all of them can, as far as the spec says."""
+    for occupant in sorted(_occupants(layout, span), key=lambda occupant: occupant.address):
+        why = FORBIDS.get((operation, occupant.access))
         if why:
-            return f"{holder.path} at 0x{holder.address:04X} {why}"
+            return f"{occupant.path} at 0x{occupant.address:04X} {why}"
     return ""
 
 
-def holder_at(layout: DeviceLayout, space: str, address: int) -> Holder | None:
-    """The register, or the field of a table's element, that begins at an address of a space; None for none."""
-    held = _holders(layout, Span(space, address, 1, 0, b""))
-    return next((holder for holder in held if holder.address == address), None)
+def occupant_at(layout: DeviceLayout, space: str, address: int) -> Occupant | None:
+    """The register or the field of a table's element that begins at an address of a space; None if there is none."""
+    occupants = _occupants(layout, Span(space, address, 1, 0, b""))
+    return next((occupant for occupant in occupants if occupant.address == address), None)
 
 
-def _holders(layout: DeviceLayout, span: Span) -> Iterator[Holder]:
+def _occupants(layout: DeviceLayout, span: Span) -> Iterator[Occupant]:
     device = layout.device
     own = device.space_name(span.space)
     for register in layout.registers:
@@ -127,23 +127,29 @@ def _holders(layout: DeviceLayout, span: Span) -> Iterator[Holder]:
             yield from _fields(table, span)
 
 
-def _elements(laid: RegisterLayout, span: Span) -> Iterator[Holder]:
-    register = laid.register
-    for number in _near(laid.address, laid.stride, laid.words, laid.count, span):
-        address = laid.address + number * laid.stride
-        path = laid.name if laid.count == 1 else f"{laid.name}[{register.index_from + number}]"
+def _elements(register_layout: RegisterLayout, span: Span) -> Iterator[Occupant]:
+    register = register_layout.register
+    for number in _near(
+        register_layout.address, register_layout.stride, register_layout.words, register_layout.count, span
+    ):
+        address = register_layout.address + number * register_layout.stride
+        path = (
+            register_layout.name
+            if register_layout.count == 1
+            else f"{register_layout.name}[{register.index_from + number}]"
+        )
         fact: Fact = register
         if number < len(register.element_sources):
             fact = replace(register, sources=(register.element_sources[number],))
-        yield Holder(
+        yield Occupant(
             address=address,
-            words=laid.words,
+            words=register_layout.words,
             path=path,
             fact=fact,
             outer=register,
             value=register.value,
-            order=laid.order,
-            swapped=laid.swapped,
+            order=register_layout.order,
+            swapped=register_layout.swapped,
             access=register.access,
             reserved=False,
             atomic=register.atomic,
@@ -151,63 +157,63 @@ def _elements(laid: RegisterLayout, span: Span) -> Iterator[Holder]:
         )
 
 
-def _fields(laid: TableLayout, span: Span) -> Iterator[Holder]:
-    table = laid.table
-    for number in _near(table.base, table.stride, laid.words, table.count, span):
+def _fields(table_layout: TableLayout, span: Span) -> Iterator[Occupant]:
+    table = table_layout.table
+    for number in _near(table.base, table.stride, table_layout.words, table.count, span):
         index = table.index_from + number
-        for field in laid.record.fields:
+        for field in table_layout.record.fields:
             if field.value is None:
                 continue
             for item in range(field.count or 0):
-                path = f"{laid.name}[{index}].{field.name}" + (f"[{item}]" if field.is_list else "")
-                holder = _field(laid, field, table.address(index), item, path)
-                if holder.address < span.end and span.address < holder.address + holder.words:
-                    yield holder
+                path = f"{table_layout.name}[{index}].{field.name}" + (f"[{item}]" if field.is_list else "")
+                occupant = _field(table_layout, field, table.address(index), item, path)
+                if occupant.address < span.end and span.address < occupant.address + occupant.words:
+                    yield occupant
 
 
-def _field(laid: TableLayout, field: FieldLayout, base: int, item: int, path: str) -> Holder:
+def _field(table_layout: TableLayout, field: FieldLayout, base: int, item: int, path: str) -> Occupant:
     assert field.value is not None
     first = field.offset + item * field.size
-    return Holder(
+    return Occupant(
         base + first // 2,
         (first + field.size + 1) // 2 - first // 2,
         path,
         field.field,
-        laid.table,
+        table_layout.table,
         field.value,
         field.order,
         field.swapped,
-        laid.access(field.field),
+        table_layout.access(field.field),
         field.field.reserved,
     )
 
 
 def _near(base: int, stride: int, words: int, count: int, span: Span) -> range:
-    """The numbers of the elements that share words with a span."""
+    """The numbers of the elements that may share words with a span."""
     first = max(0, (span.address - base - words) // stride + 1)
     last = min(count, -(-(span.end - base) // stride))
     return range(first, max(first, last))
 
 
-def _row(layout: DeviceLayout, span: Span, holder: Holder, spot: Spot, operation: str) -> ExplanationRow:
-    found = span.bytes_of(holder.address, holder.value.size)
-    at, raw = found if found else (0, b"")
-    if found:
-        value = holder.value.for_writing() if operation == "write" else holder.value
-        read = decode_value(layout.device, value, raw, holder.order, holder.swapped, holder.reserved)
-        if holder.trigger and operation == "read":
+def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, operation: str) -> ExplanationRow:
+    piece = span.bytes_of(occupant.address, occupant.value.size)
+    at, raw = piece if piece else (0, b"")
+    if piece:
+        value = occupant.value.for_writing() if operation == "write" else occupant.value
+        read = decode_value(layout.device, value, raw, occupant.order, occupant.swapped, occupant.reserved)
+        if occupant.trigger and operation == "read":
             read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     else:
-        inside = span.address <= holder.address and holder.address + holder.words <= span.end
-        read = DecodedValue(None, notes=() if inside else (_PART[holder.atomic],))
-    row = fact_row(layout.device, "register", holder.path, holder.fact, spot, at, raw, read, holder.outer)
-    if not found:
+        inside = span.address <= occupant.address and occupant.address + occupant.words <= span.end
+        read = DecodedValue(None, notes=() if inside else (_PARTIAL[occupant.atomic],))
+    row = fact_row(layout.device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer)
+    if not piece:
         row = replace(row, offset=0)
-    return replace(row, address=holder.address, words=holder.words, access=holder.access)
+    return replace(row, address=occupant.address, words=occupant.words, access=occupant.access)
 
 
 def _unlisted(layout: DeviceLayout, span: Span, first: int, end: int, spot: Spot) -> ExplanationRow:
-    """The row of words that no register has."""
+    """The row of words that no register has, with the reasons of the gaps there."""
     reasons = (
         gap.reason
         for group in layout.device.groups
@@ -215,13 +221,13 @@ def _unlisted(layout: DeviceLayout, span: Span, first: int, end: int, spot: Spot
         for gap in group.gaps
         if any(low < end and first <= high for low, high in gap.addresses.intervals)
     )
-    found = span.bytes_of(first, 2 * (end - first))
-    offset, length, characters = spot.place(found[0], len(found[1])) if found else (0, 0, "")
+    piece = span.bytes_of(first, 2 * (end - first))
+    offset, length, characters = spot.place(piece[0], len(piece[1])) if piece else (0, 0, "")
     return ExplanationRow(
         kind="register",
         offset=offset,
         length=length,
-        raw=found[1] if found else b"",
+        raw=piece[1] if piece else b"",
         characters=characters,
         doc="No register is listed here.",
         notes=tuple(reasons),

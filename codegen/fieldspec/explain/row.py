@@ -1,10 +1,11 @@
-"""The rows of an explanation, and those of the header, trailer and delimiters."""
+"""The rows of an explanation, the errata that they cite, and a frame without its delimiters and encoding."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator
 
+from fieldspec.caches import ByIdentity
 from fieldspec.classes import dataclass
 from fieldspec.explain.values import DecodedValue, Meaning
 from fieldspec.layout.values import Raw
@@ -17,16 +18,16 @@ from fieldspec.model.texts import Erratum
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ExplanationRow:
-    """Some bytes of a frame and what they say.
+    """Some bytes of a frame and their meaning.
 
     `kind` is `mark`, `part` (of the frame), `field` (of the body), `register`, or `unexplained`.
-    `offset` and `length` are those in the frame as it is sent; `raw` are the bytes meant. Where each byte is
-    sent as two characters, `characters` holds them and `length` counts them.
+    `offset` and `length` count bytes of the frame as it is sent, and `raw` are the bytes that they encode. If each byte
+    is sent as two characters, `characters` are these, and `length` counts them.
     `path` is the place in the frame, as in `items[0].size`; `fact` is the path of the fact in the spec.
-    `number` is the raw value, `value` the exact value in its unit.
-    `verdict` is empty, `right`, or `wrong: ..`; `reason` is then the word of the codecs' errors.
-    `source` cites the manual, `errata` are the ids of those that touch the fact.
-    Rows of registers have an `address`, a number of `words`, and `access`, empty where it is not printed.
+    `number` is the raw value, `value` the exact quantity with its unit.
+    `verdict` is empty, `right`, or `wrong: ..`, and `reason` then names the fault as the errors of the codecs do.
+    `source` cites the manual, `errata` are the ids of the errata of the fact.
+    Rows of registers have an `address`, a number of `words`, and `access`, empty if it is not printed.
     """
 
     kind: str
@@ -54,14 +55,14 @@ class ExplanationRow:
 
 @dataclass(frozen=True, slots=True)
 class Spot:
-    """How the parts of a frame lie in it: from `start` on, each byte in `width` bytes or characters."""
+    """Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each."""
 
     frame: bytes
     start: int
     width: int
 
     def place(self, at: int, length: int) -> tuple[int, int, str]:
-        """Offset, length and characters in the frame of some bytes of its parts."""
+        """The offset and the length in the frame of `length` bytes of the parts from `at` on, and their characters."""
         offset, length = self.start + at * self.width, length * self.width
         characters = self.frame[offset : offset + length].decode("latin-1") if self.width > 1 else ""
         return offset, length, characters
@@ -73,57 +74,54 @@ def citations(sources: Iterable[Citation]) -> str:
 
 
 class _Errata:
-    """The errata of one device by the paths that they touch. They are asked for at every row."""
+    """The errata of one device, indexed by the paths that they are about, as every row looks them up."""
 
     def __init__(self, errata: tuple[Erratum, ...]) -> None:
-        self.errata = errata
         self.within: dict[str, list[str]] = {}
         self.of: dict[str, list[tuple[int, str]]] = {}
-        for number, one in enumerate(errata):
-            for path in (one.fact, *(one.fact[: found.start()] for found in re.finditer("/", one.fact))):
-                self.within.setdefault(path, []).append(one.id)
-            for path in {one.fact, one.fact.partition("/restated/")[0]}:
-                self.of.setdefault(path, []).append((number, one.id))
+        for number, erratum in enumerate(errata):
+            for path in (erratum.fact, *(erratum.fact[: slash.start()] for slash in re.finditer("/", erratum.fact))):
+                self.within.setdefault(path, []).append(erratum.id)
+            for path in {erratum.fact, erratum.fact.partition("/restated/")[0]}:
+                self.of.setdefault(path, []).append((number, erratum.id))
 
 
-_last = [_Errata(())]
+_ERRATA: ByIdentity[tuple[Erratum, ...], _Errata] = ByIdentity(most=1)
+"""One device is explained at a time."""
 
 
 def _errata(device: Device) -> _Errata:
-    """Those of a device; the last ones are kept, as one device is explained at a time."""
-    if _last[0].errata is not device.errata:
-        _last[0] = _Errata(device.errata)
-    return _last[0]
+    return _ERRATA.get_or_compute(device.errata, _Errata)
 
 
 def errata_at(device: Device, path: str) -> tuple[str, ...]:
-    """The errata of a fact and of what lies in it."""
+    """The ids of the errata of a fact and of the facts below it."""
     return tuple(_errata(device).within.get(path, ()))
 
 
 def errata_of_message(device: Device, message: Message) -> tuple[str, ...]:
-    """The errata of a message but for those of its fields."""
+    """The ids of the errata of a message, without those of its fields."""
     path = message.place.path
-    found = errata_at(device, path)
-    if not found:
+    errata = errata_at(device, path)
+    if not errata:
         return ()
     fields = (f"{path}/request/", f"{path}/response/")
     of_fields = {erratum.id for erratum in device.errata if erratum.fact.startswith(fields)}
-    return tuple(one for one in found if one not in of_fields)
+    return tuple(erratum for erratum in errata if erratum not in of_fields)
 
 
 def errata_of_words(device: Device, facts: Collection[str]) -> tuple[str, ...]:
-    """The errata of enums, members and flags that took part; those of other members do not touch a value."""
+    """The ids of the errata of enums, members and flags that gave a value its meaning, not those of other members."""
     if not facts:
         return ()
     of = _errata(device).of
-    return tuple(name for _, name in sorted({one for fact in facts for one in of.get(fact, ())}))
+    return tuple(name for _, name in sorted({erratum for fact in facts for erratum in of.get(fact, ())}))
 
 
 def fact_row(
     device: Device, kind: str, path: str, fact: Fact, spot: Spot, at: int, raw: bytes, read: DecodedValue, outer: Fact
 ) -> ExplanationRow:
-    """The row of a fact whose bytes lie at `at` in the parts; `outer` cites the manual where the fact does not."""
+    """The row of a fact whose bytes are at `at` in the parts. A fact without sources has those of `outer`."""
     offset, length, characters = spot.place(at, len(raw))
     errata = (*errata_at(device, fact.place.path), *errata_of_words(device, read.facts))
     return ExplanationRow(
@@ -151,7 +149,7 @@ def fact_row(
 def wrong_row(
     spot: Spot, at: int, raw: bytes, reason: str, detail: str, path: str = "", fact: str = ""
 ) -> ExplanationRow:
-    """The row of bytes that are over, or of a place where bytes are missing."""
+    """The row of bytes that no fact describes, or of a place where bytes are missing."""
     offset, length, characters = spot.place(at, len(raw))
     return ExplanationRow(
         kind="unexplained",
@@ -166,32 +164,41 @@ def wrong_row(
     )
 
 
+def surplus_row(spot: Spot, at: int, raw: bytes) -> ExplanationRow:
+    """The row of bytes behind the end."""
+    return wrong_row(
+        spot, at, raw, "wrong_length", "1 byte too many" if len(raw) == 1 else f"{len(raw)} bytes too many"
+    )
+
+
 HEX = b"0123456789ABCDEFabcdef"
 
 
 @dataclass(frozen=True, slots=True)
 class Unwrapped:
-    """A frame taken apart: what stands for the start mark, the parts as bytes, what is over, and the end mark.
+    """A frame without delimiters and encoding.
 
-    `reason` says why something is over: `not_hex`, after which nothing is known of the rest, or `wrong_length`.
+    `start` and `end` are the bytes in the places of the delimiters, `data` are the bytes of the parts, and `surplus`
+    is what is left between them and the end. Its `reason` is `wrong_length`, or `not_hex`, in which case the rest of
+    the frame cannot be read.
     """
 
     link: Link
     frame: bytes
     start: bytes
     data: bytes
-    over: bytes
+    surplus: bytes
     reason: str
     end: bytes
 
     @property
     def whole(self) -> bool:
-        """Whether the parts go on to the end of the frame."""
+        """Whether the parts can be read up to the end of the frame."""
         return self.reason != "not_hex"
 
 
 def unwrapped(link: Link, frame: bytes) -> Unwrapped:
-    """A frame of a link, taken apart."""
+    """A frame of a link without its delimiters and its encoding."""
     start = _mark(frame, link.start, link.encoding)
     end = _mark(frame[len(start) :][::-1], link.end[::-1], link.encoding)[::-1]
     inner = frame[len(start) : len(frame) - len(end)]
@@ -204,43 +211,43 @@ def unwrapped(link: Link, frame: bytes) -> Unwrapped:
 
 
 def _mark(frame: bytes, mark: bytes, encoding: str) -> bytes:
-    """What stands in the place of a mark: the mark itself, or bytes that cannot be anything else."""
+    """The bytes in the place of a delimiter: the delimiter itself, or bytes that can be nothing else."""
     if frame.startswith(mark) or encoding == "binary":
         return frame[: len(mark)]
     return frame[: next((at for at, char in enumerate(frame[: len(mark)]) if char in HEX), len(mark))]
 
 
 def start_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
-    """The row of the start mark, where the link has one."""
+    """The row of the start delimiter, if the link has one."""
     yield from _mark_row(parts, "start", 0, parts.start, parts.link.start)
 
 
 def end_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
-    """The rows of what is over, and of the end mark, where the link has one."""
+    """The rows of surplus characters, and of the end delimiter, if the link has one."""
     at = len(parts.frame) - len(parts.end)
-    if parts.over:
-        text = "these are no pairs of hexadecimal characters" if not parts.whole else "one character is over"
+    if parts.surplus:
+        text = "not pairs of hexadecimal characters" if not parts.whole else "1 character too many"
         yield ExplanationRow(
             kind="unexplained",
-            offset=at - len(parts.over),
-            length=len(parts.over),
-            raw=parts.over,
-            characters=parts.over.decode("latin-1"),
+            offset=at - len(parts.surplus),
+            length=len(parts.surplus),
+            raw=parts.surplus,
+            characters=parts.surplus.decode("latin-1"),
             verdict=f"wrong: {text}",
             reason=parts.reason,
         )
     yield from _mark_row(parts, "end", at, parts.end, parts.link.end)
 
 
-def _mark_row(parts: Unwrapped, name: str, at: int, held: bytes, should: bytes) -> Iterator[ExplanationRow]:
+def _mark_row(parts: Unwrapped, name: str, at: int, data: bytes, should: bytes) -> Iterator[ExplanationRow]:
     if should:
-        right = held == should
+        right = data == should
         yield ExplanationRow(
             kind="mark",
             offset=at,
-            length=len(held),
-            raw=held,
-            characters=held.decode("latin-1") if parts.link.encoding == "hex_ascii" else "",
+            length=len(data),
+            raw=data,
+            characters=data.decode("latin-1") if parts.link.encoding == "hex_ascii" else "",
             path=name,
             fact=parts.link.place.path,
             verdict="right" if right else f"wrong: should be {should.hex(' ').upper()}",

@@ -1,4 +1,4 @@
-"""The bytes of a value as its number, its quantity, and the names that the spec has for it."""
+"""Decodes a value: its raw value, its quantity, and the names that the spec gives it."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, State
 from fieldspec.model.value import Kind, Ranges, Value
 
-# What is short enough to be written as it is, and how many digits are left of what is not.
-_PLACES, _DIGITS, _ROUNDED = 6, 8, 6
+_MOST_PLACES, _MOST_DIGITS, _ROUNDED_DIGITS = 6, 8, 6
+"""Numbers with at most so many places, or digits, are written in full; others are rounded to so many digits."""
 
 
 @dataclass(frozen=True, slots=True)
 class Meaning:
-    """A name for a value, or for some of its bits: `bits` is empty, `3`, or `9..10`.
+    """A name of a value, or of some of its bits: `bits` is empty, `3`, or `9..10`.
 
-    `label` is the manual's word for it, `text` is in our own words. `kind` is `state` for what several bits show
-    together, else empty.
+    `label` is the manual's word, `text` the description in our own words. `kind` is `state` for a state that several
+    bits show together, else empty.
     """
 
     name: str
@@ -33,11 +33,11 @@ class Meaning:
 
 @dataclass(frozen=True, slots=True)
 class DecodedValue:
-    """What bytes say.
+    """The meaning of the bytes of a value.
 
-    `number` is the raw value, None where there are too few bytes. `text` is the value in its unit, as `in_unit`
-    writes it. `verdict` is empty, `right`, or `wrong: should be ..`; `reason` is
-    then the word of the codecs' errors. `facts` are the paths of enums, members and bits that took part.
+    `number` is the raw value, None if there are too few bytes. `text` is the quantity as `in_unit` writes it.
+    `verdict` is empty, `right`, or `wrong: should be ..`, and `reason` then names the fault as the errors of the codecs
+    do. `facts` are the paths of the enums, members and bits that give the value its meaning.
     """
 
     number: Raw | None
@@ -49,21 +49,21 @@ class DecodedValue:
     facts: tuple[str, ...] = ()
 
     def judged(self, right: bool, should: object, reason: str) -> DecodedValue:
-        """The same with a verdict, and with the reason for which a codec refuses a wrong value."""
+        """The same value with a verdict, and with the reason for which a codec refuses it if it is wrong."""
         if right:
             return replace(self, verdict="right", reason="")
         return replace(self, verdict=f"wrong: should be {should}", reason=reason)
 
 
 def whole(data: bytes, order: str) -> int:
-    """Bytes as an unsigned number, in the order `big` or `little`."""
+    """Bytes as an unsigned number. `order` is `big` or `little`."""
     return int.from_bytes(data, "big" if order == "big" else "little")
 
 
 def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
-    """The raw value of bytes, as many as the value has; texts and bytes as they are.
+    """The raw value of all bytes of a value; texts and bytes are returned as bytes.
 
-    `swapped` says that the 16-bit words lie in the other order than the bytes of each.
+    With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each.
     """
     kind = value.type.kind
     if kind in (Kind.TEXT, Kind.BYTES):
@@ -78,16 +78,16 @@ def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
 
 
 def decimal_text(number: Decimal) -> str:
-    """A number without an exponent: as it is where it is short, else rounded to six digits.
+    """A number without an exponent, in full if it is short, else rounded to six digits.
 
-    Where these would look like another number in full, such as 25 for 24.9999999, there are as many as it takes.
+    If the rounded number would look exact, as 25 for 24.9999999 does, more digits are written.
     """
     short = number.normalize(Context(prec=200))
-    if -_exponent(number) <= _PLACES:
+    if -_exponent(number) <= _MOST_PLACES:
         return format(number, "f")
-    if -_exponent(short) <= _PLACES or len(short.as_tuple().digits) <= _DIGITS:
+    if -_exponent(short) <= _MOST_PLACES or len(short.as_tuple().digits) <= _MOST_DIGITS:
         return format(short, "f")
-    for digits in range(_ROUNDED, len(short.as_tuple().digits)):
+    for digits in range(_ROUNDED_DIGITS, len(short.as_tuple().digits)):
         rounded = Context(prec=digits).plus(short).normalize()
         if len(rounded.as_tuple().digits) == digits:
             return format(rounded, "f")
@@ -100,9 +100,9 @@ def _exponent(number: Decimal) -> int:
 
 
 def in_unit(value: Value, number: int) -> str:
-    """`20.00 mm`: the value with its unit, as `decimal_text` writes it.
+    """The quantity of a raw value with its unit, as in `20.00 mm`, with the digits that `decimal_text` writes.
 
-    Empty where it has neither unit nor scale, and for a sentinel, which is no quantity.
+    Empty for a value without unit and scale, and for a sentinel, which is no quantity.
     """
     if (not value.unit and not value.scaled) or value.sentinel(number) is not None:
         return ""
@@ -110,7 +110,7 @@ def in_unit(value: Value, number: int) -> str:
 
 
 def range_in_unit(value: Value, ranges: Ranges) -> str:
-    """`0.00..20.00, 30.00 mm`: intervals of counts in the value's unit."""
+    """Intervals of raw values as quantities with their unit: `0.00..20.00, 30.00 mm`."""
 
     def bound(count: int) -> str:
         return decimal_text(value.in_unit(count))
@@ -122,7 +122,7 @@ def range_in_unit(value: Value, ranges: Ranges) -> str:
 def decode_value(
     device: Device, value: Value, data: bytes, order: str, swapped: bool, reserved: bool = False
 ) -> DecodedValue:
-    """What the bytes of a value say; `data` must be exactly as long as the value. Never raises."""
+    """The meaning of the bytes of a value. `data` must have exactly the size of the value. Never raises."""
     number = number_of(value, data, order, swapped)
     if reserved:
         return DecodedValue(number)
@@ -141,14 +141,14 @@ def decode_value(
 
 
 def _float(value: Value, number: float) -> DecodedValue:
-    """What a floating-point number says: it counts in the unit."""
+    """The meaning of a floating-point number, which is a quantity in the unit of the value."""
     sentinel = value.sentinel(number)
     if sentinel is not None:
         return DecodedValue(number, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
-    found = DecodedValue(number, f"{number!r} {value.unit}" if value.unit else "")
+    decoded = DecodedValue(number, f"{number!r} {value.unit}" if value.unit else "")
     if value.ranges is None or number in value.ranges:
-        return found
-    return found.judged(False, f"{value.ranges.text()} {value.unit}".strip(), "out_of_range")
+        return decoded
+    return decoded.judged(False, f"{value.ranges.text()} {value.unit}".strip(), "out_of_range")
 
 
 def _boolean(device: Device, value: Value, number: Raw) -> DecodedValue:
@@ -159,28 +159,28 @@ def _boolean(device: Device, value: Value, number: Raw) -> DecodedValue:
 
 
 def _whole(device: Device, value: Value, number: int) -> DecodedValue:
-    """What a whole number says."""
+    """The meaning of a whole number."""
     if value.const is not None and number != value.const:
         return DecodedValue(number).judged(False, value.const, "wrong_const")
-    found = DecodedValue(number, verdict="" if value.const is None else "right")
+    decoded = DecodedValue(number, verdict="" if value.const is None else "right")
     sentinel = value.sentinel(number)
     if sentinel is not None:
-        return replace(found, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
+        return replace(decoded, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
     if value.enum:
         named = _named(device, value, number)
-        found = replace(named, text=in_unit(value, number), verdict=named.verdict or found.verdict)
+        decoded = replace(named, text=in_unit(value, number), verdict=named.verdict or decoded.verdict)
     elif value.flags:
         word = device.flags[value.flags]
-        found = replace(found, meanings=tuple(_set_bits(device, word, number)), facts=(word.place.path,))
+        decoded = replace(decoded, meanings=tuple(_set_bits(device, word, number)), facts=(word.place.path,))
     else:
-        found = replace(found, text=in_unit(value, number))
-    if not found.reason and value.ranges is not None and number not in value.ranges:
-        found = found.judged(False, range_in_unit(value, value.ranges), "out_of_range")
-    return found
+        decoded = replace(decoded, text=in_unit(value, number))
+    if not decoded.reason and value.ranges is not None and number not in value.ranges:
+        decoded = decoded.judged(False, range_in_unit(value, value.ranges), "out_of_range")
+    return decoded
 
 
 def _named(device: Device, value: Value, number: int) -> DecodedValue:
-    """The member of the value's enum that has the number."""
+    """The meaning of a number that a member of the value's enum names."""
     enum = device.enums[value.enum]
     member = enum.member(number)
     if member is None:
@@ -188,27 +188,27 @@ def _named(device: Device, value: Value, number: int) -> DecodedValue:
             return DecodedValue(number, notes=(f"{enum.name} does not list {number}.",), facts=(enum.place.path,))
         return DecodedValue(number).judged(False, _known(enum), "unknown_value")
     meaning = Meaning(member.name, member.label, member.problem or member.doc, "")
-    found = DecodedValue(number, meanings=(meaning,), notes=member.notes, facts=(enum.place.path, member.place.path))
+    decoded = DecodedValue(number, meanings=(meaning,), notes=member.notes, facts=(enum.place.path, member.place.path))
     if member.unavailable and not enum.open:
         notes = (*member.notes, f"{member.name} is listed as not available.")
-        return replace(found, notes=notes).judged(False, _known(enum), "unknown_value")
-    return found
+        return replace(decoded, notes=notes).judged(False, _known(enum), "unknown_value")
+    return decoded
 
 
 def _known(enum: Enum) -> str:
-    """`one of 1, 2, 5`"""
+    """The values of an enum that a codec accepts: `one of 1, 2, 5`."""
     return f"one of {', '.join(str(member.value) for member in enum.members if not member.unavailable)}"
 
 
 def _set_bits(device: Device, word: Flags, number: int) -> Iterator[Meaning]:
-    """The bits that are set, the fields of several bits that have names, and bits that nothing is known of."""
+    """The bits that are 1, fields of several bits with names, bits that the spec does not list, and states."""
     number &= (1 << 8 * word.type.size) - 1
     unknown = number
     for bit in word.bits:
-        held = (number & bit.mask) >> bit.first
+        number_of_bits = (number & bit.mask) >> bit.first
         unknown &= ~bit.mask
-        if held or (bit.enum and not bit.reserved):
-            yield _bit(device, bit, held)
+        if number_of_bits or (bit.enum and not bit.reserved):
+            yield _bit(device, bit, number_of_bits)
     for at in range(unknown.bit_length()):
         if unknown >> at & 1:
             yield Meaning("", "", "not listed", str(at))
@@ -216,7 +216,7 @@ def _set_bits(device: Device, word: Flags, number: int) -> Iterator[Meaning]:
 
 
 def _shows(word: Flags, state: State, number: int) -> bool:
-    """Whether the bits of a word are those of a state."""
+    """Whether the bits of a word show a state."""
     mask, value = word.masked(state)
     return number & mask == value
 
@@ -225,15 +225,15 @@ def _state(state: State) -> Meaning:
     return Meaning(state.name, state.label, f"state {state.printed_name}".strip(), "", "state")
 
 
-def _bit(device: Device, bit: Bit, held: int) -> Meaning:
+def _bit(device: Device, bit: Bit, number: int) -> Meaning:
     bits = str(bit.first) if bit.width == 1 else f"{bit.first}..{bit.last}"
     if bit.enum:
-        member = device.enums[bit.enum].member(held)
+        member = device.enums[bit.enum].member(number)
         if member is not None:
             return Meaning(f"{bit.name}={member.name}", member.label or bit.label, member.doc, bits)
     if bit.width > 1:
-        return Meaning(f"{bit.name}={held}", bit.label, bit.doc, bits)
-    said = bit.one or bit.doc
+        return Meaning(f"{bit.name}={number}", bit.label, bit.doc, bits)
+    text = bit.one or bit.doc
     if bit.edge:
-        said = "; ".join(text for text in (said.removesuffix("."), f"acts at its {bit.edge} edge") if text)
-    return Meaning(bit.name, bit.label, said, bits)
+        text = "; ".join(part for part in (text.removesuffix("."), f"acts at its {bit.edge} edge") if part)
+    return Meaning(bit.name, bit.label, text, bits)

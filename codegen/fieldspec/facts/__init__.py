@@ -1,4 +1,4 @@
-"""One row a fact, for audits and other programs. The columns are documented in docs/facts.md and stable."""
+"""One row for each fact, for audits and other programs. docs/facts.md documents the columns, which are stable."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ def rows(layout: DeviceLayout) -> list[FactRow]:
 
 
 def of_versions(layouts: Sequence[DeviceLayout]) -> list[list[FactRow]]:
-    """All facts of a device at each of some versions. Rows that these share are the same objects, and nobody's own."""
-    kept = SharedRows()
+    """The facts of a device at several versions, which share the rows of what they share. Nobody may change a row."""
+    shared = SharedRows()
     return [
         with_errata(
             layout.device,
-            [*wire(layout), *memory(layout, kept), *codes(layout.device, kept), *texts(layout, kept)],
+            [*wire(layout), *memory(layout, shared), *codes(layout.device, shared), *texts(layout, shared)],
         )
         for layout in layouts
     ]

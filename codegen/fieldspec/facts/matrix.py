@@ -1,4 +1,4 @@
-"""Facts by versions: in which versions a fact is there, and what it says there."""
+"""Facts by versions: which versions have a fact, and what it states there."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from fieldspec.classes import dataclass
 from fieldspec.facts.row import Cell, FactRow
 
 SAME = "same"
-# What places a fact in the spec and in the manual, and not what it says.
+# Columns that say where a fact is in the spec and in the manual, and not what it states.
 _PLACES = ("kind", "path", "section", "line", "printed", "errata", "sources")
 _LONGEST = 40
 
 
 @dataclass(frozen=True, slots=True)
 class MatrixRow:
-    """A fact: for each version nothing where it is missing, what it says, or that it says the same as before."""
+    """A fact with a cell for each version: empty if it is missing, what it states, or `same` as the version before."""
 
     path: str
     kind: str
@@ -31,30 +31,30 @@ class Matrix:
 
 
 def matrix(facts: Mapping[str, Sequence[FactRow]], everything: bool) -> Matrix:
-    """The matrix of the facts of each version, in their order; of those that differ, or of all."""
+    """The matrix of the facts of each version, in their order: of those that differ, or of everything."""
     columns = {version: _by_path(rows) for version, rows in facts.items()}
     paths: dict[str, None] = {}
-    for held in columns.values():
-        paths |= dict.fromkeys(held)
-    made = []
+    for rows_by_path in columns.values():
+        paths |= dict.fromkeys(rows_by_path)
+    rows_of_matrix = []
     for path in paths:
-        rows = [held.get(path) for held in columns.values()]
+        rows = [rows_by_path.get(path) for rows_by_path in columns.values()]
         if everything or len({_row_values(row) for row in rows}) > 1:
             kind = next(str(row["kind"]) for row in rows if row is not None)
-            made.append(MatrixRow(path, kind, tuple(_cells(rows))))
-    return Matrix(tuple(facts), tuple(made))
+            rows_of_matrix.append(MatrixRow(path, kind, tuple(_cells(rows))))
+    return Matrix(tuple(facts), tuple(rows_of_matrix))
 
 
 def _by_path(rows: Sequence[FactRow]) -> dict[str, FactRow]:
-    """The first row of each path; the others are the same fact, printed again."""
-    found: dict[str, FactRow] = {}
+    """The first row of each path. The others are the same fact, printed again."""
+    first_rows: dict[str, FactRow] = {}
     for row in rows:
-        found.setdefault(str(row["path"]), row)
-    return found
+        first_rows.setdefault(str(row["path"]), row)
+    return first_rows
 
 
 def _row_values(row: FactRow | None) -> tuple[tuple[str, str], ...] | None:
-    """What a fact says, as far as two versions may differ in it."""
+    """What a fact states; None if it is missing. Versions are compared by this."""
     if row is None:
         return None
     return tuple((key, _text(cell)) for key, cell in row.items() if key not in _PLACES and cell is not None)
@@ -64,11 +64,11 @@ def _cells(rows: Sequence[FactRow | None]) -> list[str]:
     cells: list[str] = []
     before: dict[str, str] | None = None
     for row in rows:
-        said = _row_values(row)
-        if said is None:
+        values = _row_values(row)
+        if values is None:
             cells.append("")
             continue
-        now = dict(said)
+        now = dict(values)
         if before is None:
             cells.append(_described(now))
         elif now == before:
@@ -80,10 +80,10 @@ def _cells(rows: Sequence[FactRow | None]) -> list[str]:
     return cells
 
 
-def _described(said: Mapping[str, str]) -> str:
-    """A fact in a few words, where it is there for the first time."""
-    shown = [said[key] for key in ("type", "access", "ranges", "unit", "code") if key in said]
-    return " ".join(shown) or "there"
+def _described(values: Mapping[str, str]) -> str:
+    """A fact in a few words, for the first version that has it."""
+    texts = [values[key] for key in ("type", "access", "ranges", "unit", "code") if key in values]
+    return " ".join(texts) or "there"
 
 
 def _text(cell: Cell) -> str:

@@ -1,4 +1,4 @@
-"""The facts of what is addressed: registers, tables of records, and numbered parameters."""
+"""The facts of everything with an address: registers, record tables, and parameters."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ from fieldspec.model.device import Device
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup
 
 
-def memory(layout: DeviceLayout, kept: SharedRows) -> Iterator[FactRow]:
-    """The rows of address spaces, groups of registers, of tables and of sets of parameters."""
+def memory(layout: DeviceLayout, shared: SharedRows) -> Iterator[FactRow]:
+    """The rows of address spaces, groups of registers, tables and sets of parameters."""
     for space in layout.device.spaces.values():
         yield from of_fact("address_space", space, None, number=space.first_number, **of_ranges(space.bounds))
     for group in layout.device.groups:
-        yield from _group(group, kept)
+        yield from _group(group, shared)
     yield from _tables(layout)
-    yield from _parameters(layout.device, kept)
+    yield from _parameters(layout.device, shared)
 
 
-def _group(group: RegisterGroup, kept: SharedRows) -> Iterator[FactRow]:
+def _group(group: RegisterGroup, shared: SharedRows) -> Iterator[FactRow]:
     yield from of_fact("register_group", group)
     for number, gap in enumerate(group.gaps):
         low, high = gap.addresses.low, gap.addresses.high
         path = f"{group.place.path}/gaps/{number}"
         yield row("gap", path, group.sources, name=group.name, address=low, words=high - low + 1)
     for register in group.registers:
-        yield from kept.rows(register, partial(_register, register))
+        yield from shared.rows(register, partial(_register, register))
 
 
 def _register(register: Register) -> Iterator[FactRow]:
@@ -50,7 +50,7 @@ def _cells(register: Register) -> FactRow:
 
 
 def _series(register: Register) -> Iterator[FactRow]:
-    """A row for several equal registers, and one for each, with its own line where the spec has it."""
+    """A row for several equal registers, and one for each of them, with its own source if the spec has it."""
     whole: FactRow = {"address": register.address, "words": register.end - register.address, "count": register.count}
     whole |= {"position": register.space}
     yield from of_fact("register_series", register, register.value, **whole)
@@ -71,37 +71,54 @@ def _series(register: Register) -> Iterator[FactRow]:
 
 def _tables(layout: DeviceLayout) -> Iterator[FactRow]:
     done: set[str] = set()
-    for laid in layout.tables.values():
-        table = laid.table
-        cells: FactRow = {"address": table.base, "words": laid.words, "access": table.access, "count": table.count}
+    for table_layout in layout.tables.values():
+        table = table_layout.table
+        cells: FactRow = {
+            "address": table.base,
+            "words": table_layout.words,
+            "access": table.access,
+            "count": table.count,
+        }
         cells |= {"position": table.space}
         yield from of_fact("table", table, None, **cells)
-        yield from _elements(laid)
-        if laid.record.name not in done:
-            done.add(laid.record.name)
-            yield from of_fact("record", laid.record.record, words=laid.words, bytes=laid.record.size)
-            yield from fields("table_field", laid.record, base=table.base, access=table.access)
+        yield from _elements(table_layout)
+        if table_layout.record.name not in done:
+            done.add(table_layout.record.name)
+            yield from of_fact(
+                "record", table_layout.record.record, words=table_layout.words, bytes=table_layout.record.size
+            )
+            yield from fields("table_field", table_layout.record, base=table.base, access=table.access)
 
 
-def _elements(laid: TableLayout) -> Iterator[FactRow]:
-    """The elements of which the manual prints the addresses."""
-    for element in laid.table.elements:
-        name = f"{laid.name}_{element.index}"
-        cells: FactRow = {"name": name, "address": laid.table.address(element.index), "words": laid.words}
+def _elements(table_layout: TableLayout) -> Iterator[FactRow]:
+    """The rows of the elements whose addresses the manual prints."""
+    for element in table_layout.table.elements:
+        name = f"{table_layout.name}_{element.index}"
+        cells: FactRow = {
+            "name": name,
+            "address": table_layout.table.address(element.index),
+            "words": table_layout.words,
+        }
         yield row("table_element", element.place.path, element.sources, **cells)
 
 
-def _parameters(device: Device, kept: SharedRows) -> Iterator[FactRow]:
-    for held in device.parameters.values():
-        yield from of_fact("parameter_set", held, None, number=held.base, **of_ranges(held.numbers))
-        for parameter in held.parameters:
-            yield from kept.rows(parameter, partial(_parameter, held, parameter), held.base)
+def _parameters(device: Device, shared: SharedRows) -> Iterator[FactRow]:
+    for parameter_set in device.parameters.values():
+        yield from of_fact(
+            "parameter_set", parameter_set, None, number=parameter_set.base, **of_ranges(parameter_set.numbers)
+        )
+        for parameter in parameter_set.parameters:
+            yield from shared.rows(parameter, partial(_parameter, parameter_set, parameter), parameter_set.base)
 
 
-def _parameter(held: ParameterSet, parameter: Parameter) -> Iterator[FactRow]:
-    """A parameter, or a run of equal ones; its elements, and what it is for."""
+def _parameter(parameter_set: ParameterSet, parameter: Parameter) -> Iterator[FactRow]:
+    """The rows of a parameter, or of a run of equal ones, of its elements, and of what it applies to."""
     kind = "parameter" if parameter.count == 1 else "parameter_series"
-    cells: FactRow = {"code": parameter.number, "number": held.base + parameter.number, "access": parameter.access}
+    cells: FactRow = {
+        "code": parameter.number,
+        "number": parameter_set.base + parameter.number,
+        "access": parameter.access,
+    }
     cells.update(restart=of_flag(parameter.restart), count=parameter.elements)
     if parameter.count > 1:
         cells.update(count=parameter.count)
@@ -113,7 +130,7 @@ def _parameter(held: ParameterSet, parameter: Parameter) -> Iterator[FactRow]:
             **of_value(parameter.value),
             **cells,
             "code": number,
-            "number": held.base + number,
+            "number": parameter_set.base + number,
             "name": name,
         }
         own.update(count=parameter.elements)

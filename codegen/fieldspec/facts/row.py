@@ -1,4 +1,4 @@
-"""A row of the table of facts, and how a fact of any kind becomes one."""
+"""A row of the table of facts, and the rows of a fact of any kind."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from decimal import Decimal
 from typing import TypeAlias
 
+from fieldspec.caches import ByIdentity
 from fieldspec.model.fact import PRINTED, REPORTED, STANDARD, Citation, Claim, Fact, Report
 from fieldspec.model.record import Message
 from fieldspec.model.registers import Parameter
@@ -54,7 +55,7 @@ FactRow: TypeAlias = dict[str, Cell]
 
 _BLANK: FactRow = dict.fromkeys(COLUMNS)
 
-# What another place states again, and the column that shows it.
+# Keys of claims, with the columns of what they state.
 _CLAIMED = {
     "at": "address",
     "words": "words",
@@ -81,35 +82,35 @@ _CLAIMED = {
 
 
 class SharedRows:
-    """The rows that are made of nouns of the model, which versions share as long as these are the same objects."""
+    """The rows of objects of the model. Versions that share an object share its rows."""
 
     def __init__(self) -> None:
-        self._rows: dict[tuple[int, int], list[FactRow]] = {}
+        self._rows: ByIdentity[object, dict[int, list[FactRow]]] = ByIdentity()
 
-    def rows(self, noun: object, make: Callable[[], Iterable[FactRow]], base: int = 0) -> list[FactRow]:
-        """The rows of a noun, and of a number on which they depend too."""
-        key = id(noun), base
-        if key not in self._rows:
-            self._rows[key] = list(make())
-        return self._rows[key]
+    def rows(self, item: object, compute: Callable[[], Iterable[FactRow]], base: int = 0) -> list[FactRow]:
+        """The rows of an object. `base` is a number that they depend on as well."""
+        by_base = self._rows.get_or_compute(item, lambda _: {})
+        if base not in by_base:
+            by_base[base] = list(compute())
+        return by_base[base]
 
 
 def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> FactRow:
-    """A row with the first place of the manual; cells that are empty texts stay empty."""
-    made = _BLANK.copy()
-    made["kind"], made["path"], made["errata"] = kind, path, []
+    """A row with the first of its sources. Cells of empty text stay empty."""
+    result_row = _BLANK.copy()
+    result_row["kind"], result_row["path"], result_row["errata"] = kind, path, []
     cited = tuple(sources)
     if cited:
         text = "; ".join(citation.text() for citation in cited)
-        made.update(section=cited[0].section or None, line=cited[0].line(), sources=text, provenance=PRINTED)
+        result_row.update(section=cited[0].section or None, line=cited[0].line(), sources=text, provenance=PRINTED)
     for key, cell in cells.items():
         if cell is not None and cell != "":
-            made[key] = cell
-    return made
+            result_row[key] = cell
+    return result_row
 
 
 def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) -> Iterator[FactRow]:
-    """The row of a fact, then one for each place of the manual that states it again."""
+    """The row of a fact, one for each place of the manual that states it again, and those of its special values."""
     known: FactRow = {key: cells[key] for key in ("code", "bit", "direction") if key in cells}
     known |= {"unverified": of_flag(fact.unverified or None)}
     known |= {"name": fact.name, "printed_name": fact.printed_name, "label": fact.label}
@@ -142,7 +143,7 @@ def _reported(kind: str, value: Value | None, report: Report, known: FactRow) ->
 
 
 def of_value(value: Value | None) -> FactRow:
-    """The cells of a value; bounds and defaults are counts."""
+    """The cells of a value. Bounds and defaults are raw values."""
     if value is None:
         return {}
     return {
@@ -156,46 +157,48 @@ def of_value(value: Value | None) -> FactRow:
     }
 
 
-def of_flag(given: bool | None) -> str:
-    """A truth value as a cell: empty where nothing is said."""
-    return "" if given is None else "yes" if given else "no"
+def of_flag(flag: bool | None) -> str:
+    """A truth value as a cell: `yes`, `no`, or empty for None."""
+    return "" if flag is None else "yes" if flag else "no"
 
 
 def of_ranges(ranges: Ranges | None) -> FactRow:
-    """The least value, the greatest, and all intervals."""
+    """The cells of the least value, the greatest, and all intervals."""
     return {} if ranges is None else {"min": ranges.low, "max": ranges.high, "ranges": ranges.text()}
 
 
 def _restated(kind: str, value: Value | None, claim: Claim, known: FactRow, number: str) -> FactRow:
-    """The row of a claim: what makes the fact known, and what the other place says of it.
+    """The row of a claim: the cells that identify the fact, and what the claim states.
 
     `number` is the column of the claim's `number`.
     """
     cells = dict(known)
-    for key, held in claim.values.items():
-        if key == "scale" and isinstance(held, str):
-            cells["scale"] = exact_scale(held)
-        elif key in _CLAIMED and held is not None and not isinstance(held, bool):
-            cells[_CLAIMED[key]] = str(held) if _CLAIMED[key] == "ranges" else held
+    for key, stated in claim.values.items():
+        if key == "scale" and isinstance(stated, str):
+            cells["scale"] = exact_scale(stated)
+        elif key in _CLAIMED and stated is not None and not isinstance(stated, bool):
+            cells[_CLAIMED[key]] = str(stated) if _CLAIMED[key] == "ranges" else stated
             if key == "range":
-                cells.update(_bounds(str(held), None))
+                cells.update(_bounds(str(stated), None))
             if key == "count":
-                cells["count"] = held
-        elif key == "value" and isinstance(held, int | Decimal):
-            cells.update({"code": held} if isinstance(held, int) and "code" in known else {"min": held, "max": held})
-        elif key == "number" and isinstance(held, int):
-            cells[number] = held
-        elif key == "restart" and isinstance(held, bool):
-            cells["restart"] = of_flag(held)
+                cells["count"] = stated
+        elif key == "value" and isinstance(stated, int | Decimal):
+            cells.update(
+                {"code": stated} if isinstance(stated, int) and "code" in known else {"min": stated, "max": stated}
+            )
+        elif key == "number" and isinstance(stated, int):
+            cells[number] = stated
+        elif key == "restart" and isinstance(stated, bool):
+            cells["restart"] = of_flag(stated)
         elif key == "unit_range" and value is not None:
-            cells.update(_bounds(str(held), value))
-        elif key == "unit_default" and value is not None and isinstance(held, int | Decimal):
-            cells["default"] = value.from_unit(Decimal(held))
+            cells.update(_bounds(str(stated), value))
+        elif key == "unit_default" and value is not None and isinstance(stated, int | Decimal):
+            cells["default"] = value.from_unit(Decimal(stated))
     return row(kind, claim.place.path, claim.sources, **cells)
 
 
 def _bounds(text: str, value: Value | None) -> FactRow:
-    """The bounds of intervals; with a `value`, of intervals in its unit, as counts."""
+    """The cells of intervals; with a `value`, of intervals of quantities, as raw values."""
     pairs = intervals(text)
     if value is not None:
         pairs = tuple(((low - value.offset) / value.scale, (high - value.offset) / value.scale) for low, high in pairs)

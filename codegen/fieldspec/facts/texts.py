@@ -13,18 +13,19 @@ from fieldspec.model.task import Task, argument_text, value_text
 from fieldspec.model.texts import Lookup
 
 
-def texts(layout: DeviceLayout, kept: SharedRows) -> Iterator[FactRow]:
-    """The rows of look-up tables, limits, notes, examples and versions."""
+def texts(layout: DeviceLayout, shared: SharedRows) -> Iterator[FactRow]:
+    """The rows of tables to look up, limits, notes, examples and versions."""
     device = layout.device
     for lookup in device.lookups:
-        yield from kept.rows(lookup, partial(_lookup, lookup))
+        yield from shared.rows(lookup, partial(_lookup, lookup))
     yield from _limits(device)
     for task in device.tasks:
         yield from _task(task)
     for note in device.notes:
         yield row("note", note.place.path, note.sources, name=note.name, label=note.title)
-        for one in note.statements:
-            yield row("statement", one.place.path, one.sources, name=one.subject, ranges=one.says, label=one.text)
+        for statement in note.statements:
+            cells: FactRow = {"name": statement.subject, "ranges": statement.says, "label": statement.text}
+            yield row("statement", statement.place.path, statement.sources, **cells)
     yield from _examples(layout)
     yield from _versions(device)
 
@@ -70,10 +71,10 @@ def _task(task: Task) -> Iterator[FactRow]:
 
 def _examples(layout: DeviceLayout) -> Iterator[FactRow]:
     for example in layout.device.examples.values():
-        laid = layout.messages.get(example.message)
-        code = laid.message.code if laid else None
+        message = layout.messages.get(example.message)
+        code = message.message.code if message else None
         cells: FactRow = {
-            "code": laid.message.number if laid and code is None else code,
+            "code": message.message.number if message and code is None else code,
             "bytes": len(example.frame),
             "name": example.id,
             "printed_name": example.frame.hex(" ").upper(),
@@ -95,27 +96,27 @@ def _versions(device: Device) -> Iterator[FactRow]:
             yield row("version", path, version.sources, **cells)
 
 
-def with_errata(device: Device, found: list[FactRow]) -> list[FactRow]:
+def with_errata(device: Device, rows: list[FactRow]) -> list[FactRow]:
     """The rows with every erratum at the innermost fact that it is about.
 
-    A fact of which there is no row, because it does not hold for this version, gets one of the kind `fact`.
+    A fact without a row, because this version does not have it, gets one of the kind `fact`.
     """
     by_path: dict[str, int] = {}
-    for number, listed in enumerate(found):
-        by_path.setdefault(str(listed["path"]), number)
+    for number, fact_row in enumerate(rows):
+        by_path.setdefault(str(fact_row["path"]), number)
     for erratum in device.errata:
         path = erratum.fact
         while path and path not in by_path:
             path = path.rpartition("/")[0]
         if path not in by_path:
             path = erratum.fact
-            by_path[path] = len(found)
-            found.append(row("fact", path, erratum.sources, name=path.rpartition("/")[2]))
-        held = found[by_path[path]]
-        ids, before = held["errata"], held["printed"]
+            by_path[path] = len(rows)
+            rows.append(row("fact", path, erratum.sources, name=path.rpartition("/")[2]))
+        fact_row = rows[by_path[path]]
+        ids, before = fact_row["errata"], fact_row["printed"]
         assert isinstance(ids, list)
         added: FactRow = {"errata": [*ids, erratum.id]}
         if erratum.printed:
             added["printed"] = {**(before if isinstance(before, dict) else {}), **erratum.printed}
-        found[by_path[path]] = {**held, **added}  # others may share the row
-    return found
+        rows[by_path[path]] = {**fact_row, **added}  # other versions may share the row
+    return rows

@@ -18,12 +18,12 @@ from fieldspec.model.record import Message
 from fieldspec.model.value import Conversion
 
 
-def codes(device: Device, kept: SharedRows) -> Iterator[FactRow]:
+def codes(device: Device, shared: SharedRows) -> Iterator[FactRow]:
     """The rows of enums and of words of flags."""
     for enum in device.enums.values():
-        yield from kept.rows(enum, partial(_enum, enum))
+        yield from shared.rows(enum, partial(_enum, enum))
     for word in device.flags.values():
-        yield from kept.rows(word, partial(_flags, word))
+        yield from shared.rows(word, partial(_flags, word))
 
 
 def _enum(enum: Enum) -> Iterator[FactRow]:
@@ -36,7 +36,7 @@ def _enum(enum: Enum) -> Iterator[FactRow]:
 
 
 def _remedies(member: Member) -> Iterator[FactRow]:
-    """The causes of a code, and what to do about it, in our own words."""
+    """The rows of the causes of a code and of what to do about it, which are in our own words."""
     path = member.place.path
     for number, cause in enumerate(member.causes):
         name, inner = f"{member.name}_cause_{number + 1}", f"{path}/causes/{number}"
@@ -62,7 +62,7 @@ def _flags(word: Flags) -> Iterator[FactRow]:
 
 
 def _bits(mask: int) -> str:
-    """The bits of a mask: `0..2, 6`."""
+    """The bits of a mask as text: `0..2, 6`."""
     bits = [bit for bit in range(mask.bit_length()) if mask >> bit & 1]
     firsts = [bit for bit in bits if bit - 1 not in bits]
     lasts = [bit for bit in bits if bit + 1 not in bits]
@@ -73,15 +73,15 @@ _MESSAGE = "message"
 
 
 def wire(layout: DeviceLayout) -> Iterator[FactRow]:
-    """The rows of links, signals, messages and of records that no table holds."""
+    """The rows of links, signals, conversions, messages, and of records that no table has."""
     for link in layout.device.links.values():
         yield from _link(link)
     for signal in layout.device.signals.values():
         yield from of_fact("signal", signal, signal.value, direction=signal.direction)
     for conversion in layout.device.conversions.values():
         yield from _conversion(conversion)
-    for laid in layout.messages.values():
-        yield from _message(layout, laid)
+    for message_layout in layout.messages.values():
+        yield from _message(layout, message_layout)
     in_tables = {table.record.name for table in layout.tables.values()}
     for record in layout.records.values():
         if record.name not in in_tables:
@@ -114,22 +114,22 @@ def fields(
             yield from _case(case, code, direction)
 
 
-def _case(laid: CaseLayout, code: int | None, direction: str) -> Iterator[FactRow]:
-    """What may lie in a field, and for which values of the deciding one."""
-    case = laid.case
+def _case(case_layout: CaseLayout, code: int | None, direction: str) -> Iterator[FactRow]:
+    """The rows of a case of a field, and of the values of the deciding field that select it."""
+    case = case_layout.case
     yield from of_fact("case", case, case.value, code=code, direction=direction)
     for name in case.when:
         yield row("case_value", f"{case.place.path}/when/{name}", case.sources, name=name)
 
 
 def _position(field: FieldLayout) -> str:
-    """The printed place of a field in the data: its words, or else its bytes, counted from 1."""
+    """The printed position of a field in the data: its words, or else its bytes, counted from 1."""
     span = field.field.word_span or field.field.span
     return "" if span is None else f"{span[0]}" if span[0] == span[1] else f"{span[0]}-{span[1]}"
 
 
 def _conversion(conversion: Conversion) -> Iterator[FactRow]:
-    """A conversion; its full scale is the count that stands for the whole reference."""
+    """The rows of a conversion. Its full scale is the count that stands for the whole reference."""
     cells: FactRow = {"type": conversion.type.name, "bytes": conversion.type.size, "max": conversion.full_scale}
     if conversion.printed:
         cells["printed_name"] = conversion.printed
@@ -143,16 +143,16 @@ def _conversion(conversion: Conversion) -> Iterator[FactRow]:
             yield row(kind, f"{path}/{key}/{number}", conversion.sources, name=name)
 
 
-def _message(layout: DeviceLayout, laid: MessageLayout) -> Iterator[FactRow]:
-    """A message, its printed sizes, the messages beside which it is sent, and its fields."""
-    message, kind = laid.message, _kind(layout, laid.message)
+def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Iterator[FactRow]:
+    """The rows of a message, of its printed lengths, of the messages that it is sent with, and of its fields."""
+    message, kind = message_layout.message, _kind(layout, message_layout.message)
     code = message.number if message.code is None else message.code
     yield from of_fact(kind, message, code=code, number=message.number)
     yield from _lengths(message, code)
     for number, name in enumerate(message.supplements):
         yield row("supplement", f"{message.place.path}/supplements/{number}", message.sources, code=code, name=name)
     for direction in ("request", "response"):
-        yield from fields(f"{kind}_field", laid.data(direction), code, direction=direction)
+        yield from fields(f"{kind}_field", message_layout.data(direction), code, direction=direction)
 
 
 def _placed(field: FieldLayout, base: int | None) -> FactRow:
@@ -162,7 +162,7 @@ def _placed(field: FieldLayout, base: int | None) -> FactRow:
 
 
 def _kind(layout: DeviceLayout, message: Message) -> str:
-    """What people call a message: as its link says, or else as the code is called in the frame: function, command."""
+    """What users call a message: the name that its link gives messages, or else that of the code: function, command."""
     sent_on = [link for link in layout.links.values() if message.name in link.messages]
     for link in sent_on:
         if link.link.message_name != _MESSAGE:
@@ -172,7 +172,7 @@ def _kind(layout: DeviceLayout, message: Message) -> str:
 
 
 def _lengths(message: Message, code: int | None) -> Iterator[FactRow]:
-    """The printed lengths of a message's frames, and the printed words of its data."""
+    """The rows of the printed lengths of a message's frames, and of the printed words of its data."""
     for direction, length in (("request", message.request_length), ("response", message.response_length)):
         if length is not None:
             path = f"{message.place.path}/frame_length/{direction}"
@@ -234,8 +234,8 @@ def _serial(link: Link) -> Iterator[FactRow]:
         ("parity", serial.parity, None),
         ("stop_bits", serial.stop_bits, None),
     )
-    for name, held, default in settings:
-        if held:
-            text = ", ".join(map(str, held))
+    for name, values, default in settings:
+        if values:
+            text = ", ".join(map(str, values))
             path = f"{link.place.path}/serial/{name}"
             yield row("serial", path, serial.sources or link.sources, name=name, ranges=text, default=default)

@@ -1,1 +1,1 @@
-"""Every number that an output prints: offsets, sizes, masks, addresses. Built from a checked device; cannot fail."""
+"""Every number that an output prints: offsets, sizes, masks, addresses. A device without findings has a layout."""

@@ -15,7 +15,7 @@ from fieldspec.model.registers import Register, Table
 
 @dataclass(frozen=True, slots=True)
 class TableLayout:
-    """A table of records in the register space."""
+    """A table of records in the register space. `words` is the size of one record."""
 
     table: Table
     name: str
@@ -23,19 +23,19 @@ class TableLayout:
     words: int
 
     def access(self, field: Field) -> str:
-        """What may be done with a field of an element: what the field and the table both allow."""
+        """The access to a field of an element: what both the field and the table allow."""
         return narrowed(self.table.access, field.access)
 
     @property
     def read_only(self) -> tuple[str, ...]:
-        """The fields that cannot be written, in a table that does not say so of all of them."""
+        """The fields that cannot be written, in a table with others that can."""
         if self.table.access == "ro":
             return ()
         return tuple(field.name for field in self.record.fields if self._read_only(field))
 
     @property
     def writable(self) -> bool:
-        """Whether an element may be written as a whole: nothing in it can only be read."""
+        """Whether an element can be written as a whole: all of its fields can be written."""
         return self.table.access != "ro" and not self.read_only
 
     def _read_only(self, field: FieldLayout) -> bool:
@@ -45,9 +45,9 @@ class TableLayout:
 
 @dataclass(frozen=True, slots=True)
 class DeviceLayout:
-    """All numbers of a device at one version. `identity` is equal if and only if what is on the wire is.
+    """All numbers of a device at one version. Two layouts have the same `identity` if they exchange the same bytes.
 
-    `twins` are the versions of other lines that have no outputs of their own, and share those of this one.
+    `equal_versions` are the versions of other lines that have no outputs of their own and use those of this one.
     """
 
     device: Device
@@ -61,11 +61,11 @@ class DeviceLayout:
 
 
 def device_layout(device: Device) -> DeviceLayout:
-    """The layout of a device that has passed the checks."""
+    """The layout of a device without findings. For any other device, anything may be raised."""
     orders = Orders(device.byte_order, device.word_order)
     records: dict[str, RecordLayout] = {}
     for record in device.records.values():
-        _lay(record, device, records, orders)
+        _add_record(record, device, records, orders)
     messages = {
         message.name: MessageLayout(
             message,
@@ -80,7 +80,9 @@ def device_layout(device: Device) -> DeviceLayout:
         table.name: TableLayout(table, table.name, records[table.record], (records[table.record].size or 0) // 2)
         for table in device.tables.values()
     }
-    from fieldspec.layout.identity import identity  # with OpenSSL, for which one that is laid out has no use
+    from fieldspec.layout.identity import (
+        identity,
+    )  # this imports OpenSSL, which a layout read from a cache does not need
 
     links = {link.name: link_layout(link, messages) for link in device.links.values()}
     return DeviceLayout(
@@ -88,13 +90,13 @@ def device_layout(device: Device) -> DeviceLayout:
     )
 
 
-def _lay(record: Record, device: Device, records: dict[str, RecordLayout], orders: Orders) -> None:
-    """Lays out a record behind the records that lie in it."""
+def _add_record(record: Record, device: Device, records: dict[str, RecordLayout], orders: Orders) -> None:
+    """Adds the layout of a record, after those of the records in it."""
     if record.name in records:
         return
     for field in record.fields:
         if field.record:
-            _lay(device.records[field.record], device, records, orders)
+            _add_record(device.records[field.record], device, records, orders)
     records[record.name] = record_layout(record, records, orders, device.enums)
 
 

@@ -21,7 +21,7 @@ class MessageLayout:
     response: RecordLayout
 
     def data(self, direction: str) -> RecordLayout:
-        """The data in one direction."""
+        """The data in one direction, `request` or `response`."""
         return self.request if direction == "request" else self.response
 
 
@@ -43,12 +43,11 @@ CHECKSUMS: Mapping[str, Callable[[bytes], int]] = {
 
 @dataclass(frozen=True, slots=True)
 class PartLayout:
-    """A part of a frame, at `offset` bytes from the first part; behind the body, from the end, and negative.
+    """A part of a frame. `offset` counts from the first part; behind the body, it counts from the end and is negative.
 
-    `start` and `stop` bound the bytes that a check covers, as a slice of the parts does: from the first part, or
-    negative from the end, where None is the end itself. A length of n means that all parts have
-    `unit_size` * n + `base` bytes. `constant` is what is always sent; `reserved` says that
-    something else may be received.
+    A checksum covers the bytes of the parts from `start` to `stop`, which are the bounds of a slice; negative ones
+    count from the end, and None is the end. A length of n means that all parts together have `unit_size` * n + `base`
+    bytes. `constant` is what is always sent. In a `reserved` part, anything may be received.
     """
 
     part: Part
@@ -68,15 +67,15 @@ class PartLayout:
 
     @property
     def is_argument(self) -> bool:
-        """Whether users give its value."""
+        """Whether users supply its value."""
         return self.role in ("unit_address", "plain") and self.constant is None
 
     def at(self, length: int) -> int:
-        """Where it begins in a frame whose parts have so many bytes."""
+        """The offset of the part if all parts together have `length` bytes."""
         return self.offset if self.offset >= 0 else length + self.offset
 
     def number(self, length: int) -> int | None:
-        """What a length part holds where all parts have so many bytes; None where no number says it."""
+        """The value of a length part if all parts together have `length` bytes; None if it cannot express that."""
         units, over = divmod(length - self.base, self.unit_size)
         return units if not over and self.value and self.value.type.low <= units <= self.value.type.high else None
 
@@ -85,7 +84,7 @@ class PartLayout:
 class FrameLayout:
     """The parts before the body, `head_size` bytes; then the body; then `tail_size` bytes.
 
-    All sizes are those of the parts themselves, before they are written as characters and marked.
+    All sizes count bytes of the parts, before these are encoded as characters and put between delimiters.
     """
 
     direction: str
@@ -96,27 +95,27 @@ class FrameLayout:
 
     @property
     def parts(self) -> tuple[PartLayout, ...]:
-        """All parts but the body, in the order of the wire."""
+        """All parts but the body, in the order in which they are sent."""
         return (*self.head, *self.tail)
 
     def role(self, role: str) -> PartLayout | None:
-        """The part with a role."""
+        """The first part with a role, None if there is none."""
         return next((part for part in self.parts if part.role == role), None)
 
     @property
     def checksum(self) -> PartLayout | None:
-        """The checksum, None where the frame has none."""
+        """The checksum, None if the frame has none."""
         return self.role("checksum")
 
     @property
     def constants(self) -> tuple[PartLayout, ...]:
-        """The parts that a receiver compares with what is always sent."""
+        """The parts whose constants a receiver checks."""
         return tuple(part for part in self.parts if part.constant is not None and not part.reserved)
 
 
 @dataclass(frozen=True, slots=True)
 class LinkLayout:
-    """The frames of a link in both directions, and the messages that are sent on it."""
+    """The frames of a link in both directions, and its messages."""
 
     link: Link
     name: str
@@ -125,8 +124,8 @@ class LinkLayout:
     messages: Mapping[str, MessageLayout]
 
     def message_with_code(self, code: int) -> MessageLayout | None:
-        """The message with a function or command code."""
-        return next((laid for laid in self.messages.values() if laid.message.code == code), None)
+        """The message with a code, None if there is none."""
+        return next((message for message in self.messages.values() if message.message.code == code), None)
 
     def frame(self, direction: str) -> FrameLayout:
         """The frame in one direction."""
@@ -134,8 +133,12 @@ class LinkLayout:
 
 
 def link_layout(link: Link, messages: Mapping[str, MessageLayout]) -> LinkLayout:
-    """The layout of a link, given all messages of the device."""
-    sent = {name: laid for name, laid in messages.items() if not laid.message.links or link.name in laid.message.links}
+    """The layout of a link. `messages` are those of all links of the device."""
+    sent = {
+        name: message
+        for name, message in messages.items()
+        if not message.message.links or link.name in message.message.links
+    }
     return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"), sent)
 
 
@@ -147,7 +150,7 @@ def _frame(link: Link, direction: str) -> FrameLayout:
     around = sum(sizes)
 
     def place(number: int) -> int:
-        """Where a part begins: from the first part, or behind the body from the end."""
+        """The offset of a part: from the start, or from the end and negative if the part is behind the body."""
         return sum(sizes[:number]) if number <= body else sum(sizes[:number]) - around
 
     placed = []

@@ -1,4 +1,4 @@
-"""A hash over everything that decides what bytes mean, and over nothing else."""
+"""A hash of everything that gives bytes their meaning, and of nothing else."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def identity(
     messages: Mapping[str, MessageLayout],
     registers: tuple[RegisterLayout, ...],
 ) -> str:
-    """Sixteen hexadecimal digits that are the same for two layouts if and only if what is on the wire is."""
+    """Sixteen hexadecimal digits. Two layouts have the same if and only if they exchange the same bytes."""
     digest = hashlib.sha256()
     for words in chain(
         _links(links),
@@ -46,7 +46,10 @@ def identity(
 def _value(value: Value | None) -> Words:
     if value is None:
         return ()
-    sentinels = [(one.value, one.name, "NaN") if one.is_nan else (one.value, one.name) for one in value.sentinels]
+    sentinels = [
+        (sentinel.value, sentinel.name, "NaN") if sentinel.is_nan else (sentinel.value, sentinel.name)
+        for sentinel in value.sentinels
+    ]
     scaled = (value.scale, value.offset, value.unit)
     return (
         value.type.name,
@@ -63,12 +66,21 @@ def _value(value: Value | None) -> Words:
 
 
 def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
-    for laid in links.values():
-        link = laid.link
+    for link_layout in links.values():
+        link = link_layout.link
         stations = (link.unit_addresses.ranges, link.unit_addresses.broadcast) if link.unit_addresses else ()
         error = (link.exception_response.flag, link.exception_response.record) if link.exception_response else ()
-        yield "link", link.name, link.encoding, link.start.hex(), link.end.hex(), error, stations, list(laid.messages)
-        for frame in (laid.request, laid.response):
+        yield (
+            "link",
+            link.name,
+            link.encoding,
+            link.start.hex(),
+            link.end.hex(),
+            error,
+            stations,
+            list(link_layout.messages),
+        )
+        for frame in (link_layout.request, link_layout.response):
             for part in frame.parts:
                 role = _HASHED_ROLES.get(part.role, part.role)
                 yield part.name, role, part.offset, part.size, part.algorithm, part.order, *_value(part.value)
@@ -76,7 +88,7 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
 
 
 def _span(part: PartLayout) -> Iterator[Words]:
-    """What a part counts or covers, and whether it is reserved; nothing where it is as in most frames."""
+    """What a part counts or covers, and whether it is reserved; nothing for what is so in most frames."""
     usual = part.role != "checksum" or (part.start, part.stop) == (0, part.offset)
     if not usual or (part.unit_size, part.base, part.reserved) != (1, 0, False):
         yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
@@ -99,7 +111,7 @@ def _field(field: FieldLayout) -> Iterator[Words]:
 
 
 def _access(access: RegisterAccess | None) -> str | None:
-    """What a message does with registers; in which space is said of the spaces."""
+    """How a message accesses registers. Its space is stated with the spaces."""
     if access is None:
         return None
     parts = (access.operation, access.start, access.count, access.values)
@@ -107,33 +119,45 @@ def _access(access: RegisterAccess | None) -> str | None:
 
 
 def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
-    for laid in messages.values():
-        message = laid.message
+    for message_layout in messages.values():
+        message = message_layout.message
         yield "message", message.name, message.code, message.number, message.broadcast, _access(message.accesses)
-        for data in (laid.request, laid.response):
+        for data in (message_layout.request, message_layout.response):
             yield from _record(data)
 
 
 def _spaces(device: Device) -> Iterator[Words]:
-    """The spaces, and what lies in each, as far as there are several."""
+    """The spaces with their contents, if there are several."""
     for space in device.spaces.values() if device.several_spaces else ():
         yield "space", space.name, space.unit
-        yield "registers", [one.name for one in device.registers() if device.space_name(one.space) == space.name]
-        yield "tables", [one.name for one in device.tables.values() if device.space_name(one.space) == space.name]
+        yield (
+            "registers",
+            [register.name for register in device.registers() if device.space_name(register.space) == space.name],
+        )
+        yield "tables", [table.name for table in device.tables.values() if device.space_name(table.space) == space.name]
         yield (
             "messages",
             [
-                one.name
-                for one in device.messages.values()
-                if one.accesses is not None and device.space_name(one.accesses.space) == space.name
+                message.name
+                for message in device.messages.values()
+                if message.accesses is not None and device.space_name(message.accesses.space) == space.name
             ],
         )
 
 
 def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
-    for laid in registers:
-        register = laid.register
-        yield "register", laid.name, laid.address, laid.words, laid.count, laid.stride, laid.order, laid.swapped
+    for register_layout in registers:
+        register = register_layout.register
+        yield (
+            "register",
+            register_layout.name,
+            register_layout.address,
+            register_layout.words,
+            register_layout.count,
+            register_layout.stride,
+            register_layout.order,
+            register_layout.swapped,
+        )
         yield register.index_from, register.access, register.trigger, register.atomic, *_value(register.value)
 
 
@@ -147,27 +171,35 @@ def _tables(device: Device) -> Iterator[Words]:
 
 
 def _parameters(device: Device) -> Iterator[Words]:
-    for held in device.parameters.values():
-        yield "parameters", held.name, held.space, held.base, held.numbers
-        for one in held.parameters:
+    for parameter_set in device.parameters.values():
+        yield "parameters", parameter_set.name, parameter_set.space, parameter_set.base, parameter_set.numbers
+        for parameter in parameter_set.parameters:
             yield (
                 "parameter",
-                one.number,
-                one.name,
-                one.access,
-                one.count,
-                one.elements,
-                one.reserved,
-                *_value(one.value),
+                parameter.number,
+                parameter.name,
+                parameter.access,
+                parameter.count,
+                parameter.elements,
+                parameter.reserved,
+                *_value(parameter.value),
             )
-            yield (one.value.byte_order,)
-            for inner in one.subindices:
+            yield (parameter.value.byte_order,)
+            for inner in parameter.subindices:
                 yield "subindex", inner.name, inner.indices, inner.reserved, *_value(inner.value)
 
 
 def _conversions(device: Device) -> Iterator[Words]:
-    for one in device.conversions.values():
-        yield "conversion", one.name, one.type.name, one.full_scale, one.complement, one.signals, one.references
+    for conversion in device.conversions.values():
+        yield (
+            "conversion",
+            conversion.name,
+            conversion.type.name,
+            conversion.full_scale,
+            conversion.complement,
+            conversion.signals,
+            conversion.references,
+        )
 
 
 def _words(device: Device) -> Iterator[Words]:

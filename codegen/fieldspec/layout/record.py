@@ -1,4 +1,4 @@
-"""The offset of each field of a record, and the address of each register."""
+"""The offsets of the fields of a record, and the byte and word order of each value."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class CaseLayout:
-    """What lies in a field where the field that decides it has one of `numbers`; `order` and `swapped` as there."""
+    """The type of a field if the deciding field has one of `numbers`; `order` and `swapped` as in `FieldLayout`."""
 
     case: Case
     name: str
@@ -31,10 +31,9 @@ class CaseLayout:
 class FieldLayout:
     """A field at `offset` bytes from the start of its record.
 
-    `size` is that of one element in bytes. `count` is how many elements there are, None where they go on to
-    the end of the data. Exactly one of `value` and `record` is given, or there are `cases`; `size` is then that of
-    the smallest one. `order` is the order of the bytes; `swapped` says that the 16-bit words of the value lie the
-    least significant one first.
+    `size` is the size of one element in bytes. `count` is the number of elements, None if they go on to the end of the
+    data. A field has either a `value`, or a `record`, or `cases`; `size` is then the size of the smallest case.
+    `order` is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one.
     """
 
     field: Field
@@ -50,27 +49,27 @@ class FieldLayout:
 
     @property
     def primitive(self) -> Primitive:
-        """The type of its value; for fields that hold one."""
+        """The type of the value of a field that has one."""
         assert self.value is not None
         return self.value.type
 
     @property
     def is_list(self) -> bool:
-        """Whether the field holds a list of elements."""
+        """Whether the field is a list of elements."""
         return self.field.count is not None or self.field.repeat is not None
 
     @property
     def end(self) -> int | None:
-        """The offset behind it, None where it goes on to the end of the data."""
+        """The offset behind the field, None if it goes on to the end of the data."""
         return None if self.count is None else self.offset + self.size * self.count
 
 
 @dataclass(frozen=True, slots=True)
 class RecordLayout:
-    """Fields one behind the other. `size` is in bytes, None where the last field is repeated to the end.
+    """Fields that follow each other. `size` is in bytes, None if it varies, between `least` and `most`.
 
-    `least` and `most` bound the size; `most` is None where nothing bounds it. Where the last field has cases,
-    `chosen` holds the record of each value of the `selector`: the same one, with the field that it decides.
+    `most` is None if nothing bounds the size. If the last field has cases, another field, the `selector`, decides its
+    type, and `chosen` has the same record by the values of the selector, with the type that each decides.
     """
 
     record: Record
@@ -83,20 +82,24 @@ class RecordLayout:
     chosen: Mapping[int, RecordLayout] = classes.field(default_factory=dict)
 
     def named(self, name: str) -> FieldLayout | None:
-        """The field with a name."""
+        """The field with a name, None if there is none."""
         return next((field for field in self.fields if field.name == name), None)
 
     def of_data(self, data: bytes) -> RecordLayout | None:
-        """The record that lies in some data: this one, or the one that its selector chooses, None if it has none."""
+        """The record for some data: this one, or the one that the selector in it decides, None if it decides none."""
         if self.selector is None:
             return self
         at = self.selector.offset
-        held = data[at : at + self.selector.size]
+        selector_bytes = data[at : at + self.selector.size]
         order: Literal["big", "little"] = "big" if self.selector.order == "big" else "little"
-        return self.chosen.get(int.from_bytes(held, order)) if len(held) == self.selector.size else None
+        return (
+            self.chosen.get(int.from_bytes(selector_bytes, order))
+            if len(selector_bytes) == self.selector.size
+            else None
+        )
 
     def of_number(self, number: object) -> RecordLayout | None:
-        """The same for a value of the selector."""
+        """The record for a value of the selector, None if it decides none."""
         if self.selector is None:
             return self
         return self.chosen.get(number) if isinstance(number, int) else None
@@ -104,7 +107,7 @@ class RecordLayout:
 
 @dataclass(frozen=True, slots=True)
 class Orders:
-    """The byte order and the word order around a value."""
+    """The byte order and the word order of values without their own; `word` is empty where nothing has words."""
 
     byte: str
     word: str
@@ -112,13 +115,13 @@ class Orders:
     def of(self, value: Value | None) -> tuple[str, bool]:
         """The byte order of a value, and whether its words are swapped."""
         byte = value.byte_order if value and value.byte_order else self.byte
-        return byte, bool(value and value.size > 2 and value.type.letter not in "s" and self.word != byte)
+        return byte, bool(value and value.size > 2 and value.type.letter not in "s" and self.word and self.word != byte)
 
 
 def record_layout(
     record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum]
 ) -> RecordLayout:
-    """The layout of a record whose inner records are laid out already."""
+    """The layout of a record. `records` are the layouts of the records in it."""
     last = record.fields[-1] if record.fields else None
     if last is None or last.choice is None:
         return _fixed(record, records, orders)
@@ -143,20 +146,20 @@ def _choosing(
         numbers = frozenset(member.value for name in case.when if (member := enum.named(name)) is not None)
         cases.append(CaseLayout(case, case.name, numbers, case.value, *orders.of(case.value)))
         decided = replace(last, value=case.value, choice=None)
-        laid = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders)
-        chosen |= dict.fromkeys(sorted(numbers), laid)
+        record_layout = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders)
+        chosen |= dict.fromkeys(sorted(numbers), record_layout)
     shapes = list(chosen.values())
     first = shapes[0]
-    sizes = {laid.size for laid in shapes}
-    smallest = min((laid.fields[-1] for laid in shapes), key=lambda field: field.size)
+    sizes = {shape.size for shape in shapes}
+    smallest = min((shape.fields[-1] for shape in shapes), key=lambda field: field.size)
     field = replace(smallest, field=last, value=None, cases=tuple(cases))
-    bounds = [laid.most for laid in shapes]
+    bounds = [shape.most for shape in shapes]
     return RecordLayout(
         record,
         record.name,
         (*first.fields[:-1], field),
         sizes.pop() if len(sizes) == 1 else None,
-        min(laid.least for laid in shapes),
+        min(shape.least for shape in shapes),
         None if None in bounds else max(most for most in bounds if most is not None),
         first.named(choice.by),
         chosen,
@@ -173,10 +176,10 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders) 
         size = field.value.size if field.value else (inner.size or 0) if inner else 0
         count = None if field.repeat else field.count or 1
         order, swapped = orders.of(field.value)
-        laid = FieldLayout(field, field.name, at, size, count, field.value, inner, order, swapped)
-        fields.append(laid)
+        field_layout = FieldLayout(field, field.name, at, size, count, field.value, inner, order, swapped)
+        fields.append(field_layout)
         if count is None:
-            repeated = laid
+            repeated = field_layout
         else:
             at += size * count
     if repeated is None:
@@ -189,7 +192,7 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders) 
 
 @dataclass(frozen=True, slots=True)
 class RegisterLayout:
-    """A register: addresses and words; `order` and `swapped` as in a field."""
+    """A register with its addresses. `order` and `swapped` are those of `FieldLayout`."""
 
     register: Register
     name: str

@@ -1,1 +1,1 @@
-"""Lists of registers as people keep them in files: read whatever their columns are, written, compared with a device."""
+"""Register lists in files: reads them whatever their columns are, writes them, and compares them with a device."""

@@ -1,4 +1,4 @@
-"""What people write in the cells of a register list, as data: addresses, types, accesses, numbers, ranges."""
+"""Reads the cells of a register list: addresses, types, accesses, numbers, ranges."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from fieldspec.model.value import PRIMITIVES, Kind
 
 HEXADECIMAL, DECIMAL, REFERENCE = "hex", "decimal", "4xxxx"
 BASES = (HEXADECIMAL, DECIMAL, REFERENCE)
-"""How digits without a mark are read. A reference is 1-based behind a digit for its table: 40001 is 0."""
+"""How digits without a prefix are read. A reference is a digit for its table and an address from 1: 40001 is 0."""
 
 HIGHEST = 0xFFFFFFFF
 
@@ -27,25 +27,25 @@ _REFERENCES = ((40001, 49999), (30001, 39999), (400001, 465536), (300001, 365536
 
 @dataclass(frozen=True, slots=True)
 class AddressText:
-    """One address: its digits, and how they are to be read where a mark says it: `hex`, `4xxxx`, or nothing."""
+    """An address: its digits, and how its prefix or suffix says to read them: `hex`, `4xxxx`, or empty."""
 
     digits: str
     mark: str = ""
 
     @property
     def lettered(self) -> bool:
-        """Whether there are letters among digits without a mark, so that they are hexadecimal."""
+        """Whether digits without a mark include letters, which makes them hexadecimal."""
         return not self.mark and not self.digits.isdecimal()
 
     def reference(self) -> int | None:
-        """The address behind a digit for a table, counted from 0."""
+        """The address of a reference, counted from 0; None if the text is no reference."""
         if self.mark == REFERENCE:
             return int(self.digits) - 1
         number = int(self.digits) if not self.mark and self.digits.isdecimal() else 0
         return next((number - low for low, high in _REFERENCES if low <= number <= high), None)
 
     def number(self, base: str) -> int | None:
-        """The address, where digits without a mark are read as `base` says; None where they cannot be."""
+        """The address. Digits without a mark are read as `base` says; None if they cannot be."""
         if self.mark == HEXADECIMAL or (not self.mark and base == HEXADECIMAL):
             return int(self.digits, 16)
         if self.mark == REFERENCE or base == REFERENCE:
@@ -55,14 +55,14 @@ class AddressText:
 
 @dataclass(frozen=True, slots=True)
 class AddressRange:
-    """What a cell says: one address, or the first and the last of several."""
+    """The addresses in a cell: one, or the first and the last of several."""
 
     first: AddressText
     last: AddressText | None = None
 
 
 def address_text(text: str) -> AddressText | None:
-    """One address, or None where the text is none."""
+    """The address in a text, None if it is none."""
     text = unicodedata.normalize("NFKC", text).strip()
     pointless = _POINTLESS.fullmatch(text)
     text = pointless[1] if pointless else text
@@ -74,14 +74,14 @@ def address_text(text: str) -> AddressText | None:
 
 
 def address_range(text: str, row: int) -> AddressRange | None:
-    """The address or addresses in a cell, or None where there are none. A number with separators is refused."""
-    shown = unicodedata.normalize("NFKC", text).strip()
-    if _GROUPED.fullmatch(shown):
+    """The addresses in a cell, None if there are none. Raises ListError for a number with separators."""
+    normalized = unicodedata.normalize("NFKC", text).strip()
+    if _GROUPED.fullmatch(normalized):
         raise ListError(f"has the address `{text}` in row {row}, with separators between thousands; take them out")
-    whole = address_text(shown)
+    whole = address_text(normalized)
     if whole is not None:
         return AddressRange(whole)
-    parts = _SPAN.split(shown)
+    parts = _SPAN.split(normalized)
     ends = [address_text(part) for part in parts]
     if len(ends) == 2 and ends[0] is not None and ends[1] is not None:
         first, last = ends[0], ends[1]
@@ -94,11 +94,11 @@ def address_range(text: str, row: int) -> AddressRange | None:
 
 
 def base_of_heading(heading: str) -> str:
-    """The base that a heading names, or nothing."""
-    shown = unicodedata.normalize("NFKC", heading).casefold()
-    if re.search(r"hex|\(h\)|十六|16\s*[进進]|0x", shown):
+    """The base that a heading names, empty if it names none."""
+    normalized = unicodedata.normalize("NFKC", heading).casefold()
+    if re.search(r"hex|\(h\)|十六|16\s*[进進]|0x", normalized):
         return HEXADECIMAL
-    return DECIMAL if re.search(r"\bdec|\(d\)|十进|十進|10\s*[进進]", shown) else ""
+    return DECIMAL if re.search(r"\bdec|\(d\)|十进|十進|10\s*[进進]", normalized) else ""
 
 
 _TYPES: dict[str, str] = {
@@ -132,23 +132,23 @@ _RANGE = re.compile(r"\s*(?:\.\.+|~|\u2013|\u2014|至|\bto\b|(?<=[0-9hH]) ?- ?(?
 
 @dataclass(frozen=True, slots=True)
 class Typed:
-    """What a list says of a type: the name of one, or its kind and perhaps whether it has a sign."""
+    """A type as a list has it: the name of a type, or its kind and perhaps whether it is signed."""
 
     name: str = ""
     kind: Kind | None = None
     signed: bool | None = None
 
     def fits(self, name: str) -> bool:
-        """Whether a type is as it says."""
-        held = PRIMITIVES.get(name)
-        if held is None or name == self.name:
+        """Whether the type with a name agrees."""
+        primitive = PRIMITIVES.get(name)
+        if primitive is None or name == self.name:
             return name == self.name
         if self.name:
             return False
-        return held.kind is self.kind and self.signed in (None, held.signed)
+        return primitive.kind is self.kind and self.signed in (None, primitive.signed)
 
     def of_words(self, words: int | None) -> str:
-        """The name of the type, of as many words where it does not say it."""
+        """The name of the type; if the list has only its kind, that of the type with so many words."""
         if self.name:
             return self.name
         if self.kind is Kind.BOOLEAN:
@@ -163,7 +163,7 @@ def _folded(text: str) -> str:
 
 
 def typed(text: str) -> Typed | None:
-    """A type, or None where the text is none that is known."""
+    """The type that a text names, None if it names none that is known."""
     word = re.sub(r"[\[(].*", "", text)
     name = _TYPES.get(_folded(word))
     if name:
@@ -173,28 +173,28 @@ def typed(text: str) -> Typed | None:
 
 
 def access(text: str) -> str:
-    """`ro`, `rw`, `wo`, or nothing where the text is no access."""
+    """`ro`, `rw`, `wo`, or empty if the text is no access."""
     return _ACCESSES.get(_folded(text), "")
 
 
 def number(text: str) -> Decimal | None:
-    """An exact number, decimal or hexadecimal with a mark."""
-    found = _NUMBER.fullmatch(unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip())
-    if found is None:
+    """An exact number, decimal, or hexadecimal with a prefix or suffix; None if the text is none."""
+    match = _NUMBER.fullmatch(unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip())
+    if match is None:
         return None
-    sign, marked, ended, plain = found.groups()
-    held = Decimal(plain) if plain else Decimal(int(marked or ended, 16))
-    return -held if sign == "-" else held
+    sign, marked, ended, decimal = match.groups()
+    magnitude = Decimal(decimal) if decimal else Decimal(int(marked or ended, 16))
+    return -magnitude if sign == "-" else magnitude
 
 
 def whole(text: str) -> int | None:
-    """A whole number, or None."""
-    held = number(text)
-    return int(held) if held is not None and held == held.to_integral_value() else None
+    """A whole number, None if the text is none."""
+    value = number(text)
+    return int(value) if value is not None and value == value.to_integral_value() else None
 
 
 def bounds(text: str) -> tuple[Decimal, Decimal] | None:
-    """The ends of a range: `0~100`, `0-100`, `-5 to 5`, `0..0FFh`."""
+    """The ends of a range such as `0~100`, `0-100`, `-5 to 5`, `0..0FFh`; None if the text is none."""
     ends = [number(part) for part in _RANGE.split(unicodedata.normalize("NFKC", text).strip())]
     if len(ends) != 2 or ends[0] is None or ends[1] is None or ends[0] > ends[1]:
         return None

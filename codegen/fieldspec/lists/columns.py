@@ -1,4 +1,4 @@
-"""Which column of a list holds what: guessed from its heading in English or Chinese, or as the user says."""
+"""The role of each column of a list: guessed from its heading in English or Chinese, or as the user says."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from fieldspec.lists.sheet import ListError, Sheet, SheetRow, letters
 
 _LONGEST = 200
 _HEADED_BY = 40
-"""In how many rows the heading is looked for."""
+"""The number of rows among which the heading is searched."""
 
 
 def _words(text: str) -> tuple[str, ...]:
     return tuple(text.split())
 
 
-# The headings of each role, folded, the likeliest first. What begins with `*` may stand anywhere in a heading.
+# The headings of each role, folded, the likeliest first. `*` begins a part of a heading.
 HEADINGS: dict[str, tuple[str, ...]] = {
     "address": _words(
         """hex hexaddress addresshex addrhex *hexadecimal *十六进 *十六進 *16进 *16進 address addr adr registeraddress
@@ -67,62 +67,65 @@ HEADINGS: dict[str, tuple[str, ...]] = {
 
 @dataclass(frozen=True, slots=True)
 class Columns:
-    """The column of each role that a list has, counted from 0, its headings, and the rows below them."""
+    """The columns of a list by role, counted from 0, its headings, and the rows below them."""
 
     places: Mapping[str, int]
     headings: tuple[str, ...]
     rows: tuple[SheetRow, ...]
 
     def cell(self, row: SheetRow, role: str) -> str:
-        """What a row says of a role; empty where the list has no such column."""
+        """The cell of a row in the column of a role; empty if the list has no such column."""
         place = self.places.get(role)
         return row.cell(place) if place is not None else ""
 
     def heading(self, role: str) -> str:
-        """The heading of a role's column, or its letter where it has none."""
+        """The heading of a role's column, or its letter if it has none."""
         place = self.places[role]
         text = self.headings[place] if place < len(self.headings) else ""
         return text or f"column {letters(place + 1)}"
 
 
 def folded(text: str) -> str:
-    """A text without case, width, blanks and punctuation, for comparing."""
+    """A text without case, width, blanks and punctuation, for comparisons."""
     wide = unicodedata.normalize("NFKC", text).casefold()
     return "".join(sign for sign in wide if sign.isalnum())
 
 
-def columns(sheet: Sheet, given: Mapping[str, str]) -> Columns:
-    """The columns of a sheet; `given` has a heading, a letter or a number for some roles."""
+def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
+    """The columns of a sheet. `names` has a heading, a letter or a number for some roles.
+
+    Raises ListError if no column has addresses, or if a column in use has cells that cannot be read.
+    """
     if not sheet.rows:
         raise ListError("is empty")
     best: Columns | None = None
     for at, row in enumerate(sheet.rows[:_HEADED_BY]):
         if not _is_heading(row):
             continue
-        found = Columns(_guessed(row.cells, given), row.cells, sheet.rows[at + 1 :])
-        if "address" in found.places and (best is None or len(found.places) > len(best.places)):
-            best = found
+        candidate = Columns(_guessed(row.cells, names), row.cells, sheet.rows[at + 1 :])
+        if "address" in candidate.places and (best is None or len(candidate.places) > len(best.places)):
+            best = candidate
     if best is None:
-        best = _without_heading(sheet, given)
-    _refuse_unreadable(sheet, best, given)
+        best = _without_heading(sheet, names)
+    _refuse_unreadable(sheet, best, names)
     return best
 
 
 def _is_heading(row: SheetRow) -> bool:
-    """Whether a row may be a heading: several texts, none of them an address with digits."""
+    """Whether a row may be a heading: it has texts, and none of them is an address with digits."""
     filled = [cell for cell in row.cells if cell]
     numbers = sum(cell[:1].isdigit() and address_text(cell) is not None for cell in filled)
     return bool(filled) and not numbers
 
 
-def _guessed(cells: Sequence[str], given: Mapping[str, str]) -> dict[str, int]:
+def _guessed(cells: Sequence[str], names: Mapping[str, str]) -> dict[str, int]:
     heads = [folded(cell) for cell in cells]
     places: dict[str, int] = {}
-    for role, text in given.items():
+    for role, text in names.items():
         place = _placed(cells, text)
         if place is not None:
             places[role] = place
-    if len(places) < len(given):
+    if len(places) < len(names):
         return {}
     for role, words in HEADINGS.items():
         taken = set(places.values())
@@ -159,33 +162,34 @@ def _numbered(text: str, width: int) -> int | None:
     return None
 
 
-def _without_heading(sheet: Sheet, given: Mapping[str, str]) -> Columns:
-    """The columns of a list whose first row is data already, or has a heading that says nothing."""
+def _without_heading(sheet: Sheet, names: Mapping[str, str]) -> Columns:
+    """The columns of a list whose first row is data, or a heading that names no role."""
     first = sheet.rows[0]
     width = max(len(row.cells) for row in sheet.rows)
     heads = first.cells if _is_heading(first) else ()
-    shown = headings_shown(heads)
+    headings = headings_text(heads)
     places = {}
-    for role, text in given.items():
+    for role, text in names.items():
         place = _placed(heads, text) if heads else None
         place = _numbered(text, width) if place is None else place
         if place is None:
-            raise ListError(f"has no column {text}; there are {shown}, or give a letter or a number")
+            raise ListError(f"has no column {text}; there are {headings}, or give a letter or a number")
         places[role] = place
     if "address" not in places:
         raise ListError(
-            f"has no column that looks like addresses ({shown}); name it with --address, by heading, letter or number"
+            f"has no column that looks like addresses ({headings}); name it with --address, by its heading, letter or "
+            "number"
         )
     rows = sheet.rows[1:] if heads else sheet.rows
     return Columns(places, heads, rows)
 
 
-def _refuse_unreadable(sheet: Sheet, found: Columns, given: Mapping[str, str]) -> None:
-    """Refuses what the used columns cannot hold: formulas, and cells that are merged."""
-    if not found.rows:
+def _refuse_unreadable(sheet: Sheet, columns: Columns, names: Mapping[str, str]) -> None:
+    """Raises ListError for formulas and merged cells in the columns in use."""
+    if not columns.rows:
         raise ListError("has a heading and no rows")
-    used = {place + 1: role for role, place in found.places.items()}
-    first = found.rows[0].number
+    used = {place + 1: role for role, place in columns.places.items()}
+    first = columns.rows[0].number
     wrong = sorted((row, column) for row, column in sheet.formulas if column in used and row >= first)
     if wrong:
         row, column = wrong[0]
@@ -197,9 +201,9 @@ def _refuse_unreadable(sheet: Sheet, found: Columns, given: Mapping[str, str]) -
             raise ListError(f"has merged cells {area.text()}; undo the merge and fill each cell")
 
 
-def headings_shown(headings: Iterable[str]) -> str:
-    """The headings of a file for a message, which stays one that a person can read."""
-    shown = ", ".join(text for text in headings if text)
-    if not shown:
+def headings_text(headings: Iterable[str]) -> str:
+    """The headings of a file for a message, cut if there are many."""
+    joined = ", ".join(text for text in headings if text)
+    if not joined:
         return "no headings"
-    return shown if len(shown) <= _LONGEST else f"{shown[:_LONGEST]}..."
+    return joined if len(joined) <= _LONGEST else f"{joined[:_LONGEST]}..."

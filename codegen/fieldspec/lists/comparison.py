@@ -1,4 +1,4 @@
-"""A device beside someone else's list: what agrees, what differs, and what only one of them has."""
+"""Compares a device with a list: what agrees, what differs, and what only one of them has."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from fieldspec.lists.item import REGISTERS, Item
 from fieldspec.lists.listing import Listing, ListRow, moved
 
 ASPECTS = ("name", "type", "access", "words", "unit", "scale", "min", "max", "default", "count", "stride")
-"""What is compared, where both sides say it."""
+"""What is compared if both state it."""
 
 _OFFSETS = (0, 1, -1)
 _ENOUGH = 0.25
@@ -23,7 +23,7 @@ Place = tuple[str, int]
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """One thing that the two sides say otherwise, as both write it."""
+    """An aspect in which the device and the list differ, as each writes it."""
 
     aspect: str
     ours: str
@@ -32,7 +32,7 @@ class Difference:
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """An item and the row about it, and what they say otherwise; nothing where they agree."""
+    """An item and the row about it, with their differences."""
 
     item: Item
     row: ListRow
@@ -41,7 +41,7 @@ class Pair:
 
 @dataclass(frozen=True, slots=True)
 class Missing:
-    """What the list has not: of an item with several elements, the numbers of those from `first` to `last`."""
+    """An item that the list does not have, or its elements with the numbers from `first` to `last`."""
 
     item: Item
     first: int
@@ -55,7 +55,7 @@ class Missing:
 
 @dataclass(frozen=True, slots=True)
 class Extra:
-    """A row about which the device has nothing, and what is there instead, where something is."""
+    """A row that the device does not have. `remark` says what the device has there, if anything."""
 
     row: ListRow
     remark: str
@@ -63,7 +63,7 @@ class Extra:
 
 @dataclass(frozen=True, slots=True)
 class Compared:
-    """The result. `offset` is what the list's addresses are higher by; `guessed` where nobody had said it."""
+    """The result. The addresses of the list are higher by `offset`; `guessed` if the user has not said so."""
 
     base: str
     offset: int
@@ -74,27 +74,27 @@ class Compared:
 
     @property
     def agreeing(self) -> list[Pair]:
-        """The pairs that say the same."""
+        """The pairs without differences."""
         return [pair for pair in self.pairs if not pair.differences]
 
     @property
     def differing(self) -> list[Pair]:
-        """The pairs that do not."""
+        """The pairs with differences."""
         return [pair for pair in self.pairs if pair.differences]
 
     @property
     def shifted(self) -> bool:
-        """Whether the whole list counts its addresses otherwise, and nobody had said so."""
+        """Whether all addresses of the list are shifted, and the user has not said so."""
         return self.guessed and self.offset != 0
 
     @property
     def same(self) -> bool:
-        """Whether there is no difference at all."""
+        """Whether the device and the list agree in everything."""
         return not (self.shifted or self.differing or self.extras or self.missing)
 
 
 class _Known:
-    """The items by the address of each element, and by every word that they hold."""
+    """The items by the address of each element, and by every further word."""
 
     def __init__(self, items: Sequence[Item]) -> None:
         self.spaces = {folded(item.space): item.space for item in items}
@@ -107,26 +107,26 @@ class _Known:
                     self.inside[item.space, address + word] = item
 
     def space(self, row: ListRow) -> str:
-        """The space that a row is about: the one that it names, the registers, or the only one."""
+        """The space of a row: the one that it names, else the registers, else the first one."""
         named = folded(row.texts.get("space", ""))
         if named in self.spaces:
             return self.spaces[named]
         return self.spaces.get(REGISTERS) or next(iter(self.spaces.values()), REGISTERS)
 
     def at(self, row: ListRow) -> Sequence[Item]:
-        """The items that begin where a row does."""
+        """The items that begin at the address of a row."""
         return self.starts.get((self.space(row), row.address), ())
 
 
 def compared(
     items: Sequence[Item], listing: Listing, offset: int | None = None, ignored: Collection[str] = ()
 ) -> Compared:
-    """Compares a device with a list. Without an offset, one of 1 for the whole list is found out."""
+    """Compares a device with a list. Without `offset`, an offset of 1 of the whole list is recognised."""
     known = _Known(items)
     aspects = [aspect for aspect in ASPECTS if aspect not in ignored]
     ways = [
-        (base, one, list(moved(listing.rows(base), one)))
-        for one in ((offset,) if offset is not None else _OFFSETS)
+        (base, shift, list(moved(listing.rows(base), shift)))
+        for shift in ((offset,) if offset is not None else _OFFSETS)
         for base in sorted(listing.bases, key=lambda base: listing.bases.index(base))
     ]
     base, best, rows = _likeliest(known, ways, aspects)
@@ -139,7 +139,7 @@ def compared(
 def _likeliest(
     known: _Known, ways: Sequence[tuple[str, int, list[ListRow]]], aspects: Collection[str]
 ) -> tuple[str, int, list[ListRow]]:
-    """The way of reading addresses by which the most fits. Another offset than 0 must explain clearly more."""
+    """The way to read addresses with which most rows fit. An offset must explain clearly more than none."""
     best, most = ways[0], -1.0
     for way in ways:
         rows = way[2]
@@ -155,7 +155,7 @@ def _likeliest(
 
 
 def _fit(item: Item, row: ListRow, aspects: Collection[str]) -> float:
-    """How well a row fits an item: 1 for the address, more for what is the same beside it, above all the name."""
+    """How well a row fits an item: 1 for the address, more for the name, less for differences."""
     names = "name" in aspects and _names(item) & {folded(name) for name in row.names}
     wrong = sum(difference.aspect in ("type", "access", "words") for difference in _differences(item, row, aspects))
     return max(1 + (3 if names else 0) - 0.2 * wrong, 0.1)
@@ -169,13 +169,13 @@ def _paired(
     covered: dict[int, set[int]] = defaultdict(set)
     seen: dict[tuple[int, int], int] = {}
     for row in rows:
-        found = known.at(row)
-        if not found:
+        candidates = known.at(row)
+        if not candidates:
             holder = known.inside.get((known.space(row), row.address))
             extras.append(Extra(row, f"inside {holder.name}" if holder else ""))
             continue
-        fresh = [item for item in found if (id(item), row.address) not in seen]
-        item = max(fresh or found, key=lambda item: _fit(item, row, aspects))
+        fresh = [item for item in candidates if (id(item), row.address) not in seen]
+        item = max(fresh or candidates, key=lambda item: _fit(item, row, aspects))
         if not fresh:
             extras.append(Extra(row, f"listed before in row {seen[id(item), row.address]}"))
             continue
@@ -185,24 +185,30 @@ def _paired(
         others = _others(known, item, row)
         for other in others:
             covered[id(other)].add(0)
-        told = _differences(item, row, aspects)
+        differences = _differences(item, row, aspects)
         whole = len(others) == row.count - 1 > 0
-        pairs.append(Pair(item, row, tuple(one for one in told if not (whole and one.aspect == "count"))))
+        pairs.append(
+            Pair(
+                item,
+                row,
+                tuple(difference for difference in differences if not (whole and difference.aspect == "count")),
+            )
+        )
     return pairs, extras, covered
 
 
 def _others(known: _Known, item: Item, row: ListRow) -> list[Item]:
-    """The single items that a row with a count stands for beside the first one: several equal registers."""
+    """The further items that a row with a count stands for, which are equal registers."""
     step = row.stride or row.words or item.words or 1
     if item.count > 1:
         return []
     places = ((item.space, row.address + number * step) for number in range(1, min(row.count, len(known.starts) + 1)))
-    found = [other for place in places for other in known.starts.get(place, ())[:1]]
-    return [other for other in found if (other.type, other.words) == (item.type, item.words)]
+    items = [other for place in places for other in known.starts.get(place, ())[:1]]
+    return [other for other in items if (other.type, other.words) == (item.type, item.words)]
 
 
 def _gaps(item: Item, covered: Collection[int]) -> Iterator[Missing]:
-    """The elements of an item that no row is about, as runs."""
+    """The runs of elements of an item that no row is about."""
     start: int | None = None
     for number in range(item.count + 1):
         absent = number < item.count and number not in covered
@@ -240,18 +246,18 @@ def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator
         yield Difference("scale", f"{value.scale:f}", texts["scale"])
     default = value.default if value.const is None else value.const
     ranges = value.writable_ranges
-    held = (
+    bounds = (
         ("min", ranges.low if ranges else None, row.low),
         ("max", ranges.high if ranges else None, row.high),
         ("default", default if isinstance(default, int) else None, row.default),
     )
-    for aspect, ours, theirs in held:
+    for aspect, ours, theirs in bounds:
         if aspect in aspects and ours is not None and theirs is not None and not _same(item, ours, theirs):
             yield Difference(aspect, str(ours), f"{theirs:f}")
 
 
 def _same(item: Item, ours: int, theirs: Decimal) -> bool:
-    """Whether a list's number is a count, or the same in the unit."""
+    """Whether a number of a list is the raw value, or the quantity that it stands for."""
     return theirs == ours or (item.value is not None and item.value.in_unit(ours) == theirs)
 
 
@@ -261,7 +267,7 @@ def _same_unit(ours: str, theirs: str) -> bool:
 
 def _scale(text: str) -> Decimal | None:
     try:
-        held = Decimal(text)
+        number = Decimal(text)
     except ArithmeticError:
         return None
-    return held if held.is_finite() else None
+    return number if number.is_finite() else None

@@ -1,4 +1,4 @@
-"""A dump of a device's memory as it lies in a file: which words were at which address."""
+"""Reads a dump of a device's memory from a file: the words at each address."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.lists.cells import HEXADECIMAL, address_text, base_of_heading
-from fieldspec.lists.columns import headings_shown
+from fieldspec.lists.columns import headings_text
 from fieldspec.lists.json_text import json_data
 from fieldspec.lists.listing import Listing, listing
 from fieldspec.lists.sheet import MOST_ROWS, ListError, Sheet, SheetRow
@@ -29,8 +29,8 @@ _LIMIT = 1 << 64
 class Entry:
     """What was read at an address: one number, or several words from there on. `row` is its number in the file.
 
-    `words` is how many words the number is made of, None where the file does not say it. `space` is what the file
-    calls the addresses, empty where it says nothing.
+    `words` is the size of the number in words, None if the file does not say it. `space` is the name of the address
+    space in the file, empty if it has none.
     """
 
     row: int
@@ -42,7 +42,7 @@ class Entry:
 
 @dataclass(frozen=True, slots=True)
 class Dump:
-    """A dump: the ways in which its addresses may be read, the likeliest first, and the rows that have no value."""
+    """A dump. `skipped` are the rows without a value or an address."""
 
     listing: Listing
     values: Mapping[int, tuple[int, ...]]
@@ -50,11 +50,11 @@ class Dump:
 
     @property
     def bases(self) -> tuple[str, ...]:
-        """The ways in which the addresses can be read."""
+        """The ways in which the addresses can be read, the likeliest first."""
         return self.listing.bases
 
     def entries(self, base: str) -> list[Entry]:
-        """What was read, with addresses read in a way of `bases`."""
+        """What was read, with the addresses read in one of the ways of `bases`."""
         return [
             Entry(row.row, row.address, self.values[row.row], row.words, row.texts.get("space", ""))
             for row in self.listing.rows(base)
@@ -63,7 +63,7 @@ class Dump:
 
 
 def object_sheet(content: bytes, encoding: str = "") -> Sheet | None:
-    """The sheet in a JSON object of addresses and values; None where the file is no object."""
+    """The sheet in a JSON object of addresses and values; None if the file is no object. Raises ListError."""
     if not content.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{"):
         return None
     pairs = json_data(decoded(content, encoding), list)
@@ -79,25 +79,28 @@ def _cell(value: object) -> str:
     return clean(text)
 
 
-def dump(sheet: Sheet, given: Mapping[str, str], base: str = "") -> Dump:
-    """Reads a sheet; `given` names the columns of some roles, `base` says how addresses are written. Raises ListError.
+def dump(sheet: Sheet, names: Mapping[str, str], base: str = "") -> Dump:
+    """The dump in a sheet. `names` has the columns of some roles, `base` says how addresses are written. Raises
+    ListError.
 
     A sheet of two columns without headings has the addresses in the first one.
     """
-    if not {"address", "value"} & given.keys() and _bare(sheet):
-        given = {**given, "address": "1", "value": "2"}
-    held = listing(sheet, given, base)
-    if "value" not in held.columns.places:
-        shown = headings_shown(held.columns.headings)
-        raise ListError(f"has no column that looks like values ({shown}); name it with --value, by heading or number")
-    texts = {row.number: held.columns.cell(row, "value") for row, _ in held.addresses}
+    if not {"address", "value"} & names.keys() and _bare(sheet):
+        names = {**names, "address": "1", "value": "2"}
+    register_list = listing(sheet, names, base)
+    if "value" not in register_list.columns.places:
+        headings = headings_text(register_list.columns.headings)
+        raise ListError(
+            f"has no column that looks like values ({headings}); name it with --value, by heading or number"
+        )
+    texts = {row.number: register_list.columns.cell(row, "value") for row, _ in register_list.addresses}
     lettered = any(_lettered(piece) for text in texts.values() for piece in _pieces(text))
-    hexadecimal = lettered or base_of_heading(held.columns.heading("value")) == HEXADECIMAL
+    hexadecimal = lettered or base_of_heading(register_list.columns.heading("value")) == HEXADECIMAL
     values = {row: _values(text, row, hexadecimal) for row, text in texts.items() if text.lower() not in _NOT_READ}
     if not values:
-        raise ListError(f"has no value under {held.columns.heading('value')}")
-    skipped = (*held.skipped, *(row for row in texts if row not in values))
-    return Dump(held, values, tuple(sorted(skipped)))
+        raise ListError(f"has no value under {register_list.columns.heading('value')}")
+    skipped = (*register_list.skipped, *(row for row in texts if row not in values))
+    return Dump(register_list, values, tuple(sorted(skipped)))
 
 
 def _bare(sheet: Sheet) -> bool:
@@ -109,15 +112,15 @@ def _bare(sheet: Sheet) -> bool:
 
 
 def _pieces(text: str) -> Sequence[str]:
-    """The numbers in a cell: one, or several words."""
-    shown = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("[]()").strip()
-    return [piece for piece in _BETWEEN.split(shown) if piece]
+    """The numbers in a cell."""
+    normalized = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("[]()").strip()
+    return [piece for piece in _BETWEEN.split(normalized) if piece]
 
 
 def _lettered(piece: str) -> bool:
     """Whether there are letters among digits without a mark, so that they are hexadecimal."""
-    found = _NUMBER.fullmatch(piece)
-    return found is not None and bool(found[4]) and not found[4].isdecimal()
+    match = _NUMBER.fullmatch(piece)
+    return match is not None and bool(match[4]) and not match[4].isdecimal()
 
 
 def _values(text: str, row: int, hexadecimal: bool) -> tuple[int, ...]:
@@ -128,11 +131,11 @@ def _values(text: str, row: int, hexadecimal: bool) -> tuple[int, ...]:
 
 def _number(piece: str, text: str, row: int, hexadecimal: bool) -> int:
     pointless = _POINTLESS.fullmatch(piece)
-    found = _NUMBER.fullmatch(pointless[1] if pointless else piece)
-    if found is None:
+    match = _NUMBER.fullmatch(pointless[1] if pointless else piece)
+    if match is None:
         raise ListError(f"has the value `{text[:40]}` in row {row}, which is no whole number of counts")
-    sign, marked, ended, plain = found.groups()
-    number = int(marked or ended, 16) if marked or ended else int(plain, 16 if hexadecimal else 10)
+    sign, marked, ended, decimal = match.groups()
+    number = int(marked or ended, 16) if marked or ended else int(decimal, 16 if hexadecimal else 10)
     if number >= _LIMIT:
         raise ListError(f"has the value `{text[:40]}` in row {row}, which is too great")
     return -number if sign == "-" else number

@@ -1,4 +1,4 @@
-"""A device as a register list: one row per item, in the columns that docs/export.md describes."""
+"""Writes a device as a register list: one row for each item, in the columns that docs/export.md describes."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ COLUMNS = (
 
 
 def row(item: Item) -> dict[str, Cell]:
-    """An item's cells by column; what is not said is None."""
+    """The cells of an item by column; None is empty."""
     value, source = item.value, item.source
     many = item.count > 1
     default = None if value is None else value.default if value.const is None else value.const
@@ -74,16 +74,16 @@ def row(item: Item) -> dict[str, Cell]:
 
 
 def as_csv(items: Sequence[Item]) -> str:
-    """UTF-8 text with a heading, commas and line feeds; no cell is a formula to a spreadsheet."""
-    made = io.StringIO()
-    writer = csv.writer(made, lineterminator="\n")
+    """CSV with a heading, commas and line feeds. No spreadsheet takes a cell for a formula."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
     writer.writerow(COLUMNS)
     writer.writerows([_text(cell) for cell in row(item).values()] for item in items)
-    return made.getvalue()
+    return text.getvalue()
 
 
 def as_json(items: Sequence[Item]) -> str:
-    """A list of objects with all columns; numbers are numbers, what is not said is null."""
+    """A JSON list of objects with all columns. Numbers are numbers, empty cells are null."""
     return json.dumps([row(item) for item in items], ensure_ascii=False, indent=1, default=_number) + "\n"
 
 

@@ -1,4 +1,4 @@
-"""What a device has at its addresses, one item for each register, field of a table, or parameter."""
+"""What a device has at its addresses: one item for each register, field of a table, and parameter."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from fieldspec.model.registers import Parameter, ParameterSet, Register
 from fieldspec.model.value import Value
 
 REGISTERS = "registers"
-"""The first space of registers; each further one, and each space of parameters, bears its own name."""
+"""The name of the first space of registers; further ones, and spaces of parameters, have their own names."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Item:
-    """A value at `address`, which has `words` of 16 bits; of a parameter, `words` is None.
+    """A value at `address` with a size of `words` of 16 bits, None for a parameter.
 
-    Of a table's field, and of a parameter with several elements, it stands for `count` of them, the first numbered
-    `first`, `stride` addresses apart; a stride of 0 means that all are at one address. `low`, `high` and `default` are
-    counts. `access` is empty where the manual does not say it.
+    A field of a table, and a parameter with several elements, stand for `count` values: the first has the number
+    `first`, and they are `stride` addresses apart, or all at one address if that is 0. `access` is empty if the manual
+    does not state it. `members` are the names of raw values.
     """
 
     space: str
@@ -45,7 +45,7 @@ class Item:
     unverified: bool = False
 
     def addresses(self) -> range:
-        """The first addresses of all that it stands for."""
+        """The addresses of all values that it stands for."""
         step = self.stride or 1
         return range(self.address, self.address + (self.count if self.stride else 1) * step, step)
 
@@ -53,12 +53,14 @@ class Item:
 def items(layout: DeviceLayout) -> list[Item]:
     """All items of a device: registers, tables and parameters, each by address."""
     enums = layout.device.enums
-    found = [item for register in layout.device.registers() for item in _register(layout.device, register, enums)]
-    found += [item for table in layout.tables.values() for item in _table(layout.device, table, enums)]
-    found.sort(key=lambda item: item.address)
-    for held in layout.device.parameters.values():
-        found += [item for parameter in held.parameters for item in _parameter(held, parameter, enums)]
-    return found
+    items = [item for register in layout.device.registers() for item in _register(layout.device, register, enums)]
+    items += [item for table in layout.tables.values() for item in _table(layout.device, table, enums)]
+    items.sort(key=lambda item: item.address)
+    for parameter_set in layout.device.parameters.values():
+        items += [
+            item for parameter in parameter_set.parameters for item in _parameter(parameter_set, parameter, enums)
+        ]
+    return items
 
 
 def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> Iterator[Item]:
@@ -83,9 +85,9 @@ def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> 
         )
 
 
-def _table(device: Device, laid: TableLayout, enums: Mapping[str, Enum]) -> Iterator[Item]:
-    table = laid.table
-    for name, field, byte, access in _flat(laid.record, table.access):
+def _table(device: Device, table_layout: TableLayout, enums: Mapping[str, Enum]) -> Iterator[Item]:
+    table = table_layout.table
+    for name, field, byte, access in _flat(table_layout.record, table.access):
         yield Item(
             space=_space(device, table.space),
             address=table.base + byte // 2,
@@ -113,9 +115,9 @@ def _space(device: Device, name: str) -> str:
 def _flat(
     record: RecordLayout, access: str, before: str = "", at: int = 0
 ) -> Iterator[tuple[str, FieldLayout, int, str]]:
-    """The values in a record with their names, their bytes and their access, also those of records in it.
+    """The name, field, offset in bytes and access of each value in a record, and in the records in it.
 
-    Each of several is there. `access` is that of what the record lies in.
+    `access` is that of the container of the record.
     """
     for field in record.fields:
         allowed = narrowed(access, field.field.access)
@@ -129,11 +131,11 @@ def _flat(
                 yield from _flat(field.record, allowed, f"{name}.", byte)
 
 
-def _parameter(held: ParameterSet, parameter: Parameter, enums: Mapping[str, Enum]) -> Iterator[Item]:
+def _parameter(parameter_set: ParameterSet, parameter: Parameter, enums: Mapping[str, Enum]) -> Iterator[Item]:
     for number in range(parameter.number, parameter.number + parameter.count):
         yield Item(
-            space=held.space,
-            address=held.base + number,
+            space=parameter_set.space,
+            address=parameter_set.base + number,
             name=f"{parameter.name}_{number}" if parameter.count > 1 else parameter.name,
             words=None,
             type=parameter.value.type.name,
@@ -153,12 +155,12 @@ def _first(sources: tuple[Citation, ...]) -> Citation | None:
 
 
 def _members(value: Value | None, enums: Mapping[str, Enum]) -> tuple[tuple[str, str], ...]:
-    """The values that have names: members of the enum, and sentinels."""
+    """The raw values with names: members of the enum, and sentinels."""
     enum = enums.get(value.enum) if value is not None and value.enum else None
     named = [(str(member.value), member.name) for member in enum.members] if enum is not None else []
-    return (*named, *((one.text, one.name) for one in (value.sentinels if value is not None else ())))
+    return (*named, *((sentinel.text, sentinel.name) for sentinel in (value.sentinels if value is not None else ())))
 
 
 def exact_number(number: Decimal) -> int | Decimal:
-    """An exact number, as a whole one where it is."""
+    """An exact number, as an int if it is whole."""
     return int(number) if number == number.to_integral_value() else number

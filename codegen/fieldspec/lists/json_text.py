@@ -1,4 +1,4 @@
-"""JSON that is counted before it is read: a short text can be nested deeper, or hold more, than there is memory for."""
+"""Reads JSON after bounding its values and levels: a short text can ask for more memory than there is."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _SIGN = re.compile(r'["\\\[\]{},]')
 
 
 def json_data(text: str, pairs: Callable[[list[tuple[str, Any]]], Any] | None = None) -> Any:
-    """The data of a JSON text; `pairs` makes something of the pairs of an object. Raises ListError."""
+    """The data of a JSON text. `pairs` builds an object from its pairs. Raises ListError."""
     _count(text)
     try:
         return json.loads(text, object_pairs_hook=pairs)
@@ -25,11 +25,11 @@ def json_data(text: str, pairs: Callable[[list[tuple[str, Any]]], Any] | None = 
 
 
 def _count(text: str) -> None:
-    """Refuses a text with too many values or levels."""
+    """Raises ListError for a text with too many values or levels."""
     depth = values = escaped = 0
     within = False
-    for found in _SIGN.finditer(text):
-        sign, at = found[0], found.start()
+    for match in _SIGN.finditer(text):
+        sign, at = match[0], match.start()
         if at < escaped:
             continue
         if sign == "\\":

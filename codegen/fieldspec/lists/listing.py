@@ -1,4 +1,4 @@
-"""A register list after reading: what each of its rows states."""
+"""A register list, row by row."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ _MOST_WORDS = 5
 
 @dataclass(frozen=True, slots=True)
 class ListRow:
-    """What a row says. `address` counts as the list does, `row` is its number in the file.
+    """A row of a list. `address` is that of the list, `row` is its number in the file.
 
-    Cells that say nothing, or nothing that is understood, are None or empty. `texts` are the cells by role.
+    Cells that are empty, or cannot be understood, are None or empty. `texts` are the cells by role.
     """
 
     row: int
@@ -46,7 +46,7 @@ class ListRow:
 
 @dataclass(frozen=True, slots=True)
 class Listing:
-    """A list: how its addresses are read, its rows, and the rows that have no address.
+    """A list. `skipped` are the numbers of rows without an address.
 
     `bases` are the ways in which the addresses can be read, the likeliest first.
     """
@@ -57,55 +57,62 @@ class Listing:
     bases: tuple[str, ...]
 
     def rows(self, base: str) -> list[ListRow]:
-        """What the rows say, with addresses read in a way of `bases`."""
-        return [_list_row(self.columns, row, held, base) for row, held in self.addresses]
+        """The rows, with the addresses read in one of the ways of `bases`."""
+        return [_list_row(self.columns, row, addresses, base) for row, addresses in self.addresses]
 
     def heading(self, role: str) -> str:
         """The heading of a role's column."""
         return self.columns.heading(role)
 
 
-def listing(sheet: Sheet, given: Mapping[str, str], base: str = "") -> Listing:
-    """Reads a sheet; `given` names the columns of some roles, `base` says how addresses are written."""
-    found = columns(sheet, given)
+def listing(sheet: Sheet, names: Mapping[str, str], base: str = "") -> Listing:
+    """The list in a sheet. `names` has the columns of some roles, `base` says how addresses are written.
+
+    Raises ListError if the sheet is no list.
+    """
+    columns_of_sheet = columns(sheet, names)
     rows: list[tuple[SheetRow, AddressRange]] = []
     skipped: list[int] = []
     wrong: list[SheetRow] = []
-    for row in found.rows:
-        text = found.cell(row, "address")
-        held = address_range(text, row.number) if text else None
-        if held is not None:
-            rows.append((row, held))
-        elif text and sum(map(bool, row.cells)) > 1 and row.cells != found.headings:
+    for row in columns_of_sheet.rows:
+        text = columns_of_sheet.cell(row, "address")
+        addresses = address_range(text, row.number) if text else None
+        if addresses is not None:
+            rows.append((row, addresses))
+        elif text and sum(map(bool, row.cells)) > 1 and row.cells != columns_of_sheet.headings:
             wrong.append(row)
         else:
             skipped.append(row.number)
-    heading = found.heading("address")
+    heading = columns_of_sheet.heading("address")
     if wrong:
-        shown = "; ".join(f"`{found.cell(row, 'address')[:40]}` in row {row.number}" for row in wrong[:_MOST_WORDS])
+        places = "; ".join(
+            f"`{columns_of_sheet.cell(row, 'address')[:40]}` in row {row.number}" for row in wrong[:_MOST_WORDS]
+        )
         more = f"; and {len(wrong) - _MOST_WORDS} more" if len(wrong) > _MOST_WORDS else ""
-        raise ListError(f"has no address under {heading}: {shown}{more}; name the column with --address")
+        raise ListError(f"has no address under {heading}: {places}{more}; name the column with --address")
     if not rows:
-        alone = len(found.headings) == 1 and len(heading.split()) > 1
+        alone = len(columns_of_sheet.headings) == 1 and len(heading.split()) > 1
         parted = "; if blanks part its columns, put tabs, commas or bars between them" if alone else ""
         raise ListError(f"has no address under {heading}{parted}")
-    made = Listing(found, tuple(rows), tuple(skipped), _bases([held for _, held in rows], base, heading))
-    for one in made.bases:
-        _within(made.rows(one), heading)
-    return made
+    result = Listing(
+        columns_of_sheet, tuple(rows), tuple(skipped), _bases([addresses for _, addresses in rows], base, heading)
+    )
+    for way in result.bases:
+        _within(result.rows(way), heading)
+    return result
 
 
-def _bases(held: Sequence[AddressRange], base: str, heading: str) -> tuple[str, ...]:
-    """How digits without a mark may be read. Where the user or the heading says it, there is one way."""
-    ends = [end for one in held for end in (one.first, one.last) if end is not None]
-    said = base or base_of_heading(heading)
-    if not said and any(end.lettered for end in ends):
-        said = HEXADECIMAL
-    if said:
-        wrong = [end.digits for end in ends if end.number(said) is None]
+def _bases(ranges: Sequence[AddressRange], base: str, heading: str) -> tuple[str, ...]:
+    """The ways to read digits without a mark: only one if the user or the heading says it."""
+    ends = [end for address_range in ranges for end in (address_range.first, address_range.last) if end is not None]
+    stated = base or base_of_heading(heading)
+    if not stated and any(end.lettered for end in ends):
+        stated = HEXADECIMAL
+    if stated:
+        wrong = [end.digits for end in ends if end.number(stated) is None]
         if wrong:
-            raise ListError(f"has the address `{wrong[0]}` under {heading}, which cannot be read as {said}")
-        return (said,)
+            raise ListError(f"has the address `{wrong[0]}` under {heading}, which cannot be read as {stated}")
+        return (stated,)
     bare = [end for end in ends if not end.mark]
     if not bare:
         return (HEXADECIMAL,)
@@ -125,8 +132,8 @@ def _within(rows: Sequence[ListRow], heading: str) -> None:
             raise ListError(f"has the address {row.address} under {heading} in row {row.row}, which is too great")
 
 
-def _list_row(held: Columns, row: SheetRow, address: AddressRange, base: str) -> ListRow:
-    texts = {role: text for role in held.places if (text := held.cell(row, role))}
+def _list_row(columns: Columns, row: SheetRow, address: AddressRange, base: str) -> ListRow:
+    texts = {role: text for role in columns.places if (text := columns.cell(row, role))}
     first = address.first.number(base) or 0
     last = address.last.number(base) if address.last is not None else None
     words = cells.whole(texts.get("words", ""))
@@ -154,6 +161,6 @@ def _list_row(held: Columns, row: SheetRow, address: AddressRange, base: str) ->
 
 
 def moved(rows: Sequence[ListRow], offset: int) -> Iterator[ListRow]:
-    """The rows with addresses that count as the wire does, where those of the list are higher by an offset."""
+    """The rows with the addresses on the wire, which are lower than those of the list by an offset."""
     for row in rows:
         yield replace(row, address=row.address - offset)

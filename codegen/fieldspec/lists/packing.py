@@ -1,4 +1,4 @@
-"""Workbooks as they are written. This is the one module that knows XlsxWriter.
+"""Writes workbooks. No other module knows XlsxWriter.
 
 The same cells give the same bytes: no times, no versions, and no compression, which differs between machines.
 """
@@ -28,17 +28,17 @@ _NOT_XML = re.compile("[\ufffe\uffff]")
 _WIDEST = 40
 
 
-def packed(held: Workbook) -> bytes:
+def packed(contents: Workbook) -> bytes:
     """The bytes of a workbook for a program that imports it: every cell is there, an empty one as an empty text."""
 
     def fill(book: Any) -> None:
         quoted = book.add_format({"quote_prefix": True})
-        for sheet in held.sheets:
-            made = book.add_worksheet(sheet.title[:LONGEST_TITLE])
+        for sheet in contents.sheets:
+            worksheet = book.add_worksheet(sheet.title[:LONGEST_TITLE])
             for number, row in enumerate(sheet.rows):
                 for column, value in enumerate(row):
-                    _put(made, number, column, "" if value is None else value, quoted)
-        for name, text in held.properties.items():
+                    _put(worksheet, number, column, "" if value is None else value, quoted)
+        for name, text in contents.properties.items():
             book.set_custom_property(name, text, "text")
 
     return _file_bytes(fill)
@@ -58,8 +58,8 @@ def workbook(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]
         for last, row in enumerate(rows, 1):
             for column, value in enumerate(row):
                 if value is not None and value != "":
-                    shown = _put(sheet, last, column, value, quoted)
-                    widths[column] = min(max(widths[column], len(shown) + 1), _WIDEST)
+                    text = _put(sheet, last, column, value, quoted)
+                    widths[column] = min(max(widths[column], len(text) + 1), _WIDEST)
         for column, width in enumerate(widths):
             sheet.set_column(column, column, width + 2)
         sheet.freeze_panes(1, 0)
@@ -69,22 +69,22 @@ def workbook(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]
 
 
 def _put(sheet: Any, row: int, column: int, value: object, quoted: object) -> str:
-    """Writes a value and gives what the cell then shows. A text that begins like a formula is marked as a text."""
+    """Writes a value and returns the text of the cell. A text that begins like a formula is marked as a text."""
     if not isinstance(value, str):
         sheet.write_number(row, column, value)
         return str(value)
-    shown = _NOT_XML.sub("", clean(value))[:LONGEST]
-    sheet.write_string(row, column, shown, quoted if shown.startswith(_FORMULAS) else None)
-    return shown
+    text = _NOT_XML.sub("", clean(value))[:LONGEST]
+    sheet.write_string(row, column, text, quoted if text.startswith(_FORMULAS) else None)
+    return text
 
 
 def _file_bytes(fill: Callable[[Any], None]) -> bytes:
-    made = io.BytesIO()
-    with Book(made, {"in_memory": True}) as book:
+    package_file = io.BytesIO()
+    with Book(package_file, {"in_memory": True}) as book:
         book.set_properties(_CREATED)
         fill(book)
     stored = io.BytesIO()
-    with zipfile.ZipFile(made) as parts, zipfile.ZipFile(stored, "w", zipfile.ZIP_STORED) as package:
+    with zipfile.ZipFile(package_file) as parts, zipfile.ZipFile(stored, "w", zipfile.ZIP_STORED) as package:
         for part in parts.infolist():
             content = parts.read(part)
             part.compress_type = zipfile.ZIP_STORED

@@ -1,4 +1,4 @@
-"""A list as it lies in a file: rows of cells, before anything is known of its columns."""
+"""A sheet of cells from a file, whatever its columns mean."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ MOST_BYTES = 32 << 20
 MOST_ROWS = 100_000
 MOST_COLUMNS = 1_000
 MOST_CELLS = 500_000
-"""Cells of the smallest rectangle that holds a sheet; all of them are in memory at a time."""
+"""The most cells in the rectangle around the used ones; all of them are in memory at a time."""
 
 
 class ListError(Exception):
-    """A list that cannot be used: one sentence that says what is wrong with the file, and what to do."""
+    """A list that cannot be used. The message, behind the name of the file, says what is wrong and what to do."""
 
 
 @dataclass(frozen=True, slots=True)
 class Region:
-    """Cells that are merged into one: rows and columns, counted from 1, both ends included."""
+    """Merged cells: rows and columns, counted from 1, both ends included."""
 
     first_row: int
     first_column: int
@@ -25,7 +25,7 @@ class Region:
     last_column: int
 
     def text(self) -> str:
-        """`C5:C9`"""
+        """The range as a spreadsheet writes it: `C5:C9`."""
         first, last = f"{letters(self.first_column)}{self.first_row}", f"{letters(self.last_column)}{self.last_row}"
         return f"{first}:{last}"
 
@@ -38,15 +38,15 @@ class SheetRow:
     cells: tuple[str, ...]
 
     def cell(self, column: int) -> str:
-        """The cell in a column, counted from 0; empty behind the last one."""
+        """The cell in a column, which is counted from 0; empty behind the last one."""
         return self.cells[column] if column < len(self.cells) else ""
 
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """The rows that are not empty. `formulas` are the cells, as row and column from 1, whose text is a formula.
+    """The rows that are not empty. `formulas` are the cells with formulas, as row and column from 1.
 
-    `name` says which of several sheets it is, empty where there is one. `lines` is the number of rows of the file.
+    `name` is that of one of several sheets, else empty. `lines` is the number of rows in the file.
     """
 
     rows: tuple[SheetRow, ...]

@@ -1,4 +1,4 @@
-"""The first spec of a device, from a register list, with names derived from the list."""
+"""Writes the first spec of a device from a register list."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _LONGEST = 48
 
 
 def named(texts: Iterable[str], address: int) -> str:
-    """The first text that is English as a name, `register_2000` where none is."""
+    """A name from the first text in English, `register_2000` if there is none."""
     for text in texts:
         name = snake(text)
         if name:
@@ -32,13 +32,13 @@ def named(texts: Iterable[str], address: int) -> str:
 
 
 def snake(text: str) -> str:
-    """`Target Position (0.01 mm)` as `target_position`; nothing where the words are not English."""
-    plain = unicodedata.normalize("NFKD", _ASIDE.sub(" ", text))
-    plain = "".join(sign for sign in plain if not unicodedata.combining(sign))
-    if any(sign.isalpha() and not sign.isascii() for sign in plain):
+    """`Target Position (0.01 mm)` as `target_position`; empty if the words are not English."""
+    ascii_text = unicodedata.normalize("NFKD", _ASIDE.sub(" ", text))
+    ascii_text = "".join(sign for sign in ascii_text if not unicodedata.combining(sign))
+    if any(sign.isalpha() and not sign.isascii() for sign in ascii_text):
         return ""
     name = ""
-    for word in _WORD.findall(plain):
+    for word in _WORD.findall(ascii_text):
         longer = f"{name}_{word}".strip("_").lower()
         if len(longer) > _LONGEST:
             break
@@ -61,7 +61,7 @@ _HEAD = """\
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """The list: its file, hash and number of lines."""
+    """The file of a list, its hash and its number of lines."""
 
     file: str
     sha256: str
@@ -77,7 +77,7 @@ class _Shape:
 
 
 def skeleton(device: str, origin: Origin, rows: Sequence[ListRow]) -> str:
-    """The text of a spec file. Two rows about the same word are refused."""
+    """The text of a spec file. Raises ListError for two rows about one word, and for spaces other than registers."""
     other = next((row for row in rows if folded(row.texts.get("space", "")) not in ("", REGISTERS)), None)
     if other is not None:
         space = other.texts["space"]
@@ -103,7 +103,7 @@ def skeleton(device: str, origin: Origin, rows: Sequence[ListRow]) -> str:
 
 
 def _shape(row: ListRow) -> _Shape:
-    """The type and the words of a register; where the list contradicts itself, its words count."""
+    """The type and the words of a register. If the list contradicts itself, its words count."""
     known = row.type.of_words(row.words) if row.type else ""
     if not known:
         known = _BY_WORDS.get(row.words or 1, "bytes")
@@ -119,24 +119,24 @@ def _shape(row: ListRow) -> _Shape:
 
 
 def _refuse_overlaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> None:
-    held: dict[int, int] = {}
+    rows_by_address: dict[int, int] = {}
     twice: list[tuple[int, int, int]] = []
     for row, shape in zip(rows, shapes, strict=True):
         stride = row.stride or shape.words
-        if len(held) + row.count * shape.words > _MOST_WORDS:
+        if len(rows_by_address) + row.count * shape.words > _MOST_WORDS:
             raise ListError(f"has more words than a device, up to row {row.row}")
         for address in (row.address + n * stride + word for n in range(row.count) for word in range(shape.words)):
-            first = held.setdefault(address, row.row)
+            first = rows_by_address.setdefault(address, row.row)
             if first != row.row and (not twice or twice[-1][1] != row.row):
                 twice.append((first, row.row, address))
     if twice:
-        shown = "; ".join(f"rows {a} and {b} hold 0x{address:04X}" for a, b, address in twice[:5])
+        rows_text = "; ".join(f"rows {a} and {b} hold 0x{address:04X}" for a, b, address in twice[:5])
         more = f"; and {len(twice) - 5} more" if len(twice) > 5 else ""
-        raise ListError(f"has two rows about the same word: {shown}{more}; put their addresses or words right")
+        raise ListError(f"has two rows about the same word: {rows_text}{more}; put their addresses or words right")
 
 
 def _gaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> Iterator[str]:
-    """The declared gaps between the first register and the last; the rows ascend."""
+    """The lines of the gaps between the first register and the last. The rows ascend."""
     gaps = []
     end = rows[0].address
     for row, shape in zip(rows, shapes, strict=True):
@@ -180,7 +180,7 @@ def _row(row: ListRow, shape: _Shape, names: set[str], labels: set[str]) -> str:
 
 
 def _numbers(row: ListRow, is_integer: bool, lowest: int, highest: int, doubts: list[str]) -> list[str]:
-    """Scale, range and default, as far as they are whole counts of the type; else they are told as doubts."""
+    """Scale, range and default, if they are whole counts of the type; else they become doubts."""
     texts, parts = row.texts, []
     scale = _decimal(texts.get("scale", ""))
     if scale is not None and scale > 0 and is_integer:
@@ -192,8 +192,8 @@ def _numbers(row: ListRow, is_integer: bool, lowest: int, highest: int, doubts: 
     if ranged:
         parts.append(f"range: {low:f}..{high:f}")
     else:
-        told = {"Least value": texts.get("min"), "Greatest value": texts.get("max"), "Range": texts.get("range")}
-        doubts += [f"{what} in the list: {text}." for what, text in told.items() if text]
+        unread = {"Least value": texts.get("min"), "Greatest value": texts.get("max"), "Range": texts.get("range")}
+        doubts += [f"{what} in the list: {text}." for what, text in unread.items() if text]
     if "default" in texts:
         inside = (low, high) if ranged else (Decimal(lowest), Decimal(highest))
         if (
@@ -215,7 +215,7 @@ def _counts(low: Decimal, high: Decimal, lowest: int, highest: int) -> bool:
 
 
 def _words(row: ListRow, name: str, labels: set[str]) -> Iterator[str]:
-    """What the list calls it; what two rows have, and a name that a blank breaks, are allowed to stand there."""
+    """The printed name and the label of a register, with the allowances that two equal ones or a broken one need."""
     texts = row.texts
     printed = texts.get("printed_name", "") or texts.get("name", "")
     label = texts.get("label", "")
@@ -235,13 +235,13 @@ def _words(row: ListRow, name: str, labels: set[str]) -> Iterator[str]:
 
 
 def _fresh(name: str, address: int, names: set[str]) -> str:
-    """A name that no other register has."""
-    made, number = name, 1
-    while made in names:
-        made = f"{name}_{address:04x}" if number == 1 else f"{name}_{address:04x}_{number}"
+    """A name that no other register has, which is added to `names`."""
+    fresh_name, number = name, 1
+    while fresh_name in names:
+        fresh_name = f"{name}_{address:04x}" if number == 1 else f"{name}_{address:04x}_{number}"
         number += 1
-    names.add(made)
-    return made
+    names.add(fresh_name)
+    return fresh_name
 
 
 def _decimal(text: str) -> Decimal | None:
@@ -251,7 +251,7 @@ def _decimal(text: str) -> Decimal | None:
 
 
 def _quoted(text: str) -> str:
-    """A text as YAML has it within brackets, plain where it is a word."""
+    """A text as YAML writes it within brackets, without quotes if it is a word."""
     if _BARE_SCALAR.fullmatch(text) and text.casefold() not in (
         "true",
         "false",
@@ -265,4 +265,4 @@ def _quoted(text: str) -> str:
     ):
         return text
     escaped = (sign if sign.isprintable() or sign == " " else f"\\U{ord(sign):08X}" for sign in text)
-    return '"' + "".join(json.dumps(one)[1:-1] if one in '"\\' else one for one in escaped) + '"'
+    return '"' + "".join(json.dumps(sign)[1:-1] if sign in '"\\' else sign for sign in escaped) + '"'

@@ -1,4 +1,4 @@
-"""Lists as text: CSV with any usual separator, tables with bars, and JSON."""
+"""Reads lists from text: CSV with any usual separator, tables with bars, and JSON."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _RULE = re.compile(r"[|+:=\s-]+")
 
 
 def text_sheet(content: bytes, encoding: str = "") -> Sheet:
-    """The sheet in a text file. Without an encoding, a byte order mark says it, else it is UTF-8."""
+    """The sheet in a text file. The default encoding is that of the byte order mark, else UTF-8. Raises ListError."""
     text = decoded(content, encoding)
     if not text.strip():
         raise ListError("is empty")
@@ -69,7 +69,7 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
 
 
 def _bounded(text: str, size: list[int]) -> Iterator[str]:
-    """The lines of a text; `size` counts the characters of a row, which may be of several lines, and is bounded."""
+    """The lines of a text. `size` counts the characters of a row, which may have several lines, and is bounded."""
     for line in io.StringIO(text, newline=""):
         size[0] += len(line)
         if size[0] > _LONGEST_ROW:
@@ -78,34 +78,34 @@ def _bounded(text: str, size: list[int]) -> Iterator[str]:
 
 
 def decoded(content: bytes, encoding: str = "") -> str:
-    """The text of a file."""
+    """The text of a file. Raises ListError if it is none."""
     for mark, kind in _KNOWN_BINARIES:
         if content.startswith(mark):
             raise ListError(f"is {kind}")
     marked = next((name for mark, name in _MARKS if content.startswith(mark)), "")
-    given = encoding or marked
+    named = encoding or marked
     try:
-        if given:
-            found = codecs.lookup(given)
-            if not getattr(found, "_is_text_encoding", True):
+        if named:
+            codec = codecs.lookup(named)
+            if not getattr(codec, "_is_text_encoding", True):
                 raise LookupError
-        text = content.decode(given or "utf-8")
+        text = content.decode(named or "utf-8")
     except LookupError:
-        raise ListError(f"cannot be read: there is no encoding {given}; some are gbk, big5, utf-16, cp1252") from None
+        raise ListError(f"cannot be read: there is no encoding {named}; some are gbk, big5, utf-16, cp1252") from None
     except UnicodeError:
-        if given:
-            raise ListError(f"is not in the encoding {given}; give another one with --encoding") from None
+        if named:
+            raise ListError(f"is not in the encoding {named}; give another one with --encoding") from None
         if b"\0" in content:
             raise ListError("is binary: give a CSV or XLSX file, or say --encoding utf-16-le") from None
         raise ListError("is not UTF-8; say which encoding it has, as in --encoding gbk or --encoding big5") from None
     if "\0" in text:
-        hint = "give a CSV or XLSX file" if given else "give a CSV or XLSX file, or say --encoding utf-16-le"
+        hint = "give a CSV or XLSX file" if named else "give a CSV or XLSX file, or say --encoding utf-16-le"
         raise ListError(f"is binary: {hint}")
     return text.removeprefix("\ufeff")
 
 
 def _separator(lines: list[str]) -> str:
-    """The separator that gives the most rows of one length; a table with bars around it has bars."""
+    """The separator that gives the most rows of equal length; bars for a table with bars around it."""
     looked_at = [line for line in lines if line.strip()]
     if all(line.strip().startswith("|") or _RULE.fullmatch(line) for line in looked_at):
         return "|"
@@ -115,14 +115,14 @@ def _separator(lines: list[str]) -> str:
             widths = Counter(len(row) for row in csv.reader(looked_at, delimiter=separator) if len(row) > 1)
         except csv.Error:
             continue
-        width, count = max(widths.items(), key=lambda held: (held[1], held[0]), default=(0, 0))
+        width, count = max(widths.items(), key=lambda pair: (pair[1], pair[0]), default=(0, 0))
         if (count, width) > most:
             best, most = separator, (count, width)
     return best
 
 
 def _of_json(text: str) -> Sheet:
-    """The sheet of a list of objects; its columns are their keys."""
+    """The sheet of a JSON list of objects. Its columns are their keys."""
     data = json_data(text)
     if not isinstance(data, list) or not data or not all(isinstance(item, dict) for item in data):
         raise ListError("is JSON, and no list of objects")

@@ -1,4 +1,4 @@
-"""Lists as XLSX, as they are read. This is the one module that knows openpyxl."""
+"""Reads lists from XLSX. No other module knows openpyxl."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MAGIC = b"PK\x03\x04"
 
 
 def workbook_sheet(content: bytes, named: str = "") -> Sheet:
-    """A sheet of a workbook: the one with a name, or the first that is not empty."""
+    """A sheet of a workbook: the one with a name, or the first one that is not empty. Raises ListError."""
     check_workbook(content)
     import openpyxl
 
@@ -26,14 +26,14 @@ def workbook_sheet(content: bytes, named: str = "") -> Sheet:
         raise ListError("is no workbook that can be read; save it anew as .xlsx, or as CSV") from None
     sheets = list(book.worksheets)
     if named:
-        found = [sheet for sheet in sheets if sheet.title == named]
-        if not found:
+        matches = [sheet for sheet in sheets if sheet.title == named]
+        if not matches:
             raise ListError(f"has no sheet {named}; there are {', '.join(sheet.title for sheet in sheets)}")
-        return _sheet(found[0])
+        return _sheet(matches[0])
     for sheet in sheets:
-        made = _sheet(sheet)
-        if made.rows:
-            return made
+        result = _sheet(sheet)
+        if result.rows:
+            return result
     raise ListError("is empty")
 
 
@@ -44,12 +44,12 @@ def _sheet(sheet: Worksheet) -> Sheet:
         raise ListError(f"has more than {MOST_COLUMNS} columns")
     rows = []
     formulas = set()
-    for number, held in enumerate(sheet.iter_rows(), 1):
+    for number, row in enumerate(sheet.iter_rows(), 1):
         cells = []
-        for column, one in enumerate(held, 1):
-            if one.data_type == "f":
+        for column, cell in enumerate(row, 1):
+            if cell.data_type == "f":
                 formulas.add((number, column))
-            cells.append(_text(one.value))
+            cells.append(_text(cell.value))
         if any(cells):
             rows.append(SheetRow(number, tuple(cells)))
     merged = tuple(
@@ -60,7 +60,7 @@ def _sheet(sheet: Worksheet) -> Sheet:
 
 
 def _text(value: object) -> str:
-    """What a cell shows: whole numbers without a point."""
+    """The text of a cell: whole numbers have no point."""
     if value is None:
         return ""
     if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:

@@ -1,4 +1,4 @@
-"""How much there is in a workbook, counted while it is unpacked, before anything of it is kept in memory.
+"""Bounds the contents of a workbook while it is unpacked, before any of it is in memory.
 
 A cell far away from the others, or an area of merged cells, is a few characters in the file and millions of cells in
 memory. So the parts are read as a stream, and the first number that is too great ends it.
@@ -20,12 +20,12 @@ _MOST_ELEMENTS = 2_000_000
 _DEEPEST = 64
 _PIECE = 1 << 16
 _ENTRY = b"PK\x01\x02"
-"""What an entry of the table of contents begins with."""
+"""The first bytes of an entry in the table of contents."""
 _PLACE = re.compile(r"\$?([A-Za-z]{1,3})\$?([0-9]{1,7})")
 
 
 def check_workbook(content: bytes) -> None:
-    """Refuses a workbook that holds more than a list does, or declares entities. Raises ListError."""
+    """Raises ListError for a workbook that has more than a list needs, or declares entities."""
     if content.count(_ENTRY) > _MOST_PARTS:
         raise ListError(f"has more than {_MOST_PARTS} parts; a list of registers has fewer")
     try:
@@ -47,7 +47,7 @@ def check_workbook(content: bytes) -> None:
 
 
 class _Counts:
-    """What was counted so far, over all parts: their elements, and the cells that each sheet asks for."""
+    """Counts over all parts: their elements, and the cells that each sheet needs."""
 
     def __init__(self) -> None:
         self._elements = 0
@@ -91,7 +91,7 @@ class _Counts:
         self._depth -= 1
 
     def _reach(self, row: int, column: int) -> None:
-        """Takes a cell into account: memory is used for all cells between the first one and this."""
+        """Takes a cell into account: memory is needed for all cells between the first one and this one."""
         self._row, self._column = row, column
         self._rows, self._columns = max(self._rows, row), max(self._columns, column)
         if self._rows > MOST_ROWS:

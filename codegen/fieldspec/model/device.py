@@ -136,5 +136,5 @@ class Device:
 
     @property
     def word_order(self) -> str:
-        """The order of the words in values of several registers; `big` where no link says it."""
-        return next((link.word_order for link in self.links.values() if link.word_order), "big")
+        """The order of the words in values of several registers; empty where no link states it."""
+        return next((link.word_order for link in self.links.values() if link.word_order), "")

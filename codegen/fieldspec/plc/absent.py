@@ -16,26 +16,26 @@ _HELP = "leave this output out for the device: name the others after --to"
 
 def absent_reals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
     """A finding for each value of which a NaN is a sentinel."""
-    found = []
+    findings = []
     seen: set[int] = set()
     for fact, value in _values(layout):
-        sentinel = next((one for one in value.sentinels if one.is_nan), None)
+        sentinel = next((sentinel for sentinel in value.sentinels if sentinel.is_nan), None)
         if sentinel is not None and id(fact) not in seen:
             seen.add(id(fact))
             text = f"the sentinel {sentinel.name} of {fact.name} is a NaN, which {dialect.title} refuses as no number"
-            found.append(Diagnostic("plc_reals_present", text, fact.place["sentinels"], help=_HELP))
-    return found
+            findings.append(Diagnostic("plc_reals_present", text, fact.place["sentinels"], help=_HELP))
+    return findings
 
 
 def _values(layout: DeviceLayout) -> Iterator[tuple[Fact, Value]]:
-    for laid in layout.registers:
-        yield laid.register, laid.register.value
+    for register in layout.registers:
+        yield register.register, register.register.value
     for record in every_record(layout):
         for field in record.fields:
             if field.value is not None:
                 yield field.field, field.value
             yield from ((case.case, case.value) for case in field.cases)
-    for held in layout.device.parameters.values():
-        for parameter in held.parameters:
+    for parameter_set in layout.device.parameters.values():
+        for parameter in parameter_set.parameters:
             yield parameter, parameter.value
             yield from ((inner, inner.value) for inner in parameter.subindices)

@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import wraps
 from typing import TypeVar
 
+from fieldspec.caches import ByIdentity
 from fieldspec.layout.device import DeviceLayout
 
 Result = TypeVar("Result")
 
 
 def cached(make: Callable[[DeviceLayout], Result]) -> Callable[[DeviceLayout], Result]:
-    """A function of a layout that gives again what it gave before, where it is asked for the same layout again.
+    """A function of a layout that returns the result of its last call again, if it is called with the same layout.
 
-    Layouts never change. The last one alone is kept, with what was made of it, since the outputs of one device are made
-    behind each other; as it is held, no other layout can be taken for it.
+    Layouts never change, and the outputs of one device are built one after the other.
     """
-    last: tuple[DeviceLayout, Result] | None = None
+    results: ByIdentity[DeviceLayout, Result] = ByIdentity(most=1)
 
-    def asked(layout: DeviceLayout) -> Result:
-        nonlocal last
-        if last is None or last[0] is not layout:
-            last = layout, make(layout)
-        return last[1]
+    @wraps(make)
+    def cached_result(layout: DeviceLayout) -> Result:
+        return results.get_or_compute(layout, make)
 
-    asked.__doc__ = make.__doc__
-    return asked
+    return cached_result

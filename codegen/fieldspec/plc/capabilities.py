@@ -63,38 +63,40 @@ def refused(reason: str) -> Capability:
 
 def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     """The capabilities of a dialect, as its row of facts says; what is not named is exact."""
-    found: dict[str, Capability] = {}
+    capabilities: dict[str, Capability] = {}
     if dialect.widest < 8:
-        found["wide_numbers"] = lossy(
+        capabilities["wide_numbers"] = lossy(
             "become two numbers of 32 bits, whose scale and range programs must apply to both"
         )
-        found["wide_lists"] = refused("the halves of an element cannot stand beside each other: plc_numbers_fit")
+        capabilities["wide_lists"] = refused("the halves of an element cannot stand beside each other: plc_numbers_fit")
     if not dialect.nested_arrays:
-        found["text_lists"] = refused("there are no arrays of arrays: plc_arrays_flat")
+        capabilities["text_lists"] = refused("there are no arrays of arrays: plc_arrays_flat")
     if not dialect.enums:
-        found["closed_enums"] = lossy("are numbers with constants; the functions refuse numbers that are not listed")
-    found["open_enums"] = lossy("are numbers with constants, because a variable of an enum holds nothing else")
-    found["floats"] = lossy("infinity and NaN are refused, because comparing them differs between controllers")
-    found["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
-    found["choices"] = lossy("are bit strings as wide as the widest type, with a function that says which it is")
+        capabilities["closed_enums"] = lossy(
+            "are numbers with constants; the functions refuse numbers that are not listed"
+        )
+    capabilities["open_enums"] = lossy("are numbers with constants, because a variable of an enum holds nothing else")
+    capabilities["floats"] = lossy("infinity and NaN are refused, because comparing them differs between controllers")
+    capabilities["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
+    capabilities["choices"] = lossy("are bit strings as wide as the widest type, with a function that says which it is")
     if dialect.bits == "packed":
-        found["bit_fields"] = lossy("are masks and single bits in images, because a BOOL is one bit")
-        found["images"] = refused("a gap would move every value behind it: plc_images_exact")
+        capabilities["bit_fields"] = lossy("are masks and single bits in images, because a BOOL is one bit")
+        capabilities["images"] = refused("a gap would move every value behind it: plc_images_exact")
     else:
-        found["flags"] = lossy("are words with masks, because a BOOL is a byte there")
-        found["images"] = found["aligned_images"] = lossy(
+        capabilities["flags"] = lossy("are words with masks, because a BOOL is a byte there")
+        capabilities["images"] = capabilities["aligned_images"] = lossy(
             "have the bytes of the wire; numbers are read through functions, which turn them"
         )
     if not dialect.packs:
-        found["images"] = found["aligned_images"] = lossy(
+        capabilities["images"] = capabilities["aligned_images"] = lossy(
             "are bytes, which functions make values of: the standard does not say how a struct lies in memory"
         )
     if not dialect.texts:
-        found["code_texts"] = refused("are lists of structs with values, which constants cannot be there")
+        capabilities["code_texts"] = refused("are lists of structs with values, which constants cannot be there")
     elif not dialect.wide_texts:
-        found["code_texts"] = lossy("have ASCII alone, and at most 254 characters")
-    found["remedies"] = refused("are texts for people: see the output for operator panels")
-    found["labels"] = lossy("are comments")
+        capabilities["code_texts"] = lossy("have ASCII alone, and at most 254 characters")
+    capabilities["remedies"] = refused("are texts for people: see the output for operator panels")
+    capabilities["labels"] = lossy("are comments")
     if dialect.foreign:
-        found["records"] = found["closed_enums"] = found["constants"] = lossy(dialect.foreign)
-    return {name: found.get(name, Capability(EXACT)) for name in CONSTRUCTS}
+        capabilities["records"] = capabilities["closed_enums"] = capabilities["constants"] = lossy(dialect.foreign)
+    return {name: capabilities.get(name, Capability(EXACT)) for name in CONSTRUCTS}

@@ -57,21 +57,39 @@ _Make = Callable[[DeviceLayout, frozenset[str]], Iterator[Draft]]
 
 
 def _addresses(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
-    for laid in layout.registers:
-        if laid.register.reserved:
+    for register in layout.registers:
+        if register.register.reserved:
             continue
-        space = _space(layout, laid.register.space)
-        beside = f"{_printed(laid.register)} {laid.register.access} {space}".strip()
-        yield Draft(laid.name, UINT, laid.address, _comment(beside, laid.register), laid.register, hexadecimal=True)
-        if laid.count > 1:
-            for word, number in (("count", laid.count), ("stride", laid.stride)):
-                yield Draft(f"{laid.name}_{word}", UINT, number, _OF_SEVERAL[word], laid.register, derived=True)
+        space = _space(layout, register.register.space)
+        beside = f"{_printed(register.register)} {register.register.access} {space}".strip()
+        yield Draft(
+            register.name,
+            UINT,
+            register.address,
+            _comment(beside, register.register),
+            register.register,
+            hexadecimal=True,
+        )
+        if register.count > 1:
+            for word, number in (("count", register.count), ("stride", register.stride)):
+                yield Draft(f"{register.name}_{word}", UINT, number, _OF_SEVERAL[word], register.register, derived=True)
     for table in layout.tables.values():
-        held = table.table
-        beside = f"{held.title} {_space(layout, held.space)}".strip()
-        yield Draft(f"{held.name}_base", UINT, held.base, _comment(beside, held), held, hexadecimal=True)
-        for word, number in (("stride", held.stride), ("count", held.count), ("first_index", held.index_from)):
-            yield Draft(f"{held.name}_{word}", UINT, number, _OF_SEVERAL[word], held, derived=True)
+        table_model = table.table
+        beside = f"{table_model.title} {_space(layout, table_model.space)}".strip()
+        yield Draft(
+            f"{table_model.name}_base",
+            UINT,
+            table_model.base,
+            _comment(beside, table_model),
+            table_model,
+            hexadecimal=True,
+        )
+        for word, number in (
+            ("stride", table_model.stride),
+            ("count", table_model.count),
+            ("first_index", table_model.index_from),
+        ):
+            yield Draft(f"{table_model.name}_{word}", UINT, number, _OF_SEVERAL[word], table_model, derived=True)
 
 
 def _space(layout: DeviceLayout, name: str) -> str:
@@ -88,33 +106,42 @@ _OF_SEVERAL = {
 
 
 def _parameters(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
-    for held in layout.device.parameters.values():
-        for one in held.parameters:
-            if not one.reserved:
-                number = held.base + one.number
-                yield Draft(one.name, UINT, number, _comment(_numbered(held, one), one), one, hexadecimal=held.base > 0)
-                if one.count > 1:
-                    yield Draft(f"{one.name}_count", UINT, one.count, _OF_SEVERAL["count"], one, derived=True)
+    for parameters in layout.device.parameters.values():
+        for parameter in parameters.parameters:
+            if not parameter.reserved:
+                number = parameters.base + parameter.number
+                yield Draft(
+                    parameter.name,
+                    UINT,
+                    number,
+                    _comment(_numbered(parameters, parameter), parameter),
+                    parameter,
+                    hexadecimal=parameters.base > 0,
+                )
+                if parameter.count > 1:
+                    yield Draft(
+                        f"{parameter.name}_count", UINT, parameter.count, _OF_SEVERAL["count"], parameter, derived=True
+                    )
 
 
-def _numbered(held: ParameterSet, one: Parameter) -> str:
+def _numbered(parameter_set: ParameterSet, parameter: Parameter) -> str:
     """What a parameter is called, with its printed number where neither the constant nor the printed name says it."""
-    number, printed = held.number_text(one.number), _printed(one)
-    known = (str(held.base + one.number), *printed.split())
+    number, printed = parameter_set.number_text(parameter.number), _printed(parameter)
+    known = (str(parameter_set.base + parameter.number), *printed.split())
     return printed if number in known else f"{number} {printed}"
 
 
 def _messages(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for message in layout.messages.values():
-        held = message.message
-        for word, number in (("code", held.code), ("number", held.number)):
+        model = message.message
+        for word, number in (("code", model.code), ("number", model.number)):
             if number is not None:
                 hexadecimal = word == "code"
-                yield Draft(f"{held.name}_{word}", UINT, number, _comment(held.title, held), held, hexadecimal)
+                yield Draft(f"{model.name}_{word}", UINT, number, _comment(model.title, model), model, hexadecimal)
         for data in (message.request, message.response):
             if data.size:
                 remark = "bytes of its data"
-                yield Draft(f"{data.name}_size", UINT, data.size, remark, held, derived=True)
+                yield Draft(f"{data.name}_size", UINT, data.size, remark, model, derived=True)
 
 
 def _masks(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
@@ -125,15 +152,15 @@ def _masks(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
                 continue
             text = "; ".join(f"{n} = {meaning}" for n, meaning in enumerate((bit.zero, bit.one)) if meaning)
             place = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
-            told = _comment(f"{place} {_printed(bit)} {text}", bit)
-            yield Draft(f"{word.name}_{bit.name}", kind, bit.mask, told, bit, hexadecimal=True)
+            comment = _comment(f"{place} {_printed(bit)} {text}", bit)
+            yield Draft(f"{word.name}_{bit.name}", kind, bit.mask, comment, bit, hexadecimal=True)
             if bit.width > 1:
                 yield Draft(f"{word.name}_{bit.name}_first", UINT, bit.first, "its lowest bit", bit, derived=True)
         for state in word.states:
             mask, value = word.masked(state)
             name = f"{word.name}_{state.name}"
-            told = _comment(f"{_printed(state)} the bits that show it", state)
-            yield Draft(f"{name}_mask", kind, mask, told, state, hexadecimal=True)
+            comment = _comment(f"{_printed(state)} the bits that show it", state)
+            yield Draft(f"{name}_mask", kind, mask, comment, state, hexadecimal=True)
             yield Draft(f"{name}_value", kind, value, "what these are in it", state, True, derived=True)
 
 
@@ -141,10 +168,10 @@ def _codes(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for enum in layout.device.enums.values():
         members = [] if enum.name in types else available(enum)
         if members:
-            kind = narrowest(min(0, *(one.value for one in members)), max(one.value for one in members))
+            kind = narrowest(min(0, *(member.value for member in members)), max(member.value for member in members))
             for member in members:
-                told = _comment(_printed(member), member)
-                yield Draft(f"{enum.name}_{member.name}", kind, member.value, told, member)
+                comment = _comment(_printed(member), member)
+                yield Draft(f"{enum.name}_{member.name}", kind, member.value, comment, member)
 
 
 def _ranges(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
@@ -159,8 +186,8 @@ def _ranges(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
 
 def _ranged(layout: DeviceLayout) -> Iterator[tuple[str, Fact, Value]]:
     """The values of registers, of records and of signals that have a range narrower than their type."""
-    for laid in layout.registers:
-        yield from _narrow(laid.name, laid.register, laid.register.value)
+    for register in layout.registers:
+        yield from _narrow(register.name, register.register, register.register.value)
     for record in layout.records.values():
         for field in record.fields:
             yield from _narrow(f"{record.name}_{field.name}", field.field, field.value)
@@ -180,9 +207,9 @@ def _limits(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             if number is not None:
                 kind = _of_limit(number)
                 whole = kind is not LREAL
-                told = _comment(limit.unit, limit)
+                comment = _comment(limit.unit, limit)
                 name = f"{limit.name}_{word}" if word else limit.name
-                yield Draft(name, kind, int(number) if whole else number, told, limit)
+                yield Draft(name, kind, int(number) if whole else number, comment, limit)
 
 
 def _of_limit(number: Decimal) -> Elementary:

@@ -58,36 +58,36 @@ class Declarations:
 
     def placed(self, struct: Struct) -> Placed:
         """A struct or an image in the memory of the dialect."""
-        held = {one.name: one for one in (*self.structs, *self.images)}
-        return placed(struct, MEMORIES[self.dialect.target], held)
+        structs = {struct.name: struct for struct in (*self.structs, *self.images)}
+        return placed(struct, MEMORIES[self.dialect.target], structs)
 
     def image(self, key: str) -> Struct | None:
         """The image of the data of a message or of a record."""
-        return next((one for one in self.images if one.key == key and one.kind != "bits"), None)
+        return next((struct for struct in self.images if struct.key == key and struct.kind != "bits"), None)
 
 
 def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     """The declarations of a device that has passed the checks."""
-    laid, found = narrowed(layout, dialect)
-    declaring = _Declaring(laid, dialect, [*found, *absent_reals(layout, dialect)])
+    narrowed_layout, findings = narrowed(layout, dialect)
+    declaring = _Declaring(narrowed_layout, dialect, [*findings, *absent_reals(layout, dialect)])
     enums = tuple(declaring.enums())
     structs = tuple(declaring.structs())
     images = tuple(declaring.images())
     constants = tuple(declaring.constants())
     texts = tuple(declaring.texts())
     return Declarations(
-        dialect, laid, declaring.world, enums, structs, images, constants, texts, tuple(declaring.found)
+        dialect, narrowed_layout, declaring.world, enums, structs, images, constants, texts, tuple(declaring.found)
     )
 
 
 class _Declaring:
     """The names of a device while they are given."""
 
-    def __init__(self, layout: DeviceLayout, dialect: Dialect, found: list[Diagnostic]) -> None:
-        self.layout, self.dialect, self.found = layout, dialect, found
+    def __init__(self, layout: DeviceLayout, dialect: Dialect, findings: list[Diagnostic]) -> None:
+        self.layout, self.dialect, self.found = layout, dialect, findings
         self.device = Name.of(layout.device.id)
-        self.scope = Scope(dialect, "name", found)
-        self.alone = Scope(dialect, "constant", found)
+        self.scope = Scope(dialect, "name", findings)
+        self.alone = Scope(dialect, "constant", findings)
         self._structs: dict[str, str] = {}
         self._members: dict[str, dict[str, str]] = {}
         self._enums: dict[str, EnumType] = {}
@@ -124,17 +124,22 @@ class _Declaring:
         )
         yield EnumDeclaration(self.world.status.type.name, BASE, "What the functions return.", members)
         for enum in self.layout.device.enums.values():
-            listed = available(enum)
+            present = available(enum)
             base = self.world.raw_type(enum.name)
-            if len(listed) < self.dialect.enum_members or base.size > self.dialect.widest:
+            if len(present) < self.dialect.enum_members or base.size > self.dialect.widest:
                 continue
             scope = Scope(self.dialect, f"member of {enum.name}", self.found)
-            named = {one.name: scope.take(Name.of(one.name).pascal(), one) for one in listed}
+            named = {member.name: scope.take(Name.of(member.name).pascal(), member) for member in present}
             name = self._enum_name(enum.name, enum)
             self._enums[enum.name] = EnumType(name, base)
             self._enum_members[enum.name] = named
-            made = (EnumMember(named[one.name], one.value, _comment(one, _printed(one)), one) for one in listed)
-            yield EnumDeclaration(name, base, _comment(enum, enum.title or _printed(enum)), tuple(made), enum)
+            declared_members = (
+                EnumMember(named[member.name], member.value, _comment(member, _printed(member)), member)
+                for member in present
+            )
+            yield EnumDeclaration(
+                name, base, _comment(enum, enum.title or _printed(enum)), tuple(declared_members), enum
+            )
 
     def structs(self) -> Iterator[Struct]:
         """The structs of records, of groups of registers, and of the data of telegrams."""
@@ -147,28 +152,28 @@ class _Declaring:
                     title = message.message.title or Name.of(message.name).title()
                     yield self._of_record(data, "telegram", message.message, title)
         for group in self.layout.device.groups:
-            laid = registers_of(self.layout, group)
-            if laid:
+            registers = registers_of(self.layout, group)
+            if registers:
                 scope = Scope(self.dialect, f"member of {group.name}", self.found)
                 members = []
-                for one in laid:
-                    kind = register_type(self.world, one)
-                    name = scope.take(self.member(one.name, kind), one.register)
-                    remark = self.remark(one.register, one.register.value)
-                    members.append(StructMember(name, kind, remark, one.register, one.register.value))
-                    self._members.setdefault(group.name, {})[one.name] = name
-                    answer = answer_type(self.world, one)
+                for register in registers:
+                    kind = register_type(self.world, register)
+                    name = scope.take(self.member(register.name, kind), register.register)
+                    remark = self.remark(register.register, register.register.value)
+                    members.append(StructMember(name, kind, remark, register.register, register.register.value))
+                    self._members.setdefault(group.name, {})[register.name] = name
+                    answer = answer_type(self.world, register)
                     if answer is not None:
-                        members.append(self._answer(scope, group.name, one, answer))
+                        members.append(self._answer(scope, group.name, register, answer))
                 title = group.title or Name.of(group.name).title()
                 yield self._struct(group.name, "registers", group, title, members)
 
-    def _answer(self, scope: Scope, group: str, laid: RegisterLayout, kind: Type) -> StructMember:
+    def _answer(self, scope: Scope, group: str, register: RegisterLayout, kind: Type) -> StructMember:
         """The member that receives what the device answers, beside the one that holds what is written."""
-        name = scope.take(self.member(answer_name(laid), kind), laid.register)
-        remark = f"What reading {laid.register.printed_name or laid.name} gives, which may be any number."
-        self._members[group][answer_name(laid)] = name
-        return StructMember(name, kind, remark, laid.register, laid.register.answer)
+        name = scope.take(self.member(answer_name(register), kind), register.register)
+        remark = f"What reading {register.register.printed_name or register.name} gives, which may be any number."
+        self._members[group][answer_name(register)] = name
+        return StructMember(name, kind, remark, register.register, register.register.answer)
 
     def _of_record(self, record: RecordLayout, kind: str, fact: Fact, title: str) -> Struct:
         scope = Scope(self.dialect, f"member of {record.name}", self.found)
@@ -192,7 +197,7 @@ class _Declaring:
     def images(self) -> Iterator[Struct]:
         """The images of telegrams, which must be exact, and of those records that can be read as they lie."""
         memory, packed = MEMORIES[self.dialect.target], self.dialect.bits == "packed"
-        plain, named = (Images(self.layout, naming, packed) for naming in (SpecNaming(), _Naming(self)))
+        spec_images, named = (Images(self.layout, naming, packed) for naming in (SpecNaming(), _Naming(self)))
         for message in telegrams(self.layout):
             for data in (message.request, message.response):
                 if data.size and fixed(data):
@@ -203,8 +208,8 @@ class _Declaring:
                         self.found.append(_too_long(self.dialect, message.message, data.size))
         for record in self.layout.records.values():
             if fixed(record):
-                image = plain.of(record, "record", record.record, record.record.label)
-                if fitting.readable(placed(image, memory, plain.structs)):
+                image = spec_images.of(record, "record", record.record, record.record.label)
+                if fitting.readable(placed(image, memory, spec_images.structs)):
                     named.of(record, "record", record.record, _comment(record.record, titled(record.record)))
         yield from named.structs.values()
 
@@ -219,16 +224,18 @@ class _Declaring:
 
     def remark(self, fact: Fact, value: Value | None) -> str:
         """What a comment says of a member."""
-        told = self.world.comment(fact, value)
-        joint = " " if told.startswith("[") else ": "
-        return joint.join(part for part in (_printed(fact), told) if part)
+        comment = self.world.comment(fact, value)
+        joint = " " if comment.startswith("[") else ": "
+        return joint.join(part for part in (_printed(fact), comment) if part)
 
     def constants(self) -> Iterator[ConstantList]:
         """The lists that have constants."""
         types = frozenset(self._enums) if self.dialect.enums else frozenset[str]()
         for key, (word, title, make) in LISTS.items():
             drafts = [*(self._statuses() if key == "codes" else ()), *make(self.layout, types)]
-            drafts = [one for one in drafts if one.type.family == "real" or one.type.size <= self.dialect.widest]
+            drafts = [
+                draft for draft in drafts if draft.type.family == "real" or draft.type.size <= self.dialect.widest
+            ]
             if drafts:
                 name = self._form(self.dialect.constants, key)
                 yield ConstantList(name, key, title, tuple(self._named(drafts, name, word)))
@@ -239,21 +246,23 @@ class _Declaring:
             for number, (name, text) in enumerate(STATUSES):
                 yield Draft(f"{_STATUS}_{name}", BASE, number, text, None, derived=True)
 
-    def _named(self, drafts: list[Draft], listed: str, word: str) -> Iterator[Constant]:
+    def _named(self, drafts: list[Draft], list_name: str, word: str) -> Iterator[Constant]:
         qualified = self.dialect.qualified
-        scope = Scope(self.dialect, f"constant of {listed}", self.found) if qualified else self.alone
+        scope = Scope(self.dialect, f"constant of {list_name}", self.found) if qualified else self.alone
         before = Name(()) if qualified else self.device + Name.of(word)
         texts = []
-        for one in drafts:
-            name = (before + Name.of(one.name)).upper()
+        for draft in drafts:
+            name = (before + Name.of(draft.name)).upper()
             texts.append(name if self.dialect.legal_name(name) == name else f"{name}_VALUE")
-        given_names: dict[int, str] = {}
+        constant_names: dict[int, str] = {}
         for derived in (False, True):
-            for number, one in enumerate(drafts):
-                if one.derived is derived:
-                    given_names[number] = scope.free(texts[number]) if derived else scope.take(texts[number], one.fact)
-        for number, one in enumerate(drafts):
-            yield Constant(given_names[number], one.type, one.value, one.remark, one.fact, one.hexadecimal)
+            for number, draft in enumerate(drafts):
+                if draft.derived is derived:
+                    constant_names[number] = (
+                        scope.free(texts[number]) if derived else scope.take(texts[number], draft.fact)
+                    )
+        for number, draft in enumerate(drafts):
+            yield Constant(constant_names[number], draft.type, draft.value, draft.remark, draft.fact, draft.hexadecimal)
 
     def texts(self) -> Iterator[TextTable]:
         """The texts of codes."""
@@ -277,12 +286,11 @@ class _Naming:
     def members(self, key: str, named: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
         """See `Naming`."""
         scope = Scope(self._of.dialect, f"member of {key}", self._of.found)
-        spelled = [self._of.member(name, kind) for name, _, kind in named]
-        given_names = [
-            scope.take(text, fact) if fact is not None else ""
-            for text, (_, fact, _) in zip(spelled, named, strict=True)
+        texts = [self._of.member(name, kind) for name, _, kind in named]
+        fact_names = [
+            scope.take(text, fact) if fact is not None else "" for text, (_, fact, _) in zip(texts, named, strict=True)
         ]
-        return [name or scope.free(text) for name, text in zip(given_names, spelled, strict=True)]
+        return [name or scope.free(text) for name, text in zip(fact_names, texts, strict=True)]
 
     def remark(self, fact: Fact, value: Value | None) -> str:
         """See `Naming`."""

@@ -219,16 +219,16 @@ class Scope:
 
     def take(self, text: str, fact: Fact | None) -> str:
         """The name of a fact as it is spelled; a name that another fact has, or that is too long, is a finding."""
-        spelled = self.dialect.legal_name(text)
+        legal_name = self.dialect.legal_name(text)
         most = self.dialect.name_length
-        bare = spelled.strip('"')
+        bare = legal_name.strip('"')
         before = self._taken.setdefault(bare.lower(), (text, fact))
         if fact is not None:
             if before[1] is not fact:
                 self.findings.append(_same(self, text, fact, *before))
             if len(bare) > most or not _IDENTIFIER.fullmatch(bare):
                 self.findings.append(_long(self, text, fact, most))
-        return spelled
+        return legal_name
 
     def free(self, text: str) -> str:
         """A name that no fact has chosen: where it is taken, a number stands behind it."""

@@ -34,11 +34,11 @@ class EnumDeclaration:
 
 def available(enum: Enum) -> list[Member]:
     """The members that the device has, one for each number."""
-    found: dict[int, Member] = {}
+    members: dict[int, Member] = {}
     for member in enum.members:
         if not member.unavailable:
-            found.setdefault(member.value, member)
-    return list(found.values())
+            members.setdefault(member.value, member)
+    return list(members.values())
 
 
 KINDS = ("alarm", "fault", "warning", "error", "exception")
@@ -66,7 +66,7 @@ class TextTable:
     @property
     def longest(self) -> int:
         """The characters of the longest text."""
-        return max(len(one.text) for one in self.texts)
+        return max(len(text.text) for text in self.texts)
 
 
 def coded(device: Device) -> Iterator[tuple[Enum, tuple[Text, ...]]]:
@@ -79,6 +79,6 @@ def coded(device: Device) -> Iterator[tuple[Enum, tuple[Text, ...]]]:
 
 def meaning(enum: Enum, member: Member) -> str:
     """What stands on the device's own panel, if that is a form of the code, then the name, then what is wrong."""
-    shown = f"{member.printed_name} " if enum.printed_as and member.printed_name else ""
-    title = shown + Name.of(member.name).title()
+    panel_text = f"{member.printed_name} " if enum.printed_as and member.printed_name else ""
+    title = panel_text + Name.of(member.name).title()
     return f"{title}: {member.problem}" if member.problem else title

@@ -24,24 +24,27 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list
     A number `turns` becomes `turns_high` and `turns_low`, in the order of the wire: turns = high * 2^32 + low. The
     halves are plain counts, because a scale or a range is one of the whole.
     """
-    found = [] if dialect.nested_arrays else [_nested(field, dialect) for field in _lists_of_texts(layout)]
+    findings = [] if dialect.nested_arrays else [_nested(field, dialect) for field in _lists_of_texts(layout)]
     if dialect.widest >= 8:
-        return layout, found
-    records = {record.name: _record(record, dialect, found) for record in layout.records.values()}
-    laid_again = {id(layout.records[name]): record for name, record in records.items()}
+        return layout, findings
+    records = {record.name: _record(record, dialect, findings) for record in layout.records.values()}
+    split_records = {id(layout.records[name]): record for name, record in records.items()}
     messages = {
         message.name: MessageLayout(
             message.message,
             message.name,
-            _record(message.request, dialect, found, laid_again),
-            _record(message.response, dialect, found, laid_again),
+            _record(message.request, dialect, findings, split_records),
+            _record(message.response, dialect, findings, split_records),
         )
         for message in layout.messages.values()
     }
-    registers = [(laid, tuple(_registers(laid))) for laid in layout.registers]
-    halves = {id(laid.register): [half.register for half in made] for laid, made in registers}
+    registers = [(register, tuple(_registers(register))) for register in layout.registers]
+    halves = {id(register.register): [half.register for half in registers] for register, registers in registers}
     groups = tuple(
-        replace(group, registers=tuple(half for one in group.registers for half in halves.get(id(one), [one])))
+        replace(
+            group,
+            registers=tuple(half for register in group.registers for half in halves.get(id(register), [register])),
+        )
         for group in layout.device.groups
     )
     links = {
@@ -54,7 +57,7 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list
         table.name: TableLayout(table.table, table.name, records[table.record.name], table.words)
         for table in layout.tables.values()
     }
-    made = replace(
+    narrowed_layout = replace(
         layout,
         device=replace(layout.device, groups=groups),
         records=records,
@@ -63,7 +66,7 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list
         registers=tuple(half for _, some in registers for half in some),
         tables=tables,
     )
-    return made, found
+    return narrowed_layout, findings
 
 
 def _lists_of_texts(layout: DeviceLayout) -> Iterator[FieldLayout]:
@@ -80,18 +83,18 @@ def _wide(value: Value | None) -> bool:
 def _record(
     record: RecordLayout,
     dialect: Dialect,
-    found: list[Diagnostic],
-    laid_again: dict[int, RecordLayout] | None = None,
+    findings: list[Diagnostic],
+    split_records: dict[int, RecordLayout] | None = None,
 ) -> RecordLayout:
     fields: list[FieldLayout] = []
     for field in record.fields:
-        if field.record is not None and laid_again:
-            fields.append(replace(field, record=laid_again.get(id(field.record), field.record)))
+        if field.record is not None and split_records:
+            fields.append(replace(field, record=split_records.get(id(field.record), field.record)))
         elif _wide(field.value) and not field.is_list and field.field.measures is None:
             fields += _fields(field)
         else:
             if _wide(field.value) or any(_wide(case.value) for case in field.cases):
-                found.append(_refused(field, dialect))
+                findings.append(_refused(field, dialect))
             fields.append(field)
     return replace(record, fields=tuple(fields))
 
@@ -101,7 +104,7 @@ def _halves(value: Value, order: str, swapped: bool) -> list[tuple[str, Value]]:
     kinds = zip(("high", "low"), _HALVES[value.type.name], strict=True)
     const = value.const
     shifted = {"high": None if const is None else const >> 32, "low": None if const is None else const & 0xFFFFFFFF}
-    made = [
+    halves = [
         (
             word,
             replace(
@@ -123,7 +126,7 @@ def _halves(value: Value, order: str, swapped: bool) -> list[tuple[str, Value]]:
         )
         for word, kind in kinds
     ]
-    return made if (order == "big") != swapped else made[::-1]
+    return halves if (order == "big") != swapped else halves[::-1]
 
 
 def _fields(field: FieldLayout) -> Iterator[FieldLayout]:
@@ -134,16 +137,16 @@ def _fields(field: FieldLayout) -> Iterator[FieldLayout]:
         yield replace(field, field=model, name=name, offset=field.offset + 4 * number, size=4, value=half)
 
 
-def _registers(laid: RegisterLayout) -> Iterator[RegisterLayout]:
-    if not _wide(laid.register.value):
-        yield laid
+def _registers(layout: RegisterLayout) -> Iterator[RegisterLayout]:
+    if not _wide(layout.register.value):
+        yield layout
         return
-    for number, (word, half) in enumerate(_halves(laid.register.value, laid.order, laid.swapped)):
-        name, address = f"{laid.name}_{word}", laid.address + 2 * number
-        stated = laid.register
+    for number, (word, half) in enumerate(_halves(layout.register.value, layout.order, layout.swapped)):
+        name, address = f"{layout.name}_{word}", layout.address + 2 * number
+        stated = layout.register
         doc = _doc(stated.name, word, stated.doc)
         register: Register = replace(stated, name=name, address=address, value=half, words=2, doc=doc)
-        yield replace(laid, register=register, name=name, address=address, words=2)
+        yield replace(layout, register=register, name=name, address=address, words=2)
 
 
 def _doc(name: str, word: str, doc: str) -> str:

@@ -65,8 +65,8 @@ def wire_type(value: Value) -> Type:
         return REAL
     if value.flags or kind is Kind.BOOLEAN:
         return BITS[value.size]
-    found: Elementary = (SIGNED if value.type.signed else UNSIGNED)[value.size]
-    return found
+    elementary: Elementary = (SIGNED if value.type.signed else UNSIGNED)[value.size]
+    return elementary
 
 
 def elements(field: FieldLayout) -> int:
@@ -84,13 +84,13 @@ def bit_places(size: int, order: str, swapped: bool) -> Iterator[tuple[int, int,
 
 def bit_names(flags: Flags) -> dict[int, tuple[str, Fact]]:
     """The name of each bit of a word that has one, and what states it; bits of a field have their numbers behind it."""
-    found: dict[int, tuple[str, Fact]] = {}
+    names: dict[int, tuple[str, Fact]] = {}
     for bit in flags.bits:
         if bit.reserved:
             continue
         for number in range(bit.width):
-            found[bit.first + number] = (f"{bit.name}_{number}" if bit.width > 1 else bit.name, bit)
-    return found
+            names[bit.first + number] = (f"{bit.name}_{number}" if bit.width > 1 else bit.name, bit)
+    return names
 
 
 def fixed(record: RecordLayout) -> bool:

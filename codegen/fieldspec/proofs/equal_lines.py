@@ -13,11 +13,11 @@ from fieldspec.reading.project import DeviceSpec
 
 
 def equal_versions(spec: DeviceSpec, identities: Mapping[str, str]) -> dict[str, str]:
-    """By version of a line that is like another one, the version with outputs that it shares; none where there is none.
+    """By version of a line that is `like` another one, the version whose outputs it shares; empty where none is equal.
 
-    `identities` are those of the versions with outputs.
+    `identities` maps the versions with outputs to the identities of their layouts.
     """
-    found = {}
+    equal = {}
     known = {_wire(spec.at(version)[0]): own for version, own in identities.items()}
     for version, line in spec.lines.alike.items():
         device, broken = spec.at(version)
@@ -29,8 +29,8 @@ def equal_versions(spec: DeviceSpec, identities: Mapping[str, str]) -> dict[str,
                 continue
             own = device_layout(device).identity
         same = [other for other in _members(spec, line.text) if identities.get(other) == own]
-        found[version] = same[0] if same else ""
-    return found
+        equal[version] = same[0] if same else ""
+    return equal
 
 
 def _wire(device: Device) -> tuple[int, ...]:
@@ -46,18 +46,18 @@ def _wire(device: Device) -> tuple[int, ...]:
         device.signals,
         device.conversions,
     )
-    return (*(id(one) for held in named for one in held.values()), *map(id, device.groups))
+    return (*(id(content) for contents in named for content in contents.values()), *map(id, device.groups))
 
 
 def _members(spec: DeviceSpec, line: str) -> list[str]:
-    lines = (held for held in mappings(spec.tree.values.get("versions")) if identity(held) == line)
-    return [identity(member) or "" for held in lines for member in mappings(held.values.get("members"))]
+    lines = (line_node for line_node in mappings(spec.tree.values.get("versions")) if identity(line_node) == line)
+    return [identity(member) or "" for line_node in lines for member in mappings(line_node.values.get("members"))]
 
 
 def lines_alike(spec: DeviceSpec, shared: Mapping[str, str]) -> Iterator[Diagnostic]:
-    """A finding for every version that is on the wire like none of the line that its own line is like.
+    """A finding for every version that equals no version of the line that its own line is `like`.
 
-    `shared` is what `twins` gives.
+    `shared` is the result of `equal_versions`.
     """
     for version, other in shared.items():
         if not other:

@@ -21,7 +21,7 @@ Findings = Callable[[Device, str], list[Diagnostic]]
 
 @dataclass(frozen=True, slots=True)
 class Proof:
-    """What became of an erratum: what its check finds in the print alone, and what is wrong with the erratum itself.
+    """The proof of an erratum: the findings that only the print has (`evidence`), and what is wrong with the erratum.
 
     A judgement has neither. An erratum with `faults` is not proven.
     """
@@ -49,7 +49,7 @@ def proofs(
     findings: Findings,
     known: frozenset[str],
 ) -> Iterator[Proof]:
-    """What becomes of some errata of a device at one version, one after the other.
+    """The proofs of some errata of a device at one version, one after the other.
 
     `findings(device, check)` runs one check; `known` holds the names of all checks.
     """
@@ -61,13 +61,13 @@ def proofs(
             yield Proof(erratum, version, (), () if fault is None else (fault,))
             continue
         if erratum.proof not in clean:
-            clean[erratum.proof] = {finding_key(found) for found in findings(device, erratum.proof)}
+            clean[erratum.proof] = {finding_key(finding) for finding in findings(device, erratum.proof)}
         wrong, broken = put_back(spec, tree, version, device, erratum)
-        if broken and erratum.proof not in {found.code for found in broken}:
+        if broken and erratum.proof not in {finding.code for finding in broken}:
             yield Proof(erratum, version, (), (_cannot_stand(erratum, broken[0]),))
             continue
-        shown = [f for f in (*broken, *findings(wrong, erratum.proof)) if f.code == erratum.proof]
-        evidence = tuple(found for found in shown if finding_key(found) not in clean[erratum.proof])
+        own_findings = [f for f in (*broken, *findings(wrong, erratum.proof)) if f.code == erratum.proof]
+        evidence = tuple(finding for finding in own_findings if finding_key(finding) not in clean[erratum.proof])
         yield Proof(erratum, version, evidence, () if evidence else (_passes(erratum),))
 
 
@@ -79,9 +79,9 @@ def _unsound(tree: Mapping, erratum: Erratum, known: frozenset[str]) -> Diagnost
         text = f"there is no fact `{erratum.fact}`"
         return Diagnostic("errata_paths_resolve", text, place["fact"], help="see `fieldspec facts` for the paths")
     for key, printed in erratum.printed.items():
-        held = node.values.get(key)
-        if _same(exact(held) if held is not None else None, printed, key):
-            span = held.span if held is not None else node.span
+        own = node.values.get(key)
+        if _same(exact(own) if own is not None else None, printed, key):
+            span = own.span if own is not None else node.span
             text = f"the spec has the printed value of `{key}`"
             label = Label(span, "the value that is used")
             return Diagnostic("errata_differ", text, place["printed"], (label,), "use the right value in the spec")
@@ -121,7 +121,7 @@ def put_back(
 
 
 def printed_tree(tree: Mapping, erratum: Erratum) -> tuple[Mapping, list[Diagnostic]]:
-    """A tree with the print of an erratum, or the tree as it was and what the schema has against that print."""
+    """The tree with the print of an erratum, or the unchanged tree and the findings of the schema about that print."""
     whole = find(tree, f"errata/{erratum.id}/printed")
     at = keys(tree, erratum.fact)
     if not isinstance(whole, Mapping) or at is None:
@@ -149,14 +149,14 @@ def _as_printed(fact: Mapping, printed: Mapping, at: list[str | int]) -> Mapping
 
 def _lacking(printed: Mapping, at: list[str | int]) -> bool:
     """Whether the print lacks the whole fact. Claims of second places have a key of that name themselves."""
-    held = printed.values.get(MISSING)
-    absent = isinstance(held, Scalar) and held.value is False
+    present = printed.values.get(MISSING)
+    absent = isinstance(present, Scalar) and present.value is False
     return absent and MISSING not in part_at(schema_path(at)).get("properties", {})
 
 
-def finding_key(found: Diagnostic) -> tuple[str, str, int]:
-    """What tells a finding in the print from one that the right spec has too."""
-    return found.code, found.message, found.span.start
+def finding_key(finding: Diagnostic) -> tuple[str, str, int]:
+    """Distinguishes a finding that only the print has from those of the right spec."""
+    return finding.code, finding.message, finding.span.start
 
 
 def _same(used: object, printed: object, key: str) -> bool:
@@ -166,7 +166,7 @@ def _same(used: object, printed: object, key: str) -> bool:
 
 
 def node_text(node: Node | None) -> str:
-    """What a tree holds, as it is written there; empty where it holds nothing."""
+    """The text of a node as the spec has it; empty where there is none."""
     if node is None or (isinstance(node, Scalar) and node.value is None):
         return ""
     if isinstance(node, Scalar):

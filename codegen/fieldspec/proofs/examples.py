@@ -13,44 +13,46 @@ from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.layout.values import MeaningError, Raw, raw_values
 from fieldspec.model.device import Device
 from fieldspec.model.texts import Example
-from fieldspec.reference.frames import Decoded, DeviceCodec
+from fieldspec.reference.frames import Decoded, DeviceCodec, FrameCodec
 from fieldspec.reference.records import CodecError
 
 Meaning = tuple[int, ...]
 
 
 class FindingsCache:
-    """What is found of the examples of a device at its versions, and with prints put back.
+    """Caches the findings of a device's examples, over its versions and with prints put back.
 
-    What is built of the same rows is the same object, so that devices which give examples the same meaning are known by
-    the objects that they hold.
+    Reading shares the objects of rows that do not differ, so that the identities of these objects tell whether two
+    devices give an example the same meaning.
     """
 
     def __init__(self) -> None:
-        self._laid: dict[Meaning, tuple[DeviceLayout, DeviceCodec] | None] = {}
+        self._codecs: dict[Meaning, tuple[DeviceLayout, DeviceCodec] | None] = {}
         self._known: dict[tuple[Meaning, int], list[Diagnostic]] = {}
         self._devices: list[Device] = []  # as long as they are there, no other objects have their identities
 
     def findings(self, device: Device, sound: bool = False) -> list[Diagnostic]:
-        """The findings of a device's examples; none of one that cannot be laid out, as a `sound` one is known to be."""
+        """The findings of a device's examples; none where it has no layout. A `sound` device is known to have one."""
         if not device.examples:
             return []  # nobody waits for the reference and its library
         meaning = _meaning(device)
-        if meaning not in self._laid:
+        if meaning not in self._codecs:
             self._devices.append(device)
-            self._laid[meaning] = _layout_and_codec(device) if sound or has_layout(device) else None
-        laid = self._laid[meaning]
-        if laid is None:
+            self._codecs[meaning] = _layout_and_codec(device) if sound or has_layout(device) else None
+        codec = self._codecs[meaning]
+        if codec is None:
             return []
-        return [found for example in device.examples.values() for found in self._of(meaning, laid, device, example)]
+        return [
+            finding for example in device.examples.values() for finding in self._of(meaning, codec, device, example)
+        ]
 
     def _of(
-        self, meaning: Meaning, laid: tuple[DeviceLayout, DeviceCodec], device: Device, example: Example
+        self, meaning: Meaning, codec: tuple[DeviceLayout, DeviceCodec], device: Device, example: Example
     ) -> list[Diagnostic]:
         key = meaning, id(example)
         if key not in self._known:
             self._devices.append(device)
-            self._known[key] = [*example_proven(*laid, example)]
+            self._known[key] = [*example_proven(*codec, example)]
         return self._known[key]
 
 
@@ -63,8 +65,8 @@ def _layout_and_codec(device: Device) -> tuple[DeviceLayout, DeviceCodec]:
 
 def _meaning(device: Device) -> Meaning:
     """The identities of all objects that decide what the values in a frame are; what they are for does not count."""
-    held = (device.links, device.messages, device.records, device.enums, device.flags)
-    return tuple(id(one) for named in held for one in named.values())
+    sections = (device.links, device.messages, device.records, device.enums, device.flags)
+    return tuple(id(content) for section in sections for content in section.values())
 
 
 CHECKS = {"wrong_check": "check_code_correct", "wrong_length": "length_byte_correct"}
@@ -81,7 +83,8 @@ def example_proven(layout: DeviceLayout, reference: DeviceCodec, example: Exampl
         decoded = frames.decode(example.frame, example.direction, example.message)
     except CodecError as error:
         code = CHECKS.get(error.reason, "meaning_matches_bytes")
-        yield Diagnostic(code, f"the frame is refused: {error}", example.place["frame"], help=_mend(code))
+        help = _length_help(frames, example, error) if error.reason == "wrong_length" else _mend(code)
+        yield Diagnostic(code, f"the frame is refused: {error}", example.place["frame"], help=help)
         return
     if decoded.message is not None and decoded.message.name != example.message:
         text = f"the frame is a {decoded.message.name}, not a {example.message}"
@@ -93,18 +96,33 @@ def example_proven(layout: DeviceLayout, reference: DeviceCodec, example: Exampl
         yield Diagnostic("meaning_matches_bytes", text, example.place["frame"], help="give or remove `error: true`")
         return
     try:
-        written = raw_values(layout, example)
+        expected = raw_values(layout, example)
     except MeaningError as error:
         yield Diagnostic("meaning_matches_bytes", str(error), example.place["values"], help="see the message's fields")
         return
-    yield from _compare_meaning(layout, example, decoded, written)
-    yield from _bytes(reference, example, decoded, written)
+    yield from _compare_meaning(layout, example, decoded, expected)
+    yield from _bytes(reference, example, decoded, expected)
 
 
 def _mend(code: str) -> str:
     if code == "meaning_matches_bytes":
         return "compare the bytes with the message's fields"
     return "where the manual prints these bytes, give the right ones here and the printed ones in an erratum"
+
+
+def _length_help(frames: FrameCodec, example: Example, error: CodecError) -> str:
+    """What to do about a wrong length: a right checksum proves the bytes, so that the spec describes them wrongly."""
+    length = frames.link.frame(example.direction).role("length")
+    of_part = length is not None and error.offset == length.offset
+    if not frames.has_right_checksum(example.frame, example.direction):
+        cure = "say under `counts` what the length counts; " if of_part else ""
+        return cure + _mend("length_byte_correct")
+    if not of_part or length is None:
+        return "the checksum is right, so that these are the bytes: compare them with the message's fields"
+    return (
+        f"the checksum is right, so that these are the bytes: say under `counts` what {length.name} counts; if no"
+        f" `counts` says it, take the role `length` away, so that users give {length.name}"
+    )
 
 
 def _characters(layout: DeviceLayout, example: Example) -> Iterator[Diagnostic]:
@@ -133,27 +151,27 @@ def _refused(reference: DeviceCodec, example: Example) -> Iterator[Diagnostic]:
 
 
 def _compare_meaning(
-    layout: DeviceLayout, example: Example, decoded: Decoded, written: dict[str, Raw]
+    layout: DeviceLayout, example: Example, decoded: Decoded, expected: dict[str, Raw]
 ) -> Iterator[Diagnostic]:
-    """The values in the spec against those of the bytes. What a field measures need not be written."""
+    """The values in the spec against those of the bytes. Values that follow from others may be left out."""
     head = layout.links[example.link].frame(example.direction).head
-    told = {part.name for part in head if part.role == "code" or (part.value and part.value.const is not None)}
+    implied = {part.name for part in head if part.role == "code" or (part.value and part.value.const is not None)}
     actual = {**decoded.head, **decoded.values}
     for name, value in actual.items():
-        if name in written:
-            if not _same(written[name], value):
-                text = f"{name} is {_text(value)} in the bytes and {_text(written[name])} in the values"
+        if name in expected:
+            if not _same(expected[name], value):
+                text = f"{name} is {_text(value)} in the bytes and {_text(expected[name])} in the values"
                 span = example.place["values"]
                 label = Label(example.place["frame"], "these bytes")
                 yield Diagnostic("meaning_matches_bytes", text, span, (label,), "put one of them right")
-        elif name not in told and not _implied(decoded, name):
+        elif name not in implied and not _implied(decoded, name):
             text = f"the values do not say what {name} is"
             help = f"add `{name}: {_text(value)}` if the manual means that"
             yield Diagnostic("meaning_matches_bytes", text, example.place["values"], help=help)
 
 
 def _implied(decoded: Decoded, name: str) -> bool:
-    """Whether a value need not be written: it measures another one, is constant, or is reserved."""
+    """Whether a value may be left out: it measures another one, is constant, or is reserved."""
     field = decoded.body.named(name) if decoded.body else None
     if field is None:
         return False
@@ -161,38 +179,40 @@ def _implied(decoded: Decoded, name: str) -> bool:
     return field.field.measures is not None or field.field.reserved or constant
 
 
-def _same(written: Any, actual: Any) -> bool:
-    """Whether what is written is in what is there; reserved fields of records need not be written."""
-    if isinstance(written, dict) and isinstance(actual, dict):
-        return all(name in actual and _same(value, actual[name]) for name, value in written.items())
-    if isinstance(written, list) and isinstance(actual, list):
-        return len(written) == len(actual) and all(map(_same, written, actual))
-    if isinstance(written, float) and isinstance(actual, float):
-        return _rounded(written) == _rounded(actual)
-    return bool(written == actual)
+def _same(expected: Any, actual: Any) -> bool:
+    """Whether the bytes hold the expected value; reserved fields of records may be left out of it."""
+    if isinstance(expected, dict) and isinstance(actual, dict):
+        return all(name in actual and _same(value, actual[name]) for name, value in expected.items())
+    if isinstance(expected, list) and isinstance(actual, list):
+        return len(expected) == len(actual) and all(map(_same, expected, actual))
+    if isinstance(expected, float) and isinstance(actual, float):
+        return _rounded(expected) == _rounded(actual)
+    return bool(expected == actual)
 
 
 def _rounded(number: float) -> bytes:
-    """A number as the bytes of the nearest one of 32 bits: what is written in decimals is rarely exact."""
+    """A number as the bytes of the nearest `f32`: decimals are rarely exact in binary."""
     try:
         return struct.pack("<f", number)
     except OverflowError:
         return struct.pack("<f", math.copysign(math.inf, number))
 
 
-def _bytes(reference: DeviceCodec, example: Example, decoded: Decoded, written: dict[str, Raw]) -> Iterator[Diagnostic]:
-    """The bytes of the written values against those in the spec."""
+def _bytes(
+    reference: DeviceCodec, example: Example, decoded: Decoded, expected: dict[str, Raw]
+) -> Iterator[Diagnostic]:
+    """The bytes that the expected values encode to, against those in the spec."""
     link = reference.links[example.link]
     shape = link.link.frame(example.direction)
     part = shape.role("code")
     code = decoded.head[part.name] if part is not None else None
-    given = {name: value for name, value in written.items() if part is None or name != part.name}
+    arguments = {name: value for name, value in expected.items() if part is None or name != part.name}
     measured = [] if decoded.body is None else [f.name for f in decoded.body.fields if f.field.measures]
     try:
         data = link.encode(
             example.direction,
             example.message,
-            {name: value for name, value in given.items() if name not in measured},
+            {name: value for name, value in arguments.items() if name not in measured},
             error=example.exception_response,
             code=code,
         )

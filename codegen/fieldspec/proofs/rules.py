@@ -57,7 +57,9 @@ Why: a frame whose length is wrong is never complete, or swallows the next one; 
 
 Example: 19 bytes that begin with 14h.
 
-Cure: Give the right bytes as `frame`, and an erratum with the printed ones.
+Cure: Where the manual misprints the bytes, give the right ones as `frame`, and an erratum with the printed ones. Where
+the checksum is right, or all examples differ in one way, put right what the link's length `counts`. If no `counts` says
+it, take the role `length` away: users then give the number.
 """,
     "lines_alike": """Each version of a line that is like another one is on the wire as a version of that line.
 

@@ -17,7 +17,7 @@ from fieldspec.proofs.examples import FindingsCache
 from fieldspec.reading.project import DeviceSpec
 
 if TYPE_CHECKING:
-    from fieldspec.changes.judging import Compared
+    from fieldspec.changes.acceptances import ComparedVersions
 
 
 def previous(spec: DeviceSpec, version: str) -> str | None:
@@ -25,7 +25,7 @@ def previous(spec: DeviceSpec, version: str) -> str | None:
     if version in spec.bases:
         return spec.bases[version]
     place = spec.lines.place.get(version)
-    before = [one for one, (line, order) in spec.lines.place.items() if place and (line, order + 1) == place]
+    before = [other for other, (line, order) in spec.lines.place.items() if place and (line, order + 1) == place]
     return before[0] if before else None
 
 
@@ -34,23 +34,23 @@ def accepted(spec: DeviceSpec) -> list[Diagnostic]:
     if not any("accepts" in tree.values for tree in (spec.tree, *spec.trees.values())):
         return []
     from fieldspec.changes import RULES
-    from fieldspec.changes.judging import accepts_used, rules_known
+    from fieldspec.changes.acceptances import accepts_used, rules_known
 
     devices = {version: spec.at(version)[0] for version in spec.versions()}
     rules = {name for name, _, _ in RULES}
-    named = (one for device in devices.values() for one in device.accepts)
+    named = (acceptance for device in devices.values() for acceptance in device.accepts)
     return [*rules_known(named, rules), *accepts_used([*_steps(spec, devices)])]
 
 
-def _steps(spec: DeviceSpec, devices: Mapping[str, Device]) -> Iterator[Compared]:
+def _steps(spec: DeviceSpec, devices: Mapping[str, Device]) -> Iterator[ComparedVersions]:
     from fieldspec.changes import changes
-    from fieldspec.changes.judging import Compared
+    from fieldspec.changes.acceptances import ComparedVersions
 
     for version, new in devices.items():
         before = previous(spec, version)
-        if before is not None and any(version in one.since for one in new.accepts):
+        if before is not None and any(version in acceptance.since for acceptance in new.accepts):
             old = devices[before] if before in devices else spec.at(before)[0]
-            yield Compared(old, new, changes(old, new), step=True)
+            yield ComparedVersions(old, new, changes(old, new), step=True)
 
 
 EXAMPLE_PROOFS = (
@@ -62,7 +62,7 @@ EXAMPLE_PROOFS = (
 READING_PROOFS = (
     "duplicate_name",
     "missing_key",
-    "type_given",
+    "type_present",
     "units_known",
     "unknown_word",
     "wrong_form",
@@ -71,12 +71,12 @@ READING_PROOFS = (
 
 
 def findings(device: Device, name: str, remembered: FindingsCache) -> list[Diagnostic]:
-    """The findings of one check or proof of examples; what reading finds has been found before."""
+    """The findings of one check or proof of examples; reading has reported its own before."""
     if name in READING_PROOFS:
         return []
     if name not in EXAMPLE_PROOFS:
         return checks.run_named(device, name)
-    return [found for found in remembered.findings(device) if found.code == name]
+    return [finding for finding in remembered.findings(device) if finding.code == name]
 
 
 def everything(
@@ -88,45 +88,48 @@ def everything(
 ) -> list[Diagnostic]:
     """The findings of all checks, and of the proofs of examples where the device can be laid out.
 
-    `broken` is what reading has found, which comes with them. Without `examples`, those are taken to be right.
-    `remembered` has those that are found already. Checks that are not asked for are named by `without`.
+    `broken` are the findings of reading, which come first. Without `examples`, examples are not proven.
+    `remembered` caches the findings of examples. `without` names the checks to leave out.
     """
-    found = [*broken, *checks.run(device, without)]
-    if not examples or has_errors(broken) or any(one.code in LAYOUT_CONDITIONS for one in found):
-        return found
-    return [*found, *(remembered or FindingsCache()).findings(device, sound=True)]
+    findings = [*broken, *checks.run(device, without)]
+    if not examples or has_errors(broken) or any(finding.code in LAYOUT_CONDITIONS for finding in findings):
+        return findings
+    return [*findings, *(remembered or FindingsCache()).findings(device, sound=True)]
 
 
 def known() -> frozenset[str]:
     """The names of all checks that an erratum may name as its proof."""
-    return frozenset(name for name, _ in checks.CHECKS) | frozenset(EXAMPLE_PROOFS + READING_PROOFS)
+    names = [*(name for name, _ in checks.CHECKS), *checks.INSTALLED, *EXAMPLE_PROOFS, *READING_PROOFS]
+    return frozenset(names)
 
 
 def errata_proofs(spec: DeviceSpec) -> list[Proof]:
-    """What becomes of every erratum of a device, each at the newest version that has it, in the order of the spec."""
+    """The proof of every erratum of a device, each at the newest version that has it, in the order of the spec."""
     finding = _finding(FindingsCache())
-    made = [
+    proofs_of_errata = [
         proof
         for version, device, errata in errata_by_version(spec)
         for proof in proofs(spec, version, device, errata, finding, known())
     ]
-    return _in_order(made)
+    return _in_order(proofs_of_errata)
 
 
 def _finding(remembered: FindingsCache) -> Findings:
     return lambda device, name: findings(device, name, remembered)
 
 
-def _in_order(made: Sequence[Proof]) -> list[Proof]:
-    return sorted(made, key=lambda proof: proof.erratum.place.whole.order())
+def _in_order(proofs_of_errata: Sequence[Proof]) -> list[Proof]:
+    return sorted(proofs_of_errata, key=lambda proof: proof.erratum.place.whole.order())
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What running everything on a device gives: all findings, what becomes of every erratum, in the order of the spec,
-    and by version the findings without those of errata and of other versions. `remembered` has those of examples.
+    """The result of all checks and proofs of a device.
 
-    `layouts` are those of the versions that can be laid out; where all can, `shared` is what `twins` gives.
+    `findings` has all findings, `proofs` one proof for each erratum in the order of the spec, and `by_version` the
+    findings of each version without those of errata. `remembered` caches those of examples.
+
+    `layouts` has the versions that have a layout; where all have one, `shared` is the result of `equal_versions`.
     """
 
     findings: list[Diagnostic]
@@ -144,8 +147,8 @@ def proven(spec: DeviceSpec) -> list[Diagnostic]:
 
 def outcome(spec: DeviceSpec) -> Outcome:
     """Runs everything on a device at all its versions. Errata are proven where all else is right."""
-    found: list[Diagnostic] = []
-    made: list[Proof] = []
+    findings: list[Diagnostic] = []
+    proofs_of_errata: list[Proof] = []
     by_version: dict[str, Sequence[Diagnostic]] = {}
     settled: set[str] = set()
     layouts: dict[str, DeviceLayout] = {}
@@ -155,16 +158,16 @@ def outcome(spec: DeviceSpec) -> Outcome:
         device, broken = spec.at(version)
         broken = everything(device, broken, remembered=remembered)
         by_version[version] = broken
-        found += broken
+        findings += broken
         if has_errors(broken):
             continue
         layouts[version] = device_layout(device)
         errata = [erratum for erratum in device.errata if erratum.id not in settled]
         settled |= {erratum.id for erratum in errata}
         of_version = [*proofs(spec, version, device, errata, _finding(remembered), known())]
-        found += (fault for proof in of_version for fault in proof.faults)
-        made += of_version
+        findings += (fault for proof in of_version for fault in proof.faults)
+        proofs_of_errata += of_version
     if len(layouts) == len(spec.versions()):
         shared = equal_versions(spec, {version: layout.identity for version, layout in layouts.items()})
-        found += lines_alike(spec, shared)
-    return Outcome([*found, *accepted(spec)], _in_order(made), by_version, remembered, layouts, shared)
+        findings += lines_alike(spec, shared)
+    return Outcome([*findings, *accepted(spec)], _in_order(proofs_of_errata), by_version, remembered, layouts, shared)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.caches import ByIdentity
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.findings import near, quoted
@@ -42,11 +43,11 @@ class Silent:
     """Knows the parts of trees that refer to nothing, so that they are not searched again for every new name."""
 
     def __init__(self) -> None:
-        self._known: dict[int, Node] = {}
+        self._known: ByIdentity[Node, bool] = ByIdentity()
 
     def __call__(self, node: Mapping | Sequence) -> bool:
         """Whether a part refers to nothing."""
-        if id(node) in self._known:
+        if node in self._known:
             return True
         if isinstance(node, Mapping) and not _REFERRING.isdisjoint(node.values):
             return False
@@ -55,7 +56,7 @@ class Silent:
             if not isinstance(item, Scalar) and not self(item):
                 silent = False  # the others are looked at all the same: they are then known
         if silent:
-            self._known[id(node)] = node  # keeping the node keeps its id from being given to another one
+            self._known[node] = True
         return silent
 
 

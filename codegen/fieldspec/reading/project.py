@@ -165,17 +165,23 @@ class Project:
     findings: list[Diagnostic]
 
 
-def read(files: Table[str, bytes], only: frozenset[str] = frozenset(), folder: str = "") -> Project:
+def read(
+    files: Table[str, bytes],
+    only: frozenset[str] = frozenset(),
+    folder: str = "",
+    origins: Table[str, str] | None = None,
+) -> Project:
     """Reads spec files, given by path relative to the specs' folder; of all devices, or of `only` these folders.
 
-    Findings show the files below `folder`.
+    Findings show the files below `folder`, but those that `origins` gives other paths.
     """
-    return _Reader(files, folder).project(only)
+    return _Reader(files, folder, origins or {}).project(only)
 
 
 class _Reader:
-    def __init__(self, files: Table[str, bytes], folder: str) -> None:
+    def __init__(self, files: Table[str, bytes], folder: str, origins: Table[str, str]) -> None:
         self.folder = folder
+        self.origins = origins
         self.files = files
         self.findings: list[Diagnostic] = []
         self.protocols: dict[str, Mapping | None] = {}
@@ -213,7 +219,8 @@ class _Reader:
 
     def _tree(self, path: str) -> Mapping | None:
         """The typed tree of one file, or None where it cannot be used."""
-        file, findings = decoded(f"{self.folder}/{path}" if self.folder else path, self.files[path])
+        display_path = self.origins.get(path) or (f"{self.folder}/{path}" if self.folder else path)
+        file, findings = decoded(display_path, self.files[path])
         if not findings:
             node, findings = parsed(file)
             if node is None and not findings:

@@ -212,7 +212,7 @@ Example: a file in another form with ten thousand lines.
 
 Cure: Mend the first ones.
 """,
-    "type_given": """The spec says how every value lies on the wire, once.
+    "type_present": """The spec says how every value lies on the wire, once.
 
 Why: width and sign are never guessed.
 

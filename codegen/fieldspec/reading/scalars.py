@@ -12,6 +12,7 @@ from decimal import Decimal
 from functools import lru_cache
 from typing import Any
 
+from fieldspec.caches import ByIdentity
 from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.fact import ScalarValue
@@ -107,28 +108,27 @@ class _Form:
 
 
 _ANYTHING: Schema = {}
-_forms: dict[int, _Form] = {}
+_SCHEMA_FORMS: ByIdentity[Schema, _Form] = ByIdentity()
 
 
 def _form(part: Schema) -> _Form:
-    """The form of a part of the schema, made once: the schema is there as long as the process."""
-    part = resolved(part)
-    form = _forms.get(id(part))
-    if form is None:
-        wanted = part.get("type")
-        if wanted is None and "enum" in part:
-            wanted = "string"
-        kinds = {wanted} if isinstance(wanted, str) else set(wanted or _KINDS)
-        form = _Form(
-            part,
-            kinds.isdisjoint(("integer", "number", "boolean", "null")),
-            not kinds.isdisjoint(("integer", "number")),
-            "number" in kinds,
-            "boolean" in kinds,
-            "null" in kinds,
-        )
-        _forms[id(part)] = form
-    return form
+    """The form of a part of the schema, built once."""
+    return _SCHEMA_FORMS.get_or_compute(resolved(part), _new_form)
+
+
+def _new_form(part: Schema) -> _Form:
+    wanted = part.get("type")
+    if wanted is None and "enum" in part:
+        wanted = "string"
+    kinds = {wanted} if isinstance(wanted, str) else set(wanted or _KINDS)
+    return _Form(
+        part,
+        kinds.isdisjoint(("integer", "number", "boolean", "null")),
+        not kinds.isdisjoint(("integer", "number")),
+        "number" in kinds,
+        "boolean" in kinds,
+        "null" in kinds,
+    )
 
 
 def _typed(node: Node, form: _Form) -> object:

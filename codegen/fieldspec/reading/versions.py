@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from collections.abc import Mapping as Table
 from operator import is_
 
+from fieldspec.caches import ByIdentity
 from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.findings import near, quoted
@@ -164,7 +165,7 @@ class Lines:
         self.alike: dict[str, Scalar] = {}
         """By version, the line with outputs that its own line is like."""
         self.findings: list[Diagnostic] = []
-        self._unbounded: dict[int, Node] = {}
+        self._unbounded: ByIdentity[Node, bool] = ByIdentity()
         lines = tree.values.get("versions")
         for number, line in enumerate(lines.items if isinstance(lines, Sequence) else ()):
             if isinstance(line, Mapping):
@@ -229,7 +230,7 @@ class Lines:
 
     def _picked(self, node: Node, holds: Callable[[Mapping], bool]) -> Node:
         """The tree without some facts. A part without bounds is the same for all versions; it is seen through once."""
-        if isinstance(node, Scalar) or id(node) in self._unbounded:
+        if isinstance(node, Scalar) or node in self._unbounded:
             return node
         below = tuple(node.values.values()) if isinstance(node, Mapping) else node.items
         remaining = below
@@ -237,7 +238,7 @@ class Lines:
             remaining = tuple([item for item in below if not isinstance(item, Mapping) or holds(item)])
         picked = tuple([self._picked(item, holds) for item in remaining])
         if self._free(node, below):
-            self._unbounded[id(node)] = node  # keeping the node keeps its id from being given to another one
+            self._unbounded[node] = True
         if len(picked) == len(below) and all(map(is_, picked, below)):
             return node
         if isinstance(node, Sequence):
@@ -247,7 +248,7 @@ class Lines:
     def _free(self, node: Mapping | Sequence, below: tuple[Node, ...]) -> bool:
         if isinstance(node, Mapping) and not BOUNDS.isdisjoint(node.values):
             return False
-        return all(isinstance(item, Scalar) or id(item) in self._unbounded for item in below)
+        return all(isinstance(item, Scalar) or item in self._unbounded for item in below)
 
     def unknown(self, node: Node) -> list[Diagnostic]:
         """A finding for every `since`, `until` or `only` that names no declared version."""
@@ -274,7 +275,7 @@ class Lines:
             if not isinstance(item, Scalar) and not self._search(item, findings):
                 free = False
         if free:
-            self._unbounded[id(node)] = node  # keeping the node keeps its id from being given to another one
+            self._unbounded[node] = True
         return free
 
     def _misnamed(self, node: Mapping) -> Iterator[Diagnostic]:

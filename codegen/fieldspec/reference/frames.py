@@ -39,7 +39,7 @@ ALGORITHMS = {"crc16_modbus": crc16_modbus, "lrc": lrc, "sum8": sum8}
 
 @dataclass(frozen=True, slots=True)
 class Decoded:
-    """A frame's meaning. `message` is None for an error reply to a code that the device does not know.
+    """The meaning of a frame. `message` is None for an error reply to a code that the device does not know.
 
     `head` holds the parts before the body but for the length; the code of an error reply is there without its
     flag. `parts` is the frame's binary form.
@@ -102,25 +102,41 @@ class FrameCodec:
         self._check_length(shape, head, data)
         self._check_sum(shape, {**head, **tail}, data)
         for part in shape.constants:
-            found = head[part.name] if part in shape.head else tail[part.name]
-            if found != part.constant:
-                text = f"{part.name} is {found}, not {part.constant}"
+            number = head[part.name] if part in shape.head else tail[part.name]
+            if number != part.constant:
+                text = f"{part.name} is {number}, not {part.constant}"
                 raise CodecError("wrong_const", text, part.at(len(data)))
-        laid, body, error = self._body(shape, head, message)
+        announced, body, error = self._body(shape, head, message)
         inner = data[shape.head_size : len(data) - shape.tail_size]
         values = decoded(body, inner, self.layout.device, shape.head_size)
-        shown = {part.name: head[part.name] for part in shape.head if _shown(part)}
-        return Decoded(self.link.name, direction, laid, error, shown, values, data, body)
+        visible = {part.name: head[part.name] for part in shape.head if _is_visible(part)}
+        return Decoded(self.link.name, direction, announced, error, visible, values, data, body)
+
+    def has_right_checksum(self, frame: bytes, direction: str) -> bool:
+        """Whether a frame has a checksum and it is right, whatever the length in the frame says."""
+        shape = self.link.frame(direction)
+        if shape.checksum is None:
+            return False
+        try:
+            data = self.parts(frame)
+            if len(data) < shape.head_size + shape.tail_size:
+                return False
+            head = self.heads[direction].parse(data[: shape.head_size])
+            tail = self.tails[direction].parse(data[len(data) - shape.tail_size :])
+            self._check_sum(shape, {**head, **tail}, data)
+        except CodecError:
+            return False
+        return True
 
     def _check_length(self, shape: FrameLayout, head: Values, data: bytes) -> None:
         part = shape.role("length")
         if part is None:
             return
-        said = head[part.name] * part.unit_size + part.base
-        if said != len(data):
+        announced = head[part.name] * part.unit_size + part.base
+        if announced != len(data):
             text = f"{part.name} is {head[part.name]}, but the frame has {len(data)} bytes"
-            if said != head[part.name]:
-                text = f"{part.name} is {head[part.name]}, for a frame of {said} bytes, but there are {len(data)}"
+            if announced != head[part.name]:
+                text = f"{part.name} is {head[part.name]}, for a frame of {announced} bytes, but there are {len(data)}"
             raise CodecError("wrong_length", text, part.offset)
 
     def _check_sum(self, shape: FrameLayout, parts: Mapping[str, Any], data: bytes) -> None:
@@ -136,22 +152,22 @@ class FrameCodec:
         part = shape.role("code")
         error = self.link.link.exception_response
         if part is None:
-            laid = self.link.messages.get(message)
-            if laid is None:
+            announced = self.link.messages.get(message)
+            if announced is None:
                 raise CodecError("unknown_code", "the frame carries no code: say which message it belongs to")
-            return laid, laid.data(shape.direction), False
+            return announced, announced.data(shape.direction), False
         code = head[part.name]
         if error is not None and shape.direction == "response" and code & error.flag:
             head[part.name] = code & ~error.flag
             return self.link.message_with_code(code & ~error.flag), self.layout.records[error.record], True
-        laid = self.link.message_with_code(code)
-        if laid is None:
+        announced = self.link.message_with_code(code)
+        if announced is None:
             raise CodecError("unknown_code", f"no message has the code {code:#04x}", part.offset)
-        if message and laid.name != message:
+        if message and announced.name != message:
             raise CodecError(
-                "unknown_code", f"the code {code:#04x} is that of {laid.name}, not of {message}", part.offset
+                "unknown_code", f"the code {code:#04x} is that of {announced.name}, not of {message}", part.offset
             )
-        return laid, laid.data(shape.direction), False
+        return announced, announced.data(shape.direction), False
 
     def encode(
         self, direction: str, message: str, values: Mapping[str, Any], *, error: bool = False, code: int | None = None
@@ -161,19 +177,25 @@ class FrameCodec:
         For an error reply, `code` may stand in for a message that the device does not know. Raises CodecError.
         """
         shape = self.link.frame(direction)
-        laid = self.link.messages.get(message)
-        if laid is None and not (error and code is not None):
+        announced = self.link.messages.get(message)
+        if announced is None and not (error and code is not None):
             raise CodecError("unknown_code", f"there is no message {message!r}")
         refusal = self.link.link.exception_response
         if error and refusal is None:
             raise CodecError("unknown_code", f"the link {self.link.name} has no error replies")
-        body = self.layout.records[refusal.record] if error and refusal else laid.data(direction) if laid else None
+        body = (
+            self.layout.records[refusal.record]
+            if error and refusal
+            else announced.data(direction)
+            if announced
+            else None
+        )
         assert body is not None
         names = {part.name for part in shape.head}
         inner = encoded(body, {k: v for k, v in values.items() if k not in names}, self.layout.device)
         numbers: Values = {}
         for part in shape.parts:
-            numbers[part.name] = self._head_value(part, values, laid, error, code)
+            numbers[part.name] = self._head_value(part, values, announced, error, code)
         length = shape.role("length")
         total = shape.head_size + len(inner) + shape.tail_size
         if length is not None:
@@ -193,34 +215,34 @@ class FrameCodec:
         return bytes(head + body + tail)
 
     def _head_value(
-        self, part: PartLayout, values: Mapping[str, Any], laid: MessageLayout | None, error: bool, code: int | None
+        self, part: PartLayout, values: Mapping[str, Any], message: MessageLayout | None, error: bool, code: int | None
     ) -> int:
         if part.role in ("length", "checksum"):
             return 0
         if part.constant is not None:
-            held = values.get(part.name, part.constant)
-            if held != part.constant:
-                raise CodecError("wrong_const", f"{part.name} is {held}, not {part.constant}")
+            number = values.get(part.name, part.constant)
+            if number != part.constant:
+                raise CodecError("wrong_const", f"{part.name} is {number}, not {part.constant}")
             return part.constant
         if part.role == "code":
-            number = code if code is not None else laid.message.code if laid else None
-            if number is None:
+            own = code if code is not None else message.message.code if message else None
+            if own is None:
                 raise CodecError("unknown_code", "the message has no code")
             refusal = self.link.link.exception_response
-            return number | refusal.flag if error and refusal else number
-        held = values.get(part.name)
-        if not isinstance(held, int):
+            return own | refusal.flag if error and refusal else own
+        number = values.get(part.name)
+        if not isinstance(number, int):
             raise CodecError("missing_value", f"{part.name} is not given")
         assert part.value is not None
         allowed = part.value.ranges
         stations = self.link.link.unit_addresses if part.role == "unit_address" else None
         if stations is not None and stations.ranges is not None:
             allowed = stations.ranges
-            if held == stations.broadcast:
-                return held
-        if not part.value.type.low <= held <= part.value.type.high or (allowed is not None and held not in allowed):
-            raise CodecError("out_of_range", f"{part.name} is {held}")
-        return held
+            if number == stations.broadcast:
+                return number
+        if not part.value.type.low <= number <= part.value.type.high or (allowed is not None and number not in allowed):
+            raise CodecError("out_of_range", f"{part.name} is {number}")
+        return number
 
     def _marked(self, data: bytes) -> bytes:
         link = self.link.link
@@ -235,7 +257,7 @@ def _part_construct(part: PartLayout) -> construct.Construct:
     return construct.BytesInteger(part.size, swapped=part.order != "big")
 
 
-def _shown(part: PartLayout) -> bool:
+def _is_visible(part: PartLayout) -> bool:
     """Whether a part before the body belongs to what a frame says."""
     return part.role not in ("length", "checksum") and not part.reserved
 
@@ -251,7 +273,7 @@ class DeviceCodec:
     def records(self) -> dict[str, construct.Struct]:
         """The records and the data of messages as construct Structs; those are under `<message>_request` and so on."""
         messages = self.layout.messages.values()
-        data = (one for message in messages for one in (message.request, message.response))
+        data = (record for message in messages for record in (message.request, message.response))
         return {record.name: record_struct(record) for record in (*self.layout.records.values(), *data)}
 
 

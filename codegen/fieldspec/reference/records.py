@@ -182,8 +182,8 @@ def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any
         return None
     other = record.named(measure.field)
     assert other is not None
-    held = values[measure.field]
-    items = len(held) if other.is_list else 1
+    value = values[measure.field]
+    items = len(value) if other.is_list else 1
     return items * other.size if measure.of == "bytes" else items
 
 
@@ -211,19 +211,19 @@ def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> 
 
 
 def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device) -> Any:
-    held = values.get(field.name)
-    if held is None:
-        held = _implied(field)
+    value = values.get(field.name)
+    if value is None:
+        value = _implied(field)
     if not field.is_list:
-        return _encode_element(field, held, device)
-    if not isinstance(held, list | tuple):
+        return _encode_element(field, value, device)
+    if not isinstance(value, list | tuple):
         raise CodecError("wrong_type", f"{field.name} is a list")
     repeat = field.field.repeat
-    if repeat is not None and len(held) not in repeat:
-        raise CodecError("wrong_length", f"{field.name} has {repeat.text()} elements, not {len(held)}")
-    if repeat is None and len(held) != field.count:
-        raise CodecError("wrong_length", f"{field.name} has {field.count} elements, not {len(held)}")
-    return [_encode_element(field, item, device) for item in held]
+    if repeat is not None and len(value) not in repeat:
+        raise CodecError("wrong_length", f"{field.name} has {repeat.text()} elements, not {len(value)}")
+    if repeat is None and len(value) != field.count:
+        raise CodecError("wrong_length", f"{field.name} has {field.count} elements, not {len(value)}")
+    return [_encode_element(field, item, device) for item in value]
 
 
 def _implied(field: FieldLayout) -> Any:
@@ -240,52 +240,52 @@ def _implied(field: FieldLayout) -> Any:
     return [implied] * (field.count or 0) if field.is_list else implied
 
 
-def _encode_element(field: FieldLayout, held: Any, device: Device) -> Any:
+def _encode_element(field: FieldLayout, value: Any, device: Device) -> Any:
     if field.record is not None:
-        unknown = sorted(set(held) - {inner.name for inner in field.record.fields})
+        unknown = sorted(set(value) - {inner.name for inner in field.record.fields})
         if unknown:
             raise CodecError("unknown_field", f"{field.record.name} has no field {unknown[0]}")
-        return {inner.name: _encoded_field(inner, held, device) for inner in field.record.fields}
-    return encoded_value(field.name, field.value, held, device)
+        return {inner.name: _encoded_field(inner, value, device) for inner in field.record.fields}
+    return encoded_value(field.name, field.value, value, device)
 
 
-def encoded_value(name: str, value: Value | None, held: Any, device: Device) -> Any:
+def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device) -> Any:
     """One value as raw number or bytes, refused where it is out of range."""
     assert value is not None
     kind = value.type.kind
     if kind in (Kind.TEXT, Kind.BYTES):
-        data = held.encode("ascii") if isinstance(held, str) else bytes(held)
+        data = raw_value.encode("ascii") if isinstance(raw_value, str) else bytes(raw_value)
         if len(data) > value.size or (kind is Kind.BYTES and len(data) != value.size):
             raise CodecError("wrong_length", f"{name} has {value.size} bytes, not {len(data)}")
         return data.ljust(value.size, b"\0")
     if kind is Kind.FLOAT:
-        return _float(name, value, float(held))
-    if not isinstance(held, int):
-        raise CodecError("wrong_type", f"{name} is a whole number, not {held!r}")
-    if value.const is not None and held != value.const:
-        raise CodecError("wrong_const", f"{name} is {held}, not {value.const}")
-    if value.enum and not _known(device, value, int(held)):
-        raise CodecError("unknown_value", f"{name} is {held}, which {value.enum} does not list")
-    return _in_range(name, value, int(held))
+        return _float(name, value, float(raw_value))
+    if not isinstance(raw_value, int):
+        raise CodecError("wrong_type", f"{name} is a whole number, not {raw_value!r}")
+    if value.const is not None and raw_value != value.const:
+        raise CodecError("wrong_const", f"{name} is {raw_value}, not {value.const}")
+    if value.enum and not _known(device, value, int(raw_value)):
+        raise CodecError("unknown_value", f"{name} is {raw_value}, which {value.enum} does not list")
+    return _in_range(name, value, int(raw_value))
 
 
-def _float(name: str, value: Value, held: float) -> float:
+def _float(name: str, value: Value, number: float) -> float:
     """A number that its 32 bits hold and its ranges allow; without ranges infinities and NaN are allowed too."""
     try:
-        struct.pack(">f", held)
+        struct.pack(">f", number)
     except OverflowError:
-        raise CodecError("out_of_range", f"{name} is {held}, which 32 bits do not hold") from None
-    if value.ranges is not None and held not in value.ranges and value.sentinel(held) is None:
-        raise CodecError("out_of_range", f"{name} is {held}, not in {value.ranges.text()}")
-    return held
+        raise CodecError("out_of_range", f"{name} is {number}, which 32 bits do not hold") from None
+    if value.ranges is not None and number not in value.ranges and value.sentinel(number) is None:
+        raise CodecError("out_of_range", f"{name} is {number}, not in {value.ranges.text()}")
+    return number
 
 
-def _in_range(name: str, value: Value | None, held: int) -> int:
+def _in_range(name: str, value: Value | None, number: int) -> int:
     assert value is not None
-    known = any(sentinel.value == held for sentinel in value.sentinels)
-    fits = value.type.low <= held <= value.type.high
+    known = any(sentinel.value == number for sentinel in value.sentinels)
+    fits = value.type.low <= number <= value.type.high
     ranges = value.writable_ranges
-    if not fits or (ranges is not None and held not in ranges and not known):
+    if not fits or (ranges is not None and number not in ranges and not known):
         allowed = ranges.text() if ranges else f"{value.type.low}..{value.type.high}"
-        raise CodecError("out_of_range", f"{name} is {held}, not in {allowed}")
-    return held
+        raise CodecError("out_of_range", f"{name} is {number}, not in {allowed}")
+    return number

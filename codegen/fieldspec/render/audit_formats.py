@@ -18,11 +18,11 @@ from fieldspec.source import Span
 from fieldspec.spreadsheet import clean, guarded
 
 SIGNS = {"good": ("✓", "right"), "bad": ("✗", "wrong"), "warning": ("!", "to be looked at"), "": ("", "")}
-"""How something stands, as a sign and in words."""
+"""The marks of rows and figures, as a sign and in words."""
 
 
 def cell_text(cell: Cell) -> str:
-    """A cell for people: nothing is empty, a place in a file is `path:line`, one in the manual as specs cite it."""
+    """The text of a cell: a place in a file as `path:line`, one in the manual as specs cite it."""
     if cell is None:
         return ""
     if isinstance(cell, Span):
@@ -37,7 +37,7 @@ def figure_text(figure: Figure) -> str:
 
 
 def rendered(report: Report) -> str:
-    """An object with the device and its sections; a table is a list of objects, by the names of its columns."""
+    """The report as JSON: the device and its sections; a table is a list of objects with its columns as keys."""
     data = {
         "device": report.device,
         "version": report.version,
@@ -50,7 +50,7 @@ def rendered(report: Report) -> str:
 def _section(section: Section) -> dict[str, object]:
     return {
         "title": section.title,
-        "says": list(section.says),
+        "says": list(section.paragraphs),
         "figures": [
             {"what": figure.what, "number": figure.number, "of": figure.whole, "good": figure.good}
             for figure in section.figures
@@ -66,7 +66,7 @@ def rows(table: SectionTable) -> list[dict[str, object]]:
 
 
 def _cell(cell: Cell) -> object:
-    """Places are objects: of a file with line and column, of the manual with section and intervals of lines."""
+    """A cell for JSON; a place in a file has line and column, one in the manual section and intervals of lines."""
     if isinstance(cell, Span):
         line, column = cell.position()
         return {"file": cell.file.path, "line": line, "column": column}
@@ -76,35 +76,35 @@ def _cell(cell: Cell) -> object:
 
 
 def as_csv(table: SectionTable) -> bytes:
-    """UTF-8 text with a heading, commas and line feeds; no cell is a formula to a spreadsheet."""
-    made = io.StringIO()
-    writer = csv.writer(made, lineterminator="\n")
+    """A table as CSV in UTF-8, with a heading, commas and line feeds; spreadsheets take no cell for a formula."""
+    output = io.StringIO()
+    writer = csv.writer(output, lineterminator="\n")
     writer.writerow(table.columns)
     writer.writerows([guarded(clean(cell_text(cell))) for cell in row] for row in table.rows)
-    return made.getvalue().encode("utf-8")
+    return output.getvalue().encode("utf-8")
 
 
 def as_xlsx(table: SectionTable) -> bytes:
-    """A workbook with one sheet; numbers are numbers. The same table gives the same bytes."""
+    """A table as a workbook with one sheet; numbers are numbers. The same table gives the same bytes."""
     cells = [[cell if isinstance(cell, int) else cell_text(cell) for cell in row] for row in table.rows]
     return workbook(table.name, table.columns, cells)
 
 
 def as_json(table: SectionTable) -> bytes:
-    """A list of objects, by the names of the columns."""
+    """A table as JSON: a list of objects with its columns as keys."""
     return (json.dumps(rows(table), ensure_ascii=False, indent=1) + "\n").encode("utf-8")
 
 
 _WIDEST = 240
 _NAMING = 2
-"""How many columns, the first ones, tell a row from the others."""
+"""How many of the first columns identify a row."""
 _MOST_ROWS = 500
-"""Rows of a table that a person reads."""
+"""The most rows of a table that is not asked for alone."""
 _STYLES = {"good": "green", "bad": "red", "warning": "yellow", "": ""}
 
 
 def blocks(report: Report, everything: bool) -> Iterator[Block]:
-    """The numbers of all sections, then each section with its tables; long tables where `everything` is wanted."""
+    """Each section with its figures and tables; tables of details, and all rows, only with `everything`."""
     yield Line(f"{report.title}, version {report.version}, identity {report.identity}", "bold")
     for section in report.sections:
         yield Line("")
@@ -113,7 +113,7 @@ def blocks(report: Report, everything: bool) -> Iterator[Block]:
 
 def _section_blocks(section: Section, everything: bool) -> Iterator[Block]:
     yield Line(section.title, "bold")
-    for text in section.says:
+    for text in section.paragraphs:
         yield Line(text)
     for figure in section.figures:
         yield Line(figure_text(figure), _style(figure))
@@ -132,7 +132,7 @@ def _style(figure: Figure) -> str:
 
 
 def table_blocks(table: SectionTable) -> Iterator[Block]:
-    """A table without its empty columns; one that no line could hold, row by row."""
+    """A table without its empty columns; one that is too wide, as a paragraph for each row."""
     rows = tuple(tuple(cell_text(cell) for cell in row) for row in table.rows)
     block = narrowed(Table(table.columns, rows, tuple(_STYLES[kind] for kind in table.kinds)))
     lines = (block.headings, *block.rows)

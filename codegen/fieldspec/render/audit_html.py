@@ -5,12 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from fieldspec.audit.address_map import Space
 from fieldspec.audit.section import Cell, Figure, Report, Section, SectionTable
-from fieldspec.backends.docs.document import clean
-from fieldspec.backends.docs.html import escaped
-from fieldspec.backends.forms import filled, text
+from fieldspec.backends.templates import fill, text
 from fieldspec.diagnostics import Diagnostic, Severity, in_order
+from fieldspec.html_text import clean, escaped
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
 from fieldspec.render.audit_formats import SIGNS, cell_text
@@ -18,29 +16,29 @@ from fieldspec.render.audit_map import Box, Drawing, maps, states
 from fieldspec.source import Span
 
 BROAD = 8
-"""A table of so many columns shares out the width, as it would else be wider than paper."""
+"""A table with this many columns or more gets column widths, as it would be wider than paper without them."""
 
 _WORD, _MOST, _WHOLE, _EDGES = 11, 60, 205, 4
-"""When the width is shared out, in letters: the longest word that is never broken, how long a text counts at most, how
-much there is to share, and what the edges of a cell and bold letters take."""
+"""For column widths, in letters: the longest word that is never broken, the most that counts of a text, the width of a
+table, and the room for the edges of a cell and for bold letters."""
 
 _LETTERS = re.compile(r"[A-Za-z]+")
 
 
 def table_html(section: str, table: SectionTable, links: Mapping[str, str]) -> Iterator[str]:
-    """A table, piece by piece; `links` leads from paths of facts to where they are documented."""
+    """A table in pieces; `links` lead from paths of facts to where they are documented."""
     anchor, title = f"{section}-{table.name}", escaped(clean(table.title))
     marked = any(table.kinds)
     full = [at for at in range(len(table.columns)) if any(row[at] not in (None, "") for row in table.rows)]
     texts = {at: [clean(cell_text(row[at])) for row in table.rows] for at in full}
-    shares = _column_widths(table, texts, marked) if len(full) >= BROAD else ()
-    widths = "".join([f'<col style="width: {share}%">' for share in shares])
+    column_widths = _column_widths(table, texts, marked) if len(full) >= BROAD else ()
+    widths = "".join([f'<col style="width: {share}%">' for share in column_widths])
     headings = "".join([f'<th scope="col">{escaped(clean(_heading(table, at)))}</th>' for at in full])
     standing = '<th scope="col"><span class="said">standing</span></th>' if marked else ""
-    broad = ' class="broad"' if shares else ""
+    broad = ' class="broad"' if column_widths else ""
     yield f'<div class="scroll" role="region" aria-labelledby="{anchor}-title" tabindex="0">\n'
     yield f'<table id="{anchor}"{broad}>\n<caption id="{anchor}-title">{title}</caption>\n'
-    yield f"<colgroup>{widths}</colgroup>\n" if shares else ""
+    yield f"<colgroup>{widths}</colgroup>\n" if column_widths else ""
     yield f"<thead><tr>{standing}{headings}</tr></thead>\n<tbody>\n"
     yield from _rows(anchor, table, texts, marked, links)
     yield "</tbody>\n</table>\n</div>\n"
@@ -50,10 +48,10 @@ def _heading(table: SectionTable, at: int) -> str:
     return table.columns[at].replace("_", " ")
 
 
-def _column_widths(table: SectionTable, held: Mapping[int, Sequence[str]], marked: bool) -> tuple[str, ...]:
-    """How much of the width each column gets, in percent: room for its words, and more where there is more to read."""
+def _column_widths(table: SectionTable, cell_texts: Mapping[int, Sequence[str]], marked: bool) -> tuple[str, ...]:
+    """The width of each column in percent: room for its longest word, and more the longer its texts are."""
     needs, wishes = ([_EDGES], [0]) if marked else ([], [])
-    for at, cells in held.items():
+    for at, cells in cell_texts.items():
         texts = [_heading(table, at), *cells]
         longest = max(map(len, _LETTERS.findall(" ".join(texts))), default=0)
         room = min(longest, _WORD)
@@ -65,19 +63,19 @@ def _column_widths(table: SectionTable, held: Mapping[int, Sequence[str]], marke
 
 
 def _counts(table: SectionTable, at: int) -> bool:
-    """Whether a column holds numbers alone."""
-    held = [row[at] for row in table.rows if row[at] is not None]
-    return bool(held) and all(isinstance(cell, int) for cell in held)
+    """Whether a column has only numbers."""
+    cells = [row[at] for row in table.rows if row[at] is not None]
+    return bool(cells) and all(isinstance(cell, int) for cell in cells)
 
 
 def _rows(
     anchor: str, table: SectionTable, texts: Mapping[int, Sequence[str]], marked: bool, links: Mapping[str, str]
 ) -> Iterator[str]:
-    """The rows, with the cells of the columns that have texts."""
+    """The rows, with the columns that are not empty."""
     columns = []
-    for at, held in texts.items():
+    for at, column_texts in texts.items():
         style = ' class="number"' if _counts(table, at) else ""
-        cells = zip((cells[at] for cells in table.rows), held, strict=True)
+        cells = zip((cells[at] for cells in table.rows), column_texts, strict=True)
         columns.append([f"<td{style}>{_cell(cell, text, links)}</td>" for cell, text in cells])
     for number, row in enumerate(zip(*columns, strict=True)):
         kind = table.kinds[number] if table.kinds else ""
@@ -86,12 +84,12 @@ def _rows(
 
 
 def _sign(kind: str) -> str:
-    sign, said = SIGNS[kind]
-    return f'<td class="sign"><span aria-hidden="true">{sign}</span><span class="said">{said}</span></td>'
+    sign, description = SIGNS[kind]
+    return f'<td class="sign"><span aria-hidden="true">{sign}</span><span class="said">{description}</span></td>'
 
 
 def _cell(cell: Cell, text: str, links: Mapping[str, str]) -> str:
-    """A cell with its text."""
+    """The HTML of a cell with a text."""
     if cell is None or isinstance(cell, int):
         return text
     text = escaped(text)
@@ -103,38 +101,39 @@ def _cell(cell: Cell, text: str, links: Mapping[str, str]) -> str:
     return text if link is None else f'<a href="{escaped(clean(link))}"><code>{text}</code></a>'
 
 
-# The form has what is on every page.
-
 OPEN = 100
-"""A long table of so many rows is open, and printed; one that has more is folded until somebody opens it."""
+"""A table of details with at most this many rows is open, and printed; a longer one is folded."""
 
 _GOOD = {True: "good", False: "bad", None: ""}
 
 
 def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
-    """The page; `links` leads from paths of facts to where they are documented, where there is such a place."""
-    found = [(section, one) for section in report.sections for one in in_order(section.findings)]
+    """The page; `links` lead from paths of facts to where they are documented, where there is such a place."""
+    section_findings = [(section, finding) for section in report.sections for finding in in_order(section.findings)]
     rows = {section.name: _rows_by_place(section) for section in report.sections if section.findings}
-    findings = [_finding(number, section, one, rows[section.name]) for number, (section, one) in enumerate(found, 1)]
-    return filled(
-        "render/audit.html.in",
-        title=_visible(f"Audit of {report.title}"),
-        identity=_visible(report.identity),
-        style=text("backends/docs/page.css") + text("render/audit.css"),
-        contents=map(_entry, report.sections),
-        head=_head(report, device, [one for _, one in found]),
-        glance=map(_glance, report.sections),
-        findings=['<ol class="findings">\n', *findings, "</ol>\n"] if findings else "<p>There is none.</p>\n",
-        parts=[held for section in report.sections for held in _part(section, links)],
+    findings = [
+        _finding(number, section, finding, rows[section.name])
+        for number, (section, finding) in enumerate(section_findings, 1)
+    ]
+    return fill(
+        "audit.html.j2",
+        title=clean(f"Audit of {report.title}"),
+        identity=clean(report.identity),
+        style=text("backends/page.css") + text("render/audit.css"),
+        contents="".join(map(_entry, report.sections)),
+        head=_head(report, device, [finding for _, finding in section_findings]),
+        glance="".join(map(_glance, report.sections)),
+        findings="".join(['<ol class="findings">\n', *findings, "</ol>\n"]) if findings else "<p>There is none.</p>\n",
+        parts="".join([part for section in report.sections for part in _part(section, links)]),
     )
 
 
-def _visible(held: str) -> str:
-    return escaped(clean(held))
+def _visible(text: str) -> str:
+    return escaped(clean(text))
 
 
 def _entry(section: Section) -> str:
-    """A section in the table of contents, with its tables, the folded ones behind the others."""
+    """A section in the table of contents, with its tables, those of details last."""
     inner = [
         f'<li><a href="#{_anchor(section, table)}{ending}">{_visible(table.title.partition(". ")[0])}</a></li>\n'
         for table, ending in (
@@ -154,8 +153,8 @@ def _anchor(section: Section, table: SectionTable) -> str:
     return f"{section.name}-{table.name}"
 
 
-def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> str:
-    """What the report is about, and what it comes to, with a link to each part that has questions."""
+def _head(report: Report, device: Device, findings: Sequence[Diagnostic]) -> str:
+    """What the report is about, its verdict, and links to the sections with open questions."""
     manual = device.manual
     edition = f", {manual.edition}" if manual.edition else ""
     rows = (
@@ -166,8 +165,8 @@ def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> str:
         ("Manual", f"{manual.title}{edition}"),
         ("Text of the manual", f"{manual.file}, {manual.lines} lines, SHA-256 {manual.sha256}"),
     )
-    errors = sum(1 for one in found if one.severity is Severity.ERROR)
-    warnings = len(found) - errors
+    errors = sum(1 for finding in findings if finding.severity is Severity.ERROR)
+    warnings = len(findings) - errors
     if errors:
         verdict, kind = f"{_many(errors, 'error')} and {_many(warnings, 'warning')} are open.", "bad"
     elif warnings:
@@ -175,16 +174,18 @@ def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> str:
     else:
         verdict, kind = "No finding in any part of the audit.", "good"
     subtitle = f'<p class="subtitle">{_visible(device.title)}</p>\n' if clean(device.title) else ""
-    facts = "".join([f"<div><dt>{term}</dt><dd>{_visible(held)}</dd></div>\n" for term, held in rows])
+    facts = "".join([f"<div><dt>{term}</dt><dd>{_visible(value)}</dd></div>\n" for term, value in rows])
     questions = "".join(
         [
-            f' <span class="questions"><a href="#{one.name}">{_questions(one)}</a>.</span>'
-            for one in report.sections
-            if one.questions
+            f' <span class="questions"><a href="#{section.name}">{_questions(section)}</a>.</span>'
+            for section in report.sections
+            if section.questions
         ]
     )
-    said = f'<p class="verdict {kind}"><span aria-hidden="true">{SIGNS[kind][0]}</span> {verdict}{questions}</p>\n'
-    return f'{subtitle}<dl class="facts">\n{facts}</dl>\n{said}'
+    verdict_line = (
+        f'<p class="verdict {kind}"><span aria-hidden="true">{SIGNS[kind][0]}</span> {verdict}{questions}</p>\n'
+    )
+    return f'{subtitle}<dl class="facts">\n{facts}</dl>\n{verdict_line}'
 
 
 def _questions(section: Section) -> str:
@@ -209,17 +210,17 @@ def _figures(section: Section) -> str:
 
 def _figure(figure: Figure) -> str:
     kind = _GOOD[figure.good]
-    sign, said = SIGNS[kind]
+    sign, description = SIGNS[kind]
     whole = "" if figure.whole is None else f'<span class="whole">of {figure.whole}</span> '
-    standing = f'<span class="said">: {said}</span>' if said else ""
+    standing = f'<span class="said">: {description}</span>' if description else ""
     mark = f'<span class="mark" aria-hidden="true">{sign}</span><b>{figure.number}</b>'
     return f'<li class="{kind}">{mark}<span>{whole}{_visible(figure.what)}{standing}</span></li>\n'
 
 
 def _part(section: Section, links: Mapping[str, str]) -> Iterator[str]:
-    """A section: its texts, its figures, its drawings, and its tables, the folded ones behind the others."""
+    """A section: its texts, figures, drawings and tables, those of details last."""
     yield f'<section id="{section.name}">\n<h2>{_visible(section.title)}</h2>\n'
-    yield from (f"<p>{_visible(said)}</p>\n" for said in section.says)
+    yield from (f"<p>{_visible(paragraph)}</p>\n" for paragraph in section.paragraphs)
     yield f"{_figures(section)}\n" if section.figures else ""
     yield from _drawn(section)
     for table in _tables(section, False):
@@ -235,19 +236,17 @@ def _part(section: Section, links: Mapping[str, str]) -> Iterator[str]:
 
 
 def _drawn(section: Section) -> Iterator[str]:
-    """The legend, and the drawings of each space under its title."""
-    drawn = section.drawn if isinstance(section.drawn, tuple) else ()
-    spaces = tuple(space for space in drawn if isinstance(space, Space))
+    """The legend, and the drawings of each address space under its title."""
     legend = [
         '<li><svg viewBox="0 0 38 20" aria-hidden="true" focusable="false">'
         f'<rect class="{state}" x="1" y="1" width="36" height="18"/></svg>{escaped(words)}</li>\n'
-        for state, words in states(spaces)
+        for state, words in states(section.spaces)
     ]
     if legend:
         yield "".join(['<ul class="legend" aria-label="Legend">\n', *legend, "</ul>\n"])
-    for held in maps(spaces):
-        yield f"<h3>{escaped(held.title)}</h3>\n"
-        for drawing in held.drawings:
+    for space_map in maps(section.spaces):
+        yield f"<h3>{escaped(space_map.title)}</h3>\n"
+        for drawing in space_map.drawings:
             yield from _drawing(drawing)
 
 
@@ -268,7 +267,7 @@ def _drawing(drawing: Drawing) -> Iterator[str]:
 
 def _box(box: Box) -> str:
     rect = f'<rect class="{box.state}" x="{box.x}" y="{box.y}" width="{box.width}" height="{box.height}"/>'
-    texts = [f'<text class="name" x="{one.x}" y="{one.y}">{escaped(one.text)}</text>' for one in box.texts]
+    texts = [f'<text class="name" x="{text.x}" y="{text.y}">{escaped(text.text)}</text>' for text in box.texts]
     return f"<g><title>{escaped(box.title)}</title>{rect}{''.join(texts)}</g>\n"
 
 
@@ -277,7 +276,7 @@ def _place(span: Span) -> str:
 
 
 def _rows_by_place(section: Section) -> dict[str, str]:
-    """The anchors of the rows that show a place of a file."""
+    """The anchors of rows by the places in files that they show."""
     anchors: dict[str, str] = {}
     for table in section.tables:
         for number, row in enumerate(table.rows, 1):
@@ -287,20 +286,20 @@ def _rows_by_place(section: Section) -> dict[str, str]:
     return anchors
 
 
-def _finding(number: int, section: Section, found: Diagnostic, rows: Mapping[str, str]) -> str:
-    """A finding: how grave it is, what it says, what would make it right, and where it shows."""
-    kind = "bad" if found.severity is Severity.ERROR else "warning"
-    places = [_place(found.span), *(_place(label.span) for label in found.labels)]
+def _finding(number: int, section: Section, finding: Diagnostic, rows: Mapping[str, str]) -> str:
+    """A finding: severity, message and help, with a link to the row that shows its place."""
+    kind = "bad" if finding.severity is Severity.ERROR else "warning"
+    places = [_place(finding.span), *(_place(label.span) for label in finding.labels)]
     link = next((rows[place] for place in places if place in rows), section.name)
-    labels = [f"; <code>{_visible(f'{_place(label.span)}: {label.text}')}</code>" for label in found.labels]
+    labels = [f"; <code>{_visible(f'{_place(label.span)}: {label.text}')}</code>" for label in finding.labels]
     mark = f'<span class="mark" aria-hidden="true">{SIGNS[kind][0]}</span>'
-    said = f"<strong>{found.severity.value}</strong> <code>{found.code}</code>: {_visible(found.message)}"
+    message = f"<strong>{finding.severity.value}</strong> <code>{finding.code}</code>: {_visible(finding.message)}"
     return "".join(
         [
-            f'<li id="finding-{number}" class="{kind}">\n<p>{mark} {said}</p>\n',
+            f'<li id="finding-{number}" class="{kind}">\n<p>{mark} {message}</p>\n',
             f'<p class="quiet"><code>{_visible(places[0])}</code>{"".join(labels)}.',
             f' See <a href="#{link}">{_visible(section.title)}</a>.</p>\n',
-            f"<p>{_visible(found.help)}</p>\n" if clean(found.help) else "",
+            f"<p>{_visible(finding.help)}</p>\n" if clean(finding.help) else "",
             "</li>\n",
         ]
     )

@@ -1,7 +1,7 @@
-"""The address map of an audit as drawings: where each box lies, and what stands in it.
+"""The address map of an audit as drawings: the places and texts of all boxes.
 
-A block is drawn in rows of sixteen addresses; rows in which nothing changes are one row. How a box stands shows in its
-pattern, so that it can be told on paper and without colours, and each drawing says in words what it shows.
+A block has rows of sixteen addresses; equal empty rows are folded into one. The state of a box shows in its pattern, so
+that it is visible on paper and without colours, and each drawing describes itself in words.
 """
 
 from __future__ import annotations
@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from fieldspec.audit.address_map import DECLARED, STATES, UNDECLARED, UNDESCRIBED, UNLISTED, Block, Run, Space
-from fieldspec.backends.docs.document import clean
 from fieldspec.classes import dataclass
+from fieldspec.html_text import clean
 
 A_ROW = 16
 _BOX, _HIGH, _LEFT, _HEAD, _FOLDED = 60, 30, 62, 16, 20
@@ -27,7 +27,7 @@ _EMPTY = (DECLARED, UNDECLARED, UNDESCRIBED, UNLISTED)
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A line in a box, where it begins and stands."""
+    """A line of text in a box, and where its baseline begins."""
 
     x: int
     y: int
@@ -36,7 +36,7 @@ class Text:
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """A rectangle: how it stands, what it says in one line or two, and what it says at length."""
+    """A rectangle with the state of its addresses, one or two lines of text, and a longer title."""
 
     x: int
     y: int
@@ -48,14 +48,14 @@ class Box:
 
     @property
     def texts(self) -> tuple[Text, ...]:
-        """Its lines where they stand, in the middle of its height."""
+        """Its lines, centred in its height."""
         first = self.y + self.height // 2 + (4 if len(self.lines) == 1 else -2)
         return tuple(Text(self.x + 4, first + number * _LEADING, line) for number, line in enumerate(self.lines))
 
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """A text beside the boxes, at its foot; `anchor` is `start`, `middle` or `end`."""
+    """A text beside the boxes, with its baseline at `y`; `anchor` is `start`, `middle` or `end`."""
 
     x: int
     y: int
@@ -65,7 +65,7 @@ class Mark:
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """A drawing with its size. `title` and `description` say in words what it shows, `caption` stands above it."""
+    """A drawing with its size. `title` and `description` describe it in words, `caption` is the text above it."""
 
     anchor: str
     caption: str
@@ -79,7 +79,7 @@ class Drawing:
 
 @dataclass(frozen=True, slots=True)
 class Map:
-    """The drawings of a space, the overview first where there is one, and the states that stand in them."""
+    """The drawings of a space, the overview first where there is one."""
 
     title: str
     drawings: tuple[Drawing, ...]
@@ -91,9 +91,9 @@ def maps(spaces: Sequence[Space]) -> tuple[Map, ...]:
 
 
 def states(spaces: Sequence[Space]) -> list[tuple[str, str]]:
-    """The states that occur, with the words for them."""
-    held = {run.state for space in spaces for block in space.blocks for run in block.runs}
-    return [(state, words) for state, words in STATES.items() if state in held]
+    """The states that occur in spaces, with the words for them."""
+    present = {run.state for space in spaces for block in space.blocks for run in block.runs}
+    return [(state, words) for state, words in STATES.items() if state in present]
 
 
 def _drawings(space: Space) -> Iterator[Drawing]:
@@ -104,7 +104,7 @@ def _drawings(space: Space) -> Iterator[Drawing]:
 
 
 def _overview(space: Space) -> Drawing:
-    """All blocks where they lie in the whole space, a line for each 1000h addresses."""
+    """All blocks of a space, with a line for each 1000h addresses."""
     lines = sorted({line for block in space.blocks for line in range(block.first // _LINE, block.last // _LINE + 1)})
     rows = {line: _HEAD + number * _HIGH for number, line in enumerate(lines)}
     boxes = []
@@ -169,19 +169,19 @@ def _block(space: Space, block: Block) -> Drawing:
 
 
 def _by_line(block: Block) -> dict[int, list[Run]]:
-    """The runs that share addresses with each row, by its first address; of a long empty run the rows at its ends."""
-    held: dict[int, list[Run]] = {}
+    """The runs of each row by its first address; of a long empty run only the rows at its ends."""
+    by_line: dict[int, list[Run]] = {}
     for run in block.runs:
         lines: Sequence[int] = range(run.first // A_ROW * A_ROW, run.last + 1, A_ROW)
         if run.state in _EMPTY and len(lines) > 4:
             lines = [*lines[:2], *lines[-2:]]
         for line in lines:
-            held.setdefault(line, []).append(run)
-    return held
+            by_line.setdefault(line, []).append(run)
+    return by_line
 
 
 def _lines(block: Block, by_line: Mapping[int, Sequence[Run]]) -> Iterator[tuple[int, int]]:
-    """The first and last addresses of the rows of a block; several rows that are one empty run are one."""
+    """The first and last addresses of the rows of a block; rows within one empty run are folded into one."""
     end = block.runs[-1].last if block.repeats == 1 else max(run.last for run in block.runs)
     start = block.runs[0].first
     line = start // A_ROW * A_ROW
@@ -197,12 +197,12 @@ def _lines(block: Block, by_line: Mapping[int, Sequence[Run]]) -> Iterator[tuple
 
 
 def _pieces(space: Space, runs: Iterable[Run], line: int, y: int) -> Iterator[Box]:
-    """The boxes in a row: of a run that goes over several rows, its part in this one."""
+    """The boxes of a row; a run over several rows has a box in each."""
     for run in runs:
         first, last = max(run.first, line), min(run.last, line + A_ROW - 1)
         width = (last - first + 1) * _BOX
-        name = " and ".join(holder.name for holder in run.holders)
-        about = " and ".join(dict.fromkeys(holder.about for holder in run.holders if holder.about))
+        name = " and ".join(occupant.name for occupant in run.occupants)
+        about = " and ".join(dict.fromkeys(occupant.about for occupant in run.occupants if occupant.about))
         ends = space.number_text(run.first) + (f" to {space.number_text(run.last)}" if run.size > 1 else "")
         title = f"{ends}: {_run_text(run)}{f', {about}' if about else ''}"
         x = _LEFT + (first - line) * _BOX
@@ -211,16 +211,16 @@ def _pieces(space: Space, runs: Iterable[Run], line: int, y: int) -> Iterator[Bo
 
 
 def _run_text(run: Run) -> str:
-    """What a run is, in words."""
-    names = " and ".join(holder.name for holder in run.holders)
+    """A run in words."""
+    names = " and ".join(occupant.name for occupant in run.occupants)
     state = STATES[run.state]
-    if run.holders and run.state == "used":
+    if run.occupants and run.state == "used":
         return names
     return f"{names} ({state})" if names else f"{state}{f', {clean(run.reason)}' if run.reason else ''}"
 
 
 def _fitting(text: str, width: int, lines: int) -> tuple[str, ...]:
-    """As much of a text as fits into a box: its beginning and, on a second line, its end, by which names differ."""
+    """As much of a text as fits into a box: its beginning, and on a second line its end, where names differ most."""
     room = width - 6
     if _width(text) <= room:
         return (text,) if text else ()
@@ -239,7 +239,7 @@ def _fitting(text: str, width: int, lines: int) -> tuple[str, ...]:
 
 
 def _beginning(text: str, room: float) -> str:
-    """As many letters as there is room for."""
+    """The letters of a text that fit into a width."""
     at = 0
     while at < len(text) and (room := room - _width(text[at])) >= 0:
         at += 1
@@ -247,7 +247,7 @@ def _beginning(text: str, room: float) -> str:
 
 
 def _width(text: str) -> float:
-    """About how wide a text is."""
+    """The approximate width of a text."""
     return sum(map(_letter, text))
 
 

@@ -1,4 +1,4 @@
-"""Terminal output as data: lines, tables, aligned columns, and words drawn bit by bit."""
+"""Terminal output as data: lines and tables, aligned columns, and drawings of words of bits."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def width(text: str) -> int:
-    """How many columns a text takes: wide characters take two, combining ones none."""
+    """The columns that a text takes in a terminal: two for a wide character, none for a combining one."""
     return len(text) if text.isascii() else sum(map(_char_width, text))
 
 
@@ -24,14 +24,14 @@ def _char_width(char: str) -> int:
 
 
 def visible_text(text: str) -> str:
-    """A text with its control characters made visible."""
+    """A text with escapes for its control characters."""
     if text.isprintable():
         return text
     return "".join(char if char.isprintable() else ascii(char)[1:-1] for char in text)
 
 
 def aligned(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A table whose columns are two blanks apart."""
+    """A table as text, with two blanks between columns."""
     lines = [[visible_text(cell) for cell in row] for row in (headings, *rows)]
     widths = [max(width(line[at]) for line in lines) for at in range(len(headings))]
     text = ""
@@ -43,9 +43,9 @@ def aligned(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A line; `style` is how a terminal shows it: `bold`, `dim`, `red`, `yellow`, or empty.
+    """A line; `style` is that of a terminal: `bold`, `dim`, `red`, `green`, `yellow`, or empty.
 
-    A `drawn` line is not broken, and its blanks stay.
+    A `drawn` line is never wrapped, and keeps its blanks.
     """
 
     text: str
@@ -55,7 +55,7 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Cells by row, and the style of each row; no styles where all are plain."""
+    """Cells by row, and the style of each row; `styles` is empty where no row has one."""
 
     headings: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
@@ -66,7 +66,7 @@ Block: TypeAlias = Line | Table
 
 
 def narrowed(table: Table) -> Table:
-    """A table without the columns that are empty."""
+    """A table without its empty columns."""
     full = [at for at in range(len(table.headings)) if any(cells[at] for cells in table.rows)]
     rows = tuple(tuple(cells[at] for at in full) for cells in table.rows)
     return Table(tuple(table.headings[at] for at in full), rows, table.styles)
@@ -76,9 +76,9 @@ _A_ROW = 16
 
 
 def drawn(word: Flags) -> Iterator[str]:
-    """One box a bit, the highest first, at most 16 in a row, and a line from each named bit to its name.
+    """A drawing of a word: a box for each bit, the highest first, 16 in a row, with lines to the names of bits.
 
-    The bits of one field have no wall between them. Bits that have no name are empty.
+    There is no wall between the bits of one field. The boxes of bits without a name are empty.
     """
     width = word.type.size * 8
     for high in range(width, 0, -_A_ROW):
@@ -125,5 +125,5 @@ def _bit_text(bit: Bit) -> str:
         "active low" if bit.active == "low" else "",
         f"when {bit.when}" if bit.when else "",
     )
-    said = "; ".join(detail for detail in details if detail)
-    return f"+- {span} {name}" + (f": {said}" if said else "")
+    description = "; ".join(detail for detail in details if detail)
+    return f"+- {span} {name}" + (f": {description}" if description else "")

@@ -1,4 +1,4 @@
-"""The matrix of capabilities as Markdown: what is exact in which output, what gets lost, what is refused."""
+"""The matrix of capabilities as Markdown: what each output expresses exactly, loses, or refuses."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ def page() -> str:
 
 
 def capabilities(name: str) -> Mapping[str, Capability]:
-    """The capabilities of an output: as its dialect says, or as its back end does."""
+    """The capabilities of an output, from its dialect or its back end."""
     if name in DIALECTS:
         return of_dialect(DIALECTS[name])
-    made: Mapping[str, Capability] = import_module(f"fieldspec.backends.{name}.backend").capabilities()
-    return made
+    table: Mapping[str, Capability] = import_module(f"fieldspec.backends.{name}.backend").capabilities()
+    return table
 
 
-def _cell(held: Capability, reasons: dict[str, int]) -> str:
-    if held.level == EXACT:
+def _cell(capability: Capability, reasons: dict[str, int]) -> str:
+    if capability.level == EXACT:
         return EXACT
-    return f"{held.level} ({reasons.setdefault(held.reason, len(reasons) + 1)})"
+    return f"{capability.level} ({reasons.setdefault(capability.reason, len(reasons) + 1)})"

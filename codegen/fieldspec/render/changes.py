@@ -22,7 +22,7 @@ MEANINGS = {
 
 @dataclass(frozen=True, slots=True)
 class AcceptedChange:
-    """A change, what accepts it, and the versions in which it is found; none where it is found in all."""
+    """A change, its acceptance if there is one, and the versions that have the change; none where all have it."""
 
     change: Change
     accepted: Acceptance | None = None
@@ -31,7 +31,7 @@ class AcceptedChange:
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """What differs between two things, by the names that users gave them: the gravest first."""
+    """The differences of two versions, by the names that a user gave: the gravest first."""
 
     old: str
     new: str
@@ -39,18 +39,18 @@ class Difference:
 
     @property
     def open(self) -> tuple[AcceptedChange, ...]:
-        """What nothing accepts."""
-        return tuple(found for found in self.changes if found.accepted is None)
+        """The changes that are not accepted."""
+        return tuple(entry for entry in self.changes if entry.accepted is None)
 
     @property
     def accepted(self) -> tuple[AcceptedChange, ...]:
-        """What something accepts."""
-        return tuple(found for found in self.changes if found.accepted is not None)
+        """The changes that are accepted."""
+        return tuple(entry for entry in self.changes if entry.accepted is not None)
 
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """A heading and what stands below it. `effect` is None for what is accepted."""
+    """A heading and its changes. `effect` is None for accepted changes."""
 
     heading: str
     effect: Effect | None
@@ -58,45 +58,47 @@ class Group:
 
 
 def groups(difference: Difference) -> list[Group]:
-    """The changes by effect, then those that are accepted; no empty groups."""
-    held = [
+    """The changes by effect, then the accepted ones; no empty groups."""
+    by_effect = [
         Group(
-            f"{effect.value}: {meaning}", effect, tuple(one for one in difference.open if one.change.effect is effect)
+            f"{effect.value}: {meaning}",
+            effect,
+            tuple(entry for entry in difference.open if entry.change.effect is effect),
         )
         for effect, meaning in MEANINGS.items()
     ]
-    return [group for group in (*held, Group("accepted", None, difference.accepted)) if group.changes]
+    return [group for group in (*by_effect, Group("accepted", None, difference.accepted)) if group.changes]
 
 
 def summary(difference: Difference) -> str:
     """`2 wire, 1 docs, 1 accepted`, or `no differences`"""
-    counts = [(sum(one.change.effect is effect for one in difference.open), effect.value) for effect in MEANINGS] + [
-        (len(difference.accepted), "accepted")
-    ]
+    counts = [
+        (sum(entry.change.effect is effect for entry in difference.open), effect.value) for effect in MEANINGS
+    ] + [(len(difference.accepted), "accepted")]
     return ", ".join(f"{count} {name}" for count, name in counts if count) or "no differences"
 
 
-def places(change: Change, shown: Callable[[Span], str] = place) -> str:
-    """`old.yaml:3:5 -> new.yaml:4:5`; one place where the other side has none."""
-    return " -> ".join(shown(span) for span in (change.before, change.after) if span is not None)
+def places(change: Change, place_text: Callable[[Span], str] = place) -> str:
+    """`old.yaml:3:5 -> new.yaml:4:5`; a single place where only one version has the fact."""
+    return " -> ".join(place_text(span) for span in (change.before, change.after) if span is not None)
 
 
-def remark(found: AcceptedChange) -> str:
-    """What is to be said beside the message: in which outputs and versions, and why it is accepted."""
+def remark(entry: AcceptedChange) -> str:
+    """A remark on a change: its outputs, its versions, and why it is accepted."""
     parts = []
-    if found.change.outputs:
-        parts.append(f"in {enumeration(found.change.outputs)}")
-    if found.versions:
-        parts.append(f"at {enumeration(found.versions)} only")
-    if found.accepted is not None:
-        parts.append(f"accepted {found.accepted.date}: {found.accepted.reason}")
+    if entry.change.outputs:
+        parts.append(f"in {enumeration(entry.change.outputs)}")
+    if entry.versions:
+        parts.append(f"at {enumeration(entry.versions)} only")
+    if entry.accepted is not None:
+        parts.append(f"accepted {entry.accepted.date}: {entry.accepted.reason}")
     return "; ".join(parts)
 
 
 def hurts(differences: Iterable[Difference], threshold: str) -> bool:
-    """Whether there is a change that nothing accepts and that is as grave as `breaking`, `behaviour` or `any`."""
+    """Whether a change that is not accepted is at least `breaking`, `behaviour` or `any`."""
     least = {"breaking": Effect.SOURCE, "behaviour": Effect.BEHAVIOUR, "any": Effect.DOCS}[threshold]
-    return any(found.change.effect.rank <= least.rank for one in differences for found in one.open)
+    return any(entry.change.effect.rank <= least.rank for difference in differences for entry in difference.open)
 
 
 def title(difference: Difference) -> str:
@@ -105,25 +107,25 @@ def title(difference: Difference) -> str:
 
 
 def unaccepted_changes(differences: Sequence[Difference]) -> list[AcceptedChange]:
-    """The changes of all comparisons that nothing accepts."""
-    return [found for one in differences for found in one.open]
+    """The changes of all comparisons that are not accepted."""
+    return [entry for difference in differences for entry in difference.open]
 
 
 def findings(differences: Sequence[Difference]) -> list[Diagnostic]:
-    """A finding for each change that nothing accepts and that hurts somebody: breaking ones are errors.
+    """A finding for each change that is not accepted, except in documentation; a breaking change is an error.
 
-    It stands in the new side where the fact is there, with the old place as its label, else in the old side.
+    Its place is in the new version, with the old place as a label, or in the old one where the fact is gone.
     """
     return list(_findings(unaccepted_changes(differences)))
 
 
-def _findings(held: Sequence[AcceptedChange]) -> Iterator[Diagnostic]:
-    for found in held:
-        change = found.change
+def _findings(entries: Sequence[AcceptedChange]) -> Iterator[Diagnostic]:
+    for entry in entries:
+        change = entry.change
         span = change.after or change.before
         if span is None or change.effect is Effect.DOCS:
             continue
         severity = Severity.ERROR if change.effect.breaking else Severity.WARNING
         labels = (Label(change.before, "before"),) if change.before is not None and change.after is not None else ()
-        said = "; ".join(part for part in (f"{change.effect.value} at {change.path}", remark(found)) if part)
-        yield Diagnostic(change.rule, change.message, span, labels, said, severity)
+        help = "; ".join(part for part in (f"{change.effect.value} at {change.path}", remark(entry)) if part)
+        yield Diagnostic(change.rule, change.message, span, labels, help, severity)

@@ -1,4 +1,4 @@
-"""Changes as a page that stands on its own."""
+"""Changes as an HTML page without other files."""
 
 from __future__ import annotations
 
@@ -36,21 +36,24 @@ class _Section:
 
 def rendered(differences: Sequence[Difference]) -> str:
     """The page. Texts of specs are escaped by the template."""
-    sections = [_Section(title(one), summary(one), [_table(group) for group in groups(one)]) for one in differences]
+    sections = [
+        _Section(title(difference), summary(difference), [_table(group) for group in groups(difference)])
+        for difference in differences
+    ]
     return fill("changes.html.j2", title=", ".join(section.title for section in sections), sections=sections)
 
 
 def _table(group: Group) -> _Table:
     rows = [
         _Row(
-            found.change.rule,
-            found.change.path,
-            found.change.message,
-            remark(found),
-            found.change.old,
-            found.change.new,
-            places(found.change),
+            entry.change.rule,
+            entry.change.path,
+            entry.change.message,
+            remark(entry),
+            entry.change.old,
+            entry.change.new,
+            places(entry.change),
         )
-        for found in group.changes
+        for entry in group.changes
     ]
     return _Table(group.effect.value if group.effect else "accepted", group.heading, rows)

@@ -12,13 +12,14 @@ from fieldspec.source import Span
 def rendered(differences: Sequence[Difference]) -> str:
     """The JSON text; lines and columns count from 1. `accepted` is null where nothing accepts a change."""
     data = [
-        {"old": one.old, "new": one.new, "changes": [_change(found) for found in one.changes]} for one in differences
+        {"old": difference.old, "new": difference.new, "changes": [_change(entry) for entry in difference.changes]}
+        for difference in differences
     ]
     return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
 
 
-def _change(found: AcceptedChange) -> dict[str, object]:
-    change, accepted = found.change, found.accepted
+def _change(entry: AcceptedChange) -> dict[str, object]:
+    change, accepted = entry.change, entry.accepted
     return {
         "rule": change.rule,
         "class": change.effect.value,
@@ -31,7 +32,7 @@ def _change(found: AcceptedChange) -> dict[str, object]:
         "before": _place(change.before),
         "after": _place(change.after),
         "outputs": list(change.outputs),
-        "versions": list(found.versions),
+        "versions": list(entry.versions),
         "accepted": {"reason": accepted.reason, "date": accepted.date} if accepted else None,
     }
 

@@ -14,7 +14,7 @@ _SPECIAL = re.compile(r"[&<>\\`*\[\]|~$!#]|(?<![0-9A-Za-z])_|_(?![0-9A-Za-z])|:(
 
 def rendered(differences: Sequence[Difference]) -> str:
     """The Markdown text."""
-    return "\n".join(line for one in differences for line in _lines(one))
+    return "\n".join(line for difference in differences for line in _lines(difference))
 
 
 def _lines(difference: Difference) -> Iterator[str]:
@@ -28,9 +28,9 @@ def _lines(difference: Difference) -> Iterator[str]:
         yield ""
 
 
-def _row(found: AcceptedChange) -> str:
-    change, said = found.change, remark(found)
-    text = f"{change.message} ({said})" if said else change.message
+def _row(entry: AcceptedChange) -> str:
+    change, remark_text = entry.change, remark(entry)
+    text = f"{change.message} ({remark_text})" if remark_text else change.message
     return f"| {_text(change.rule)} | {_text(change.path)} | {_text(text)} | {_text(places(change))} |"
 
 

@@ -1,4 +1,4 @@
-"""Changes as text for people, and one line each for comparisons."""
+"""Changes as text for people, and in a short form for tests."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _STYLES = {Effect.WIRE: "red", Effect.SOURCE: "red", Effect.BEHAVIOUR: "yellow",
 
 
 def blocks(differences: Sequence[Difference]) -> Iterator[Block]:
-    """A paragraph for each comparison, and in it one for each class: the rule, what happened, and where."""
+    """A part for each comparison, with a paragraph for each class: the rule, the change, and its place."""
     for number, difference in enumerate(differences):
         if number:
             yield Line("")
@@ -20,10 +20,12 @@ def blocks(differences: Sequence[Difference]) -> Iterator[Block]:
         for group in groups(difference):
             yield Line("")
             yield Line(group.heading, _STYLES[group.effect])
-            for found in group.changes:
-                said = remark(found)
-                yield Line(f"  {found.change.rule}: {found.change.message}" + (f" ({said})" if said else ""))
-                yield Line(f"    {found.change.path}, {places(found.change)}".rstrip(", "), "dim")
+            for entry in group.changes:
+                remark_text = remark(entry)
+                yield Line(
+                    f"  {entry.change.rule}: {entry.change.message}" + (f" ({remark_text})" if remark_text else "")
+                )
+                yield Line(f"    {entry.change.path}, {places(entry.change)}".rstrip(", "), "dim")
 
 
 def concise(changes: Iterable[Change]) -> str:

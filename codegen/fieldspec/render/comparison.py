@@ -1,4 +1,4 @@
-"""A device beside someone else's list, as text, as data for JSON, and as CSV."""
+"""A device compared with somebody's list, as text, as data for JSON, and as CSV."""
 
 from __future__ import annotations
 
@@ -15,20 +15,22 @@ from fieldspec.spreadsheet import guarded
 
 COLUMNS = ("result", "address", "row", "name", "what", "ours", "theirs")
 _ADDRESSES = {HEXADECIMAL: "hexadecimal", DECIMAL: "decimal"}
-_MOST_ROWS = 10
+_MOST_SKIPPED = 10
+"""The most numbers of rows without an address that are printed."""
+
 _MOST_ROWS = 200
-"""Rows of a table that a person reads."""
+"""The most rows of a table for people."""
 
 
 def blocks(result: Compared, listing: Listing) -> Iterator[Block]:
-    """The comparison as lines and tables, with what it rests on first."""
+    """The comparison as lines and tables, with its base and columns first."""
     yield Line(f"addresses: {listing.heading('address')}, {_ADDRESSES.get(result.base, result.base)}")
     roles = [role for role in listing.columns.places if role != "address"]
     if roles:
         yield Line("columns: " + ", ".join(_column(role, listing.heading(role)) for role in roles))
     if listing.skipped:
-        rows = ", ".join(map(str, listing.skipped[:_MOST_ROWS]))
-        more = f" and {len(listing.skipped) - _MOST_ROWS} more" if len(listing.skipped) > _MOST_ROWS else ""
+        rows = ", ".join(map(str, listing.skipped[:_MOST_SKIPPED]))
+        more = f" and {len(listing.skipped) - _MOST_SKIPPED} more" if len(listing.skipped) > _MOST_SKIPPED else ""
         yield Line(f"rows without an address: {rows}{more}")
     if result.shifted:
         yield Line("")
@@ -44,7 +46,7 @@ def blocks(result: Compared, listing: Listing) -> Iterator[Block]:
 
 
 def as_data(result: Compared, listing: Listing) -> dict[str, object]:
-    """The comparison as data."""
+    """The comparison as data for JSON."""
     return {
         "same": result.same,
         "base": result.base,
@@ -61,7 +63,8 @@ def as_data(result: Compared, listing: Listing) -> dict[str, object]:
                 "row": pair.row.row,
                 "name": pair.item.name,
                 "differences": [
-                    {"what": one.aspect, "ours": one.ours, "theirs": one.theirs} for one in pair.differences
+                    {"what": difference.aspect, "ours": difference.ours, "theirs": difference.theirs}
+                    for difference in pair.differences
                 ],
             }
             for pair in result.differing
@@ -77,9 +80,9 @@ def as_data(result: Compared, listing: Listing) -> dict[str, object]:
 
 
 def as_csv(result: Compared) -> str:
-    """One row for what agrees, for each difference, and for what one side has."""
-    made = io.StringIO()
-    writer = csv.writer(made, lineterminator="\n")
+    """The comparison as CSV: a row for each agreement, each difference, and each address that only one has."""
+    output = io.StringIO()
+    writer = csv.writer(output, lineterminator="\n")
     writer.writerow(COLUMNS)
     if result.shifted:
         writer.writerow(["differs", "", "", "", "offset", 0, result.offset])
@@ -91,11 +94,11 @@ def as_csv(result: Compared) -> str:
     rows += [("only in the list", *cells[:3], "", "", cells[3]) for cells in _extras(result)]
     rows += [("only in the device", address, "", name, "", "", "") for address, name in _missing(result)]
     writer.writerows([guarded(cell) for cell in row] for row in rows)
-    return made.getvalue()
+    return output.getvalue()
 
 
 def _column(role: str, heading: str) -> str:
-    """A role and its column, where the heading is another word."""
+    """A role, with the heading of its column where that is another word."""
     return role if folded(heading) == folded(role) else f"{role} from {heading}"
 
 
@@ -116,9 +119,16 @@ def _section(title: str, headings: tuple[str, ...], rows: list[tuple[str, ...]])
 
 def _differing(result: Compared) -> list[tuple[str, ...]]:
     return [
-        (_address(pair.row.address), str(pair.row.row), pair.item.name, one.aspect, one.ours, one.theirs)
+        (
+            _address(pair.row.address),
+            str(pair.row.row),
+            pair.item.name,
+            difference.aspect,
+            difference.ours,
+            difference.theirs,
+        )
         for pair in result.differing
-        for one in pair.differences
+        for difference in pair.differences
     ]
 
 
@@ -137,7 +147,7 @@ def _of(gap: Missing) -> str:
 
 
 def _elements(gap: Missing) -> str:
-    """`3..126`, or nothing where the item is one."""
+    """`3..126`, or empty for a single item."""
     if gap.item.count == 1 or not gap.item.stride:
         return ""
     return str(gap.first) if gap.first == gap.last else f"{gap.first}..{gap.last}"

@@ -1,4 +1,4 @@
-"""The explanation of a frame for people, and as data for JSON."""
+"""The explanation of a frame as text for people, and as data for JSON."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from decimal import Decimal
 from itertools import groupby
 
 from fieldspec.classes import replace
-from fieldspec.explain.explanation import Explanation, ExplanationRow, Meaning, Reading, printed
+from fieldspec.explain.examples import printed
+from fieldspec.explain.explanation import Explanation, ExplanationRow, Meaning, Reading
 from fieldspec.explain.row import citations
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.texts import Example
@@ -21,94 +22,94 @@ _EXAMPLES = 3
 _JUDGED = ("meaning", "check", "manual")
 
 
-def title(layout: DeviceLayout, held: Explanation, sure: bool) -> str:
+def title(layout: DeviceLayout, explanation: Explanation, sure: bool) -> str:
     """`write_register request, rtu, Gadget 2.0: Write one register`; without the message where that is not `sure`."""
     device = layout.device
-    kind = "refusal" if held.error else device.links[held.link].direction_name(held.direction)
-    name = f"{held.message or 'unknown'} {kind}" if sure else kind
-    text = f"{name}, {held.link}, {device.name} {device.version}"
-    laid = layout.messages.get(held.message)
-    said = laid.message.title or laid.message.label if laid else ""
-    return f"{text}: {said}" if said and sure else text
+    kind = "refusal" if explanation.error else device.links[explanation.link].direction_name(explanation.direction)
+    name = f"{explanation.message or 'unknown'} {kind}" if sure else kind
+    text = f"{name}, {explanation.link}, {device.name} {device.version}"
+    message = layout.messages.get(explanation.message)
+    message_title = message.message.title or message.message.label if message else ""
+    return f"{text}: {message_title}" if message_title and sure else text
 
 
-def accessed(layout: DeviceLayout, held: Explanation) -> str:
+def accessed(layout: DeviceLayout, explanation: Explanation) -> str:
     """`reads 0x1000..0x1001`"""
-    accesses = layout.device.register_access(layout.messages[held.message].message)
-    addresses = [row.address + row.words for row in held.registers if row.address is not None]
-    first = min(row.address for row in held.registers if row.address is not None)
+    accesses = layout.device.register_access(layout.messages[explanation.message].message)
+    addresses = [row.address + row.words for row in explanation.registers if row.address is not None]
+    first = min(row.address for row in explanation.registers if row.address is not None)
     last = max(addresses) - 1
     span = f"0x{first:04X}" if first == last else f"0x{first:04X}..0x{last:04X}"
     return f"{accesses.operation}s {span}" if accesses else span
 
 
-def faults(held: Explanation) -> Iterator[str]:
-    """What is wrong, or beyond what the manual gives, a line each."""
-    for row in (*held.rows, *held.registers):
+def faults(explanation: Explanation) -> Iterator[str]:
+    """A line for each wrong or doubtful value."""
+    for row in (*explanation.rows, *explanation.registers):
         if row.verdict.startswith("wrong"):
             place = f"{row.path} at byte {row.offset}" if row.path else f"byte {row.offset}"
             doubtful = row.kind == "register" or row.reason == "out_of_range"
             yield f"{'doubtful' if doubtful else 'wrong'}: {place}: {row.verdict.removeprefix('wrong: ')}"
 
 
-def frame_table(layout: DeviceLayout, held: Explanation) -> Table:
-    """Every byte of the frame, in order; neighbouring elements of a list of plain numbers in one row."""
-    shape = layout.links[held.link].frame(held.direction)
-    check = shape.checksum
+def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
+    """Every byte of the frame in order; neighbouring elements of a list share a row where they are only numbers."""
+    shape = layout.links[explanation.link].frame(explanation.direction)
+    checksum = shape.checksum
     code = shape.role("code")
-    laid = layout.messages.get(held.message)
-    accesses = laid.message.accesses if laid else None
-    addresses = {code.name if code else "", accesses.start if accesses else "", *_in_digits(layout, held)}
+    message = layout.messages.get(explanation.message)
+    accesses = message.message.accesses if message else None
+    addresses = {code.name if code else "", accesses.start if accesses else "", *_in_digits(layout, explanation)}
     headings = ("at", "sent", "bytes", "field", "label", "raw", "value", *_JUDGED)
     lines: list[tuple[tuple[str, ...], bool]] = []
-    for _, group in groupby(held.rows, key=_run):
+    for _, group in groupby(explanation.rows, key=_run):
         rows = list(group)
         if len(rows) >= _LIST:
             lines += _element_lines(rows)
             continue
         for row in rows:
-            raw = "" if check is not None and row.path == check.name else raw_text(row, row.path in addresses)
-            if code is not None and row.path == code.name and laid is not None and not held.error:
-                row = replace(row, meanings=(Meaning(laid.name, laid.message.label, "", ""),))
+            raw = "" if checksum is not None and row.path == checksum.name else raw_text(row, row.path in addresses)
+            if code is not None and row.path == code.name and message is not None and not explanation.error:
+                row = replace(row, meanings=(Meaning(message.name, message.message.label, "", ""),))
             first = (str(row.offset), row.characters, _hex(row.raw), row.path, _label(row), raw, row.value)
             lines += _lines(row, first, 2)
     return _table(headings, lines)
 
 
-def _in_digits(layout: DeviceLayout, held: Explanation) -> Iterator[str]:
-    """The fields whose hexadecimal digits tell most: words of bits, and numbers that the manual writes in them."""
-    laid = layout.messages.get(held.message)
-    for field in laid.data(held.direction).fields if laid and not held.error else ():
-        value, number = field.value, held.values.get(field.name)
+def _in_digits(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
+    """The fields that are best read in hexadecimal: words of bits, and numbers that the manual writes so."""
+    message = layout.messages.get(explanation.message)
+    for field in message.data(explanation.direction).fields if message and not explanation.error else ():
+        value, number = field.value, explanation.values.get(field.name)
         if value is not None and value.flags:
             yield field.name
         if value is not None and value.parameter is not None and isinstance(number, int):
-            found = layout.device.parameter_at(value.parameter.set, number)
-            if value.parameter.part == "number" and (found is None or found[0].printed_as or found[0].base):
+            match = layout.device.parameter_at(value.parameter.set, number)
+            if value.parameter.part == "number" and (match is None or match[0].printed_as or match[0].base):
                 yield field.name
 
 
-def register_table(held: Explanation) -> Table:
+def register_table(explanation: Explanation) -> Table:
     """The registers that the frame reads or writes."""
     headings = ("address", "words", "bytes", "register", "label", "access", "raw", "value", *_JUDGED)
     lines: list[tuple[tuple[str, ...], bool]] = []
-    for row in held.registers:
+    for row in explanation.registers:
         name = row.path or row.doc
         first = (f"0x{row.address:04X}", str(row.words), _hex(row.raw), name, _label(row), row.access)
         lines += _lines(row, (*first, raw_text(row, False), row.value), 2)
     return _table(headings, lines)
 
 
-def footnotes(layout: DeviceLayout, held: Explanation) -> Iterator[str]:
-    """The notes and errata that touch the frame, each once."""
-    rows = (*held.rows, *held.registers)
+def footnotes(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
+    """The notes and errata about the frame, each once."""
+    rows = (*explanation.rows, *explanation.registers)
     seen = set()
     for row in rows:
         for note in row.notes:
             if note not in seen:
                 seen.add(note)
                 yield f"note on {row.path or 'the frame'}: {note}"
-    touching = {*held.errata, *(number for row in rows for number in row.errata)}
+    touching = {*explanation.errata, *(number for row in rows for number in row.errata)}
     for erratum in layout.device.errata:
         if erratum.id in touching:
             pairs = erratum.printed.items()
@@ -116,11 +117,11 @@ def footnotes(layout: DeviceLayout, held: Explanation) -> Iterator[str]:
             yield f"erratum {erratum.id}: " + (f"printed {keys}. " if keys else "") + erratum.reason
 
 
-def examples(layout: DeviceLayout, held: Explanation) -> Iterator[str]:
-    """Where the manual prints the very frame, and where it misprints another one as these bytes."""
+def examples(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
+    """The examples of the manual with this frame, and those that it misprints as this frame."""
     device = layout.device
-    own = [example for example in device.examples.values() if _alike(example, held)]
-    same = [example for example in own if example.frame == held.frame]
+    own = [example for example in device.examples.values() if _alike(example, explanation)]
+    same = [example for example in own if example.frame == explanation.frame]
     for example in same[:_EXAMPLES]:
         text = ", ".join(part for part in (f"example {example.id}", citations(example.sources)) if part)
         yield f"{text}: {example.title}" if example.title else text
@@ -128,15 +129,15 @@ def examples(layout: DeviceLayout, held: Explanation) -> Iterator[str]:
         yield f"{len(same) - _EXAMPLES} more examples have this frame"
     for example in own:
         print_ = printed(device, example)
-        if example.frame != held.frame and print_.frame == held.frame.hex().upper():
+        if example.frame != explanation.frame and print_.frame == explanation.frame.hex().upper():
             for erratum in print_.errata:
                 yield f"erratum {erratum.id}: the manual prints this for {_hex(example.frame)}. {erratum.reason}"
 
 
-def _alike(example: Example, held: Explanation) -> bool:
-    """Whether an example is of the same kind as a frame."""
-    of = (example.link, example.direction, example.message or held.message)
-    return of == (held.link, held.direction, held.message)
+def _alike(example: Example, explanation: Explanation) -> bool:
+    """Whether an example has the link, direction and message of a frame."""
+    of = (example.link, example.direction, example.message or explanation.message)
+    return of == (explanation.link, explanation.direction, explanation.message)
 
 
 def raw_text(row: ExplanationRow, hexadecimal: bool) -> str:
@@ -164,15 +165,15 @@ def meaning_text(meaning: Meaning) -> str:
 
 
 def _run(row: ExplanationRow) -> object:
-    """Equal for neighbours that may stand in one row: elements of one list, of which nothing is to be said."""
+    """A key that is equal for neighbours that share a row: elements of one list without remarks."""
     name, bracket, _ = row.path.rpartition("[")
-    plain = row.path.endswith("]") and isinstance(row.number, int) and not isinstance(row.number, bool)
-    said = row.value or row.meanings or row.verdict or row.notes
-    return name if bracket and plain and not said else id(row)
+    is_number = row.path.endswith("]") and isinstance(row.number, int) and not isinstance(row.number, bool)
+    remarks = row.value or row.meanings or row.verdict or row.notes
+    return name if bracket and is_number and not remarks else id(row)
 
 
 def _element_lines(rows: Sequence[ExplanationRow]) -> Iterator[tuple[tuple[str, ...], bool]]:
-    """The lines of neighbouring elements of a list."""
+    """The lines of neighbouring elements of a list, some numbers a line."""
     for at in range(0, len(rows), _NUMBERS_A_LINE):
         part = rows[at : at + _NUMBERS_A_LINE]
         first, last = part[0], part[-1]
@@ -186,7 +187,7 @@ def _element_lines(rows: Sequence[ExplanationRow]) -> Iterator[tuple[tuple[str, 
 
 
 def _lines(row: ExplanationRow, first: tuple[str, ...], data: int) -> Iterator[tuple[tuple[str, ...], bool]]:
-    """The lines of one row: more than one where the bytes in cell `data`, or the meanings, are many."""
+    """The lines of a row: several where the bytes in cell `data`, or its meanings, are many."""
     meanings = [meaning_text(meaning) for meaning in row.meanings]
     chunks = _chunks(first[data])
     wrong = row.verdict.startswith("wrong")
@@ -211,41 +212,43 @@ def _hex(data: bytes) -> str:
 
 
 def _chunks(text: str) -> list[str]:
-    """Bytes in digits, some a line."""
+    """Bytes in digits, cut into lines."""
     size = 3 * _BYTES_A_LINE
     return [text[at : at + size].strip() for at in range(0, len(text), size)]
 
 
-# Bytes are pairs of hexadecimal digits in one text. What does not apply is null.
+# In JSON, bytes are a text of hexadecimal digits, and null is what does not apply.
 
 
 def as_data(
     layout: DeviceLayout,
-    held: Explanation,
+    explanation: Explanation,
     readings: Sequence[Reading],
     chosen: str,
     remarks: Sequence[str],
     wrong: bool,
 ) -> dict[str, object]:
-    """An explanation with the readings that fit, how one was chosen, and remarks on the text and the request."""
-    errata = {number for row in (*held.rows, *held.registers) for number in row.errata} | set(held.errata)
+    """An explanation as data: with the readings that fit, how one of them was chosen, and remarks on the input."""
+    errata = {number for row in (*explanation.rows, *explanation.registers) for number in row.errata} | set(
+        explanation.errata
+    )
     return {
         "device": layout.device.id,
         "version": layout.device.version,
-        "frame": _hex_text(held.frame),
-        "link": held.link,
-        "direction": held.direction,
-        "direction_name": layout.device.links[held.link].direction_name(held.direction),
-        "message": held.message or None,
-        "error": held.error,
+        "frame": _hex_text(explanation.frame),
+        "link": explanation.link,
+        "direction": explanation.direction,
+        "direction_name": layout.device.links[explanation.link].direction_name(explanation.direction),
+        "message": explanation.message or None,
+        "error": explanation.error,
         "wrong": wrong,
-        "reasons": list(held.reasons),
+        "reasons": list(explanation.reasons),
         "chosen": chosen,
         "readings": [_reading(reading) for reading in readings],
         "remarks": list(remarks),
-        "values": _json_value(held.values),
-        "rows": [_row(row) for row in held.rows],
-        "registers": [_row(row) for row in held.registers],
+        "values": _json_value(explanation.values),
+        "rows": [_row(row) for row in explanation.rows],
+        "registers": [_row(row) for row in explanation.registers],
         "errata": [
             {"id": erratum.id, "fact": erratum.fact, "printed": _printed(erratum.printed), "reason": erratum.reason}
             for erratum in layout.device.errata
@@ -298,7 +301,7 @@ def _hex_text(data: bytes) -> str:
 
 
 def _json_value(value: object) -> object:
-    """A raw value: numbers as they are, but for those that JSON does not have; bytes as digits."""
+    """A raw value for JSON: bytes, and numbers that JSON does not have, as text."""
     if isinstance(value, bytes):
         return _hex_text(value)
     if isinstance(value, float) and not math.isfinite(value):
@@ -311,5 +314,5 @@ def _json_value(value: object) -> object:
 
 
 def _printed(printed: Mapping[str, object]) -> dict[str, object]:
-    """What the manual prints, key by key; exact numbers as text."""
+    """What the manual prints, key by key; decimal numbers as text."""
     return {key: str(value) if isinstance(value, Decimal) else value for key, value in printed.items()}

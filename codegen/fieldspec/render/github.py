@@ -1,4 +1,4 @@
-"""Findings as workflow commands that GitHub shows beside the lines of a change."""
+"""Findings as workflow commands, which GitHub shows beside the lines of a change."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from fieldspec.diagnostics import Diagnostic
 
 
-def rendered(found: Sequence[Diagnostic]) -> str:
-    """One command a finding."""
-    return "".join(_command(finding) for finding in found)
+def rendered(findings: Sequence[Diagnostic]) -> str:
+    """A command for each finding."""
+    return "".join(_command(finding) for finding in findings)
 
 
 def _command(finding: Diagnostic) -> str:
@@ -24,8 +24,8 @@ def _command(finding: Diagnostic) -> str:
         "title": finding.code,
     }
     text = finding.message + (f"\n{finding.help}" if finding.help else "")
-    shown = ",".join(f"{key}={_property(str(value))}" for key, value in properties.items())
-    return f"::{finding.severity.value} {shown}::{_data(text)}\n"
+    properties_text = ",".join(f"{key}={_property(str(value))}" for key, value in properties.items())
+    return f"::{finding.severity.value} {properties_text}::{_data(text)}\n"
 
 
 def _data(text: str) -> str:

@@ -1,4 +1,4 @@
-"""One item of a device: register, message, record or any other, with its texts."""
+"""The items of a device that a user can ask for: registers, messages, records and others, with their texts."""
 
 from __future__ import annotations
 
@@ -25,21 +25,21 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Numbered:
-    """A number of a set and its parameter; None where it has no row, and the first of a run has it for all."""
+class ParameterNumber:
+    """A number of a parameter set, and its parameter; None where the manual has no row for the number."""
 
-    words: ParameterSet
+    parameter_set: ParameterSet
     number: int
     parameter: Parameter | None
 
     @property
     def printed_text(self) -> str:
-        """The number as the manual writes it, where that is not in digits."""
-        return self.words.number_text(self.number) if self.words.printed_as else ""
+        """The number as the manual writes it; empty where that is in digits."""
+        return self.parameter_set.number_text(self.number) if self.parameter_set.printed_as else ""
 
 
 @dataclass(frozen=True, slots=True)
-class Coded:
+class CodeRow:
     """A row of a table of codes."""
 
     enum: Enum
@@ -47,17 +47,17 @@ class Coded:
 
     @property
     def printed_text(self) -> str:
-        """The code as the manual, or the device, shows it, where that is not in digits."""
+        """The code as the manual or the device shows it; empty where that is in digits."""
         member = self.member
         form = self.enum.printed_as
         return member.printed_name or (form.format(value=member.value, number=member.number) if form else "")
 
 
 @dataclass(frozen=True, slots=True)
-class DisplayedState:
-    """A state that a word shows."""
+class WordState:
+    """A state that the bits of a word show together."""
 
-    word: Flags
+    flags: Flags
     state: State
 
 
@@ -70,12 +70,12 @@ Item: TypeAlias = (
     | RecordLayout
     | Signal
     | Conversion
-    | Numbered
+    | ParameterNumber
     | ParameterSet
     | Enum
-    | Coded
+    | CodeRow
     | Flags
-    | DisplayedState
+    | WordState
     | Link
     | Lookup
     | Limit
@@ -87,7 +87,7 @@ Item: TypeAlias = (
 
 
 def items(layout: DeviceLayout) -> Iterator[Item]:
-    """All items of a device that can be shown, in the order of the spec's sections."""
+    """All items of a device, in the order of the sections of a spec."""
     device = layout.device
     yield from device.spaces.values()
     yield from device.registers()
@@ -97,17 +97,21 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
     yield from layout.records.values()
     yield from device.signals.values()
     yield from device.conversions.values()
-    for words in device.parameters.values():
-        yield words
-        yield from (Numbered(words, parameter.number, parameter) for parameter in words.parameters)
+    for parameter_set in device.parameters.values():
+        yield parameter_set
+        yield from (
+            ParameterNumber(parameter_set, parameter.number, parameter) for parameter in parameter_set.parameters
+        )
     for enum in device.enums.values():
         yield enum
         base = device.enums.get(enum.derived.rpartition("/")[2])
         if enum.kind != "enum":
-            yield from (Coded(enum, one) for one in enum.members if base is None or base.named(one.name) is None)
+            yield from (
+                CodeRow(enum, member) for member in enum.members if base is None or base.named(member.name) is None
+            )
     for word in device.flags.values():
         yield word
-        yield from (DisplayedState(word, state) for state in word.states)
+        yield from (WordState(word, state) for state in word.states)
     yield from device.links.values()
     yield from device.lookups
     yield from device.limits
@@ -117,18 +121,18 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
     yield from device.errata
 
 
-def unnamed(layout: DeviceLayout, text: str, number: int | None) -> Iterator[Numbered]:
-    """The parameters without a row of their own that a text is as the manual writes it, or on the wire."""
-    for words in layout.device.parameters.values():
-        own = number_of_text(words, text)
+def unnamed(layout: DeviceLayout, text: str, number: int | None) -> Iterator[ParameterNumber]:
+    """The numbers of parameter sets that a text means: as the manual writes them, or on the wire."""
+    for parameter_set in layout.device.parameters.values():
+        own = number_of_text(parameter_set, text)
         if own is None and number is not None:
-            own = number - words.base
-        if own is not None and words.holds(own):
-            yield Numbered(words, own, words.numbered(own))
+            own = number - parameter_set.base
+        if own is not None and parameter_set.holds(own):
+            yield ParameterNumber(parameter_set, own, parameter_set.numbered(own))
 
 
 def fact_of(item: Item) -> Fact | Note | Example | Erratum:
-    """The fact that an item is, or that it lays out."""
+    """The fact of an item, also of an item that is a layout."""
     match item:
         case MessageLayout():
             return item.message
@@ -136,31 +140,31 @@ def fact_of(item: Item) -> Fact | Note | Example | Erratum:
             return item.record
         case TableLayout():
             return item.table
-        case Numbered():
-            return item.parameter or item.words
-        case Coded():
+        case ParameterNumber():
+            return item.parameter or item.parameter_set
+        case CodeRow():
             return item.member
-        case DisplayedState():
+        case WordState():
             return item.state
         case _:
             return item
 
 
 def handles(item: Item) -> tuple[str, ...]:
-    """The texts that mean an item: our name, the manual's identifier, its label."""
+    """The texts by which a user may name an item: its name, the identifier of the manual, and its label."""
     fact = fact_of(item)
     if isinstance(fact, Example | Erratum):
         return (fact.id,)
     if isinstance(fact, Note):
         return (fact.name,)
-    if isinstance(item, Numbered) and item.parameter is None:
+    if isinstance(item, ParameterNumber) and item.parameter is None:
         return ("", item.printed_text, "")
-    written = item.printed_text if isinstance(item, Numbered | Coded) else ""
-    return fact.name, fact.printed_name or written, fact.label
+    printed_text = item.printed_text if isinstance(item, ParameterNumber | CodeRow) else ""
+    return fact.name, fact.printed_name or printed_text, fact.label
 
 
 def numbered(item: Item, number: int) -> bool:
-    """Whether an address lies in the item, or a number or a code is the item's."""
+    """Whether a number is an address within an item, or its number or code."""
     match item:
         case Register():
             steps = (number - item.address) // item.stride
@@ -171,10 +175,10 @@ def numbered(item: Item, number: int) -> bool:
             return table.base <= number < table.base + table.stride * (table.count - 1) + item.words
         case MessageLayout():
             return number in (item.message.code, item.message.number)
-        case Numbered():
+        case ParameterNumber():
             count = item.parameter.count if item.parameter is not None else 1
-            return any(0 <= number - first < count for first in (item.number, item.words.base + item.number))
-        case Coded():
+            return any(0 <= number - first < count for first in (item.number, item.parameter_set.base + item.number))
+        case CodeRow():
             return number in (item.member.value, item.member.number)
         case _:
             return False
@@ -187,7 +191,7 @@ _ENDURANCE = {"limited": "a limited number of writes, which is not printed", "un
 
 
 def fact_details(device: Device, fact: Fact) -> Details:
-    """What every fact has: its text, the versions that it holds for, its places in the manual, and the caveats."""
+    """The details that every fact has: text, versions, citations, notes, and everything that limits its certainty."""
     yield "doc", fact.doc
     yield "since", ", ".join(fact.since)
     yield "until", ", ".join(fact.until)
@@ -212,17 +216,17 @@ def fact_details(device: Device, fact: Fact) -> Details:
             yield "erratum", f"{erratum.id}: {_printed(erratum)}{erratum.reason}"
 
 
-def _handling(said: Handling) -> Details:
-    """What whoever reads or writes the value must know."""
-    yield "reading", "clears it: only the first reader gets it" if said.clears_on_read else ""
-    yield "memory", _MEMORY.get(said.memory, "")
-    yield "saved by", said.saved_by
-    yield "endurance", _ENDURANCE.get(said.endurance, f"{said.endurance} writes" if said.endurance else "")
-    yield "opposite of", said.opposite_of
+def _handling(handling: Handling) -> Details:
+    """What a reader or writer of a value must know."""
+    yield "reading", "clears it: only the first reader gets it" if handling.clears_on_read else ""
+    yield "memory", _MEMORY.get(handling.memory, "")
+    yield "saved by", handling.saved_by
+    yield "endurance", _ENDURANCE.get(handling.endurance, f"{handling.endurance} writes" if handling.endurance else "")
+    yield "opposite of", handling.opposite_of
 
 
 def erratum_details(erratum: Erratum) -> Details:
-    """What an erratum says."""
+    """The details of an erratum."""
     yield "fact", erratum.fact
     yield "printed", _printed(erratum).removesuffix(". ").removeprefix("printed ")
     yield "literally", erratum.literal
@@ -234,7 +238,7 @@ def erratum_details(erratum: Erratum) -> Details:
 
 
 def example_details(example: Example) -> Details:
-    """What an example says; `decode` explains its bytes."""
+    """The details of an example; `decode` explains its bytes."""
     yield "title", example.title
     yield (
         "message",
@@ -251,7 +255,7 @@ def example_details(example: Example) -> Details:
 
 
 def note_details(note: Note) -> Details:
-    """What a note says."""
+    """The details of a note."""
     yield "title", note.title
     yield "text", note.text
     yield "about", ", ".join(note.about)
@@ -264,5 +268,5 @@ def _printed(erratum: Erratum) -> str:
 
 
 def _claim(claim: Claim) -> str:
-    said = ", ".join(f"{key} {value}" for key, value in claim.values.items())
-    return f"{citations(claim.sources)}" + (f": {said}" if said else "")
+    values_text = ", ".join(f"{key} {value}" for key, value in claim.values.items())
+    return f"{citations(claim.sources)}" + (f": {values_text}" if values_text else "")

@@ -14,13 +14,13 @@ from fieldspec.model.registers import Parameter, ParameterSet, Register, Registe
 from fieldspec.model.texts import Lookup
 from fieldspec.model.value import Signal, Value
 from fieldspec.render.blocks import Block, Line, Table, drawn, narrowed
-from fieldspec.render.item import Item, Numbered, fact_details, fact_of, handles
+from fieldspec.render.item import Item, ParameterNumber, fact_details, fact_of, handles
 from fieldspec.render.item_details import details
 from fieldspec.render.overview import field_table, member_table, parameter_table, range_text, register_table, unit_text
 
 
 def blocks(layout: DeviceLayout, item: Item, number: int | None = None) -> Iterator[Block]:
-    """An item as lines and tables; an address or a `number` that was asked for is named."""
+    """An item as lines and tables; `number` is the address or number that a user asked for."""
     fact = fact_of(item)
     names = handles(item)
     yield Line("  ".join(dict.fromkeys(name for name in names if name)) or fact_name(fact), "bold")
@@ -34,7 +34,7 @@ def blocks(layout: DeviceLayout, item: Item, number: int | None = None) -> Itera
 
 
 def fact_name(fact: object) -> str:
-    """The name of a fact that has neither print nor label."""
+    """The name of a fact; empty for one without a name."""
     return fact.name if isinstance(fact, Fact) else ""
 
 
@@ -48,7 +48,7 @@ def _inside(layout: DeviceLayout, item: Item) -> Iterator[Block]:
             yield from _record(layout, item.record, item.table.base)
         case Register() | Signal():
             yield from _names(layout, item.value)
-        case Numbered():
+        case ParameterNumber():
             if item.parameter is not None:
                 yield from _subindices(item.parameter)
                 yield from _names(layout, item.parameter.value)
@@ -76,16 +76,16 @@ def _parts(link: Link, direction: str) -> str:
     return ", ".join(part.name for part in link.parts(direction))
 
 
-def _message(layout: DeviceLayout, laid: MessageLayout) -> Iterator[Block]:
-    links = [link.link for link in layout.links.values() if laid.name in link.messages]
+def _message(layout: DeviceLayout, message: MessageLayout) -> Iterator[Block]:
+    links = [link.link for link in layout.links.values() if message.name in link.messages]
     for direction in ("request", "response"):
         names = dict.fromkeys(link.direction_name(direction) for link in links)
         yield Line(f"{' or '.join(names) or direction} data", "bold")
-        yield from _record(layout, laid.data(direction))
+        yield from _record(layout, message.data(direction))
 
 
 def _record(layout: DeviceLayout, record: RecordLayout, base: int | None = None) -> Iterator[Block]:
-    """The fields of a record, and the words of bits in it, drawn."""
+    """The fields of a record, and drawings of the words of bits in it."""
     yield field_table(record, base)
     words = dict.fromkeys(field.value.flags for field in record.fields if field.value and field.value.flags)
     for word in words:
@@ -94,7 +94,7 @@ def _record(layout: DeviceLayout, record: RecordLayout, base: int | None = None)
 
 
 def _word(word: Flags) -> Iterator[Block]:
-    """The bits of a word, drawn, and the states that they show together."""
+    """The drawing of a word of bits, and the states that its bits show together."""
     yield from (Line(line, drawn=True) for line in drawn(word))
     rows = []
     for state in word.states:
@@ -115,7 +115,7 @@ def _names(layout: DeviceLayout, value: Value) -> Iterator[Block]:
 
 
 def _subindices(parameter: Parameter) -> Iterator[Block]:
-    """The elements of a parameter that have meanings of their own."""
+    """The elements of a parameter with their own meanings."""
     rows = []
     for inner in parameter.subindices:
         label = " ".join(text for text in (inner.printed_name, inner.label) if text)

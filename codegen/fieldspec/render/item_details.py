@@ -1,4 +1,4 @@
-"""What is said of an item, key by key; keys without a text are left out by who prints."""
+"""The details of an item as keys with texts. Callers leave out keys without a text."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from fieldspec.model.task import Task, step_text
 from fieldspec.model.texts import Erratum, Example, Limit, Note
 from fieldspec.model.value import Conversion, Signal
 from fieldspec.render.item import (
-    Coded,
+    CodeRow,
     Details,
-    DisplayedState,
     Item,
-    Numbered,
+    ParameterNumber,
+    WordState,
     erratum_details,
     example_details,
     note_details,
@@ -35,7 +35,7 @@ _DIRECTIONS = ("request", "response")
 
 
 def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
-    """What is said of an item alone; what every fact has is said elsewhere. `number` is what was asked for."""
+    """The details of an item, without those that every fact has; `number` is the one that a user asked for."""
     match item:
         case Register():
             yield from _register(layout, item, number)
@@ -49,17 +49,17 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
             yield from _signal(layout, item)
         case Conversion():
             yield from _conversion(layout, item)
-        case Numbered():
+        case ParameterNumber():
             yield from _parameter(item, number)
         case ParameterSet():
             yield from _set(item)
         case Enum():
             yield "what", item.title
             yield "follows", f"from {item.derived}" if item.derived else ""
-        case Coded():
+        case CodeRow():
             yield from _code(item)
-        case DisplayedState():
-            yield "shown by", item.word.name
+        case WordState():
+            yield "shown by", item.flags.name
             yield "set", ", ".join(item.state.set)
             yield "clear", ", ".join(item.state.clear)
         case Link():
@@ -121,29 +121,29 @@ def _placed(layout: DeviceLayout, name: str) -> str:
     return f"{name} at 0x{register.address:04X}" if register is not None else name
 
 
-def _table(layout: DeviceLayout, laid: TableLayout, address: int | None) -> Details:
-    table = laid.table
+def _table(layout: DeviceLayout, table_layout: TableLayout, address: int | None) -> Details:
+    table = table_layout.table
     yield "space", _space(layout.device, table.space)
     formula = f"0x{table.base:04X} + 0x{table.stride:X} * (n - {table.index_from})"
     yield "address", f"{formula}, n = {table.index_from}..{table.indexes[-1]}"
     yield "access", table.access or "not printed"
     if address is not None:
         steps, offset = divmod(address - table.base, table.stride)
-        held = [field.name for field in laid.record.fields if field.offset <= 2 * offset + 1]
-        yield "here", f"0x{address:04X} is in {table.name}[{table.index_from + steps}].{held[-1]}"
+        names = [field.name for field in table_layout.record.fields if field.offset <= 2 * offset + 1]
+        yield "here", f"0x{address:04X} is in {table.name}[{table.index_from + steps}].{names[-1]}"
 
 
-def _message(layout: DeviceLayout, laid: MessageLayout) -> Details:
-    message = laid.message
+def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Details:
+    message = message_layout.message
     yield "what", message.title
     yield "code", "" if message.code is None else f"0x{message.code:02X}"
     yield "number", "" if message.number is None else str(message.number)
     yield "beside", " or ".join(message.supplements)
     for link in layout.links.values():
-        if laid.name in link.messages and len(layout.links) > 1 and message.links:
+        if message_layout.name in link.messages and len(layout.links) > 1 and message.links:
             yield "sent on", link.name
-        if laid.name in link.messages and message.code is None:
-            sizes = ((way, lengths(link, way, laid.name)) for way in _DIRECTIONS)
+        if message_layout.name in link.messages and message.code is None:
+            sizes = ((way, lengths(link, way, message_layout.name)) for way in _DIRECTIONS)
             yield "bytes", ", ".join(f"{link.link.direction_name(way)} {_bounds(*size)}" for way, size in sizes)
 
 
@@ -156,13 +156,20 @@ def _bounds(least: int, most: int | None) -> str:
 def _signal(layout: DeviceLayout, signal: Signal) -> Details:
     yield "goes", {"request": "to the device", "response": "from the device"}.get(signal.direction, "")
     yield from value_details(signal.value)
-    for laid in layout.messages.values():
+    for message in layout.messages.values():
         for direction in _DIRECTIONS:
-            for field in laid.data(direction).fields:
+            for field in message.data(direction).fields:
                 if field.field.signal == signal.name:
-                    link = next((one.link for one in layout.links.values() if laid.name in one.messages), None)
+                    link = next(
+                        (
+                            link_layout.link
+                            for link_layout in layout.links.values()
+                            if message.name in link_layout.messages
+                        ),
+                        None,
+                    )
                     way = link.direction_name(direction) if link else direction
-                    yield "lies in", f"{laid.name} {way}, byte {field.offset}{_words(field.field.word_span)}"
+                    yield "lies in", f"{message.name} {way}, byte {field.offset}{_words(field.field.word_span)}"
     for conversion in layout.device.conversions.values():
         if signal.name in conversion.signals:
             yield "share of", f"{references_text(layout.device, conversion)}: {conversion.name}"
@@ -184,19 +191,23 @@ def _conversion(layout: DeviceLayout, conversion: Conversion) -> Details:
     yield "printed", conversion.printed
 
 
-def _parameter(item: Numbered, number: int | None) -> Details:
-    words, parameter = item.words, item.parameter
-    yield "set", words.name
-    yield "number", _number(words, item.number)
+def _parameter(item: ParameterNumber, number: int | None) -> Details:
+    parameter_set, parameter = item.parameter_set, item.parameter
+    yield "set", parameter_set.name
+    yield "number", _number(parameter_set, item.number)
     if parameter is None:
         yield "row", "none: the manual gives the number no meaning of its own"
         return
     if parameter.count > 1:
-        last = _number(words, parameter.number + parameter.count - 1)
-        yield "count", f"{parameter.count} of them, {_number(words, parameter.number)}, to {last}"
-        own = [held for held in (number, (number or 0) - words.base) if held is not None and held != item.number]
-        here = next((held for held in own if words.numbered(held) is parameter), None)
-        yield "here", "" if here is None else _number(words, here)
+        last = _number(parameter_set, parameter.number + parameter.count - 1)
+        yield "count", f"{parameter.count} of them, {_number(parameter_set, parameter.number)}, to {last}"
+        own = [
+            candidate
+            for candidate in (number, (number or 0) - parameter_set.base)
+            if candidate is not None and candidate != item.number
+        ]
+        here = next((candidate for candidate in own if parameter_set.numbered(candidate) is parameter), None)
+        yield "here", "" if here is None else _number(parameter_set, here)
     yield "access", parameter.access or "not printed"
     value = parameter.value
     yield from value_details(value if parameter.elements is None else replace(value, default=None))
@@ -211,27 +222,24 @@ def _parameter(item: Numbered, number: int | None) -> Details:
     yield "reserved", "it has no meaning to the user" if parameter.reserved else ""
 
 
-def _number(words: ParameterSet, number: int) -> str:
+def _number(parameter_set: ParameterSet, number: int) -> str:
     """`Pt317, 0x2317 on the wire`"""
-    if not words.base:
-        return words.number_text(number)
-    own = words.number_text(number) if words.printed_as else f"{number}"
-    return f"{own}, 0x{words.base + number:04X} ({words.base + number}) on the wire"
+    if not parameter_set.base:
+        return parameter_set.number_text(number)
+    own = parameter_set.number_text(number) if parameter_set.printed_as else f"{number}"
+    return f"{own}, 0x{parameter_set.base + number:04X} ({parameter_set.base + number}) on the wire"
 
 
-def _set(words: ParameterSet) -> Details:
-    yield "what", words.title
-    yield "base", f"a number on the wire is the number + 0x{words.base:04X}" if words.base else ""
-    form = words.number_text
-    for low, high in words.numbers.intervals if words.numbers is not None else ():
-        yield (
-            "numbers",
-            f"{form(low)} to {form(high)}, 0x{words.base + low:04X} to 0x{words.base + high:04X} on the wire",
-        )
-    yield "space", words.space if words.space != words.name else ""
+def _set(parameter_set: ParameterSet) -> Details:
+    yield "what", parameter_set.title
+    yield "base", f"a number on the wire is the number + 0x{parameter_set.base:04X}" if parameter_set.base else ""
+    form, base = parameter_set.number_text, parameter_set.base
+    for low, high in parameter_set.numbers.intervals if parameter_set.numbers is not None else ():
+        yield "numbers", f"{form(low)} to {form(high)}, 0x{base + low:04X} to 0x{base + high:04X} on the wire"
+    yield "space", parameter_set.space if parameter_set.space != parameter_set.name else ""
 
 
-def _code(item: Coded) -> Details:
+def _code(item: CodeRow) -> Details:
     member = item.member
     yield "value", f"{member.value} (0x{member.value:X})" if item.enum.printed_as else str(member.value)
     yield "number", "" if member.number is None else str(member.number)
@@ -252,7 +260,7 @@ def _link(layout: DeviceLayout, link: Link) -> Details:
 
 
 def _sends(layout: DeviceLayout, link: Link) -> str:
-    """What it calls messages and directions, where these are its own words."""
+    """The names of its messages, and the words of the link for messages and directions, where it has its own."""
     word = "" if link.message_name == "message" else f"{link.message_name}: "
     names = ", ".join(_names(layout, link))
     ways = [link.direction_name(way) for way in _DIRECTIONS]
@@ -261,5 +269,5 @@ def _sends(layout: DeviceLayout, link: Link) -> str:
 
 
 def _names(layout: DeviceLayout, link: Link) -> Iterator[str]:
-    for laid in layout.links[link.name].messages.values():
-        yield laid.name if laid.message.number is None else str(laid.message.number)
+    for message in layout.links[link.name].messages.values():
+        yield message.name if message.message.number is None else str(message.message.number)

@@ -9,7 +9,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.source import Span
 
 
-def rendered(found: Sequence[Diagnostic]) -> str:
+def rendered(findings: Sequence[Diagnostic]) -> str:
     """The JSON text; lines and columns count from 1, the end column is exclusive."""
     data = [
         {
@@ -20,7 +20,7 @@ def rendered(found: Sequence[Diagnostic]) -> str:
             "labels": [{"message": label.text, **_place(label.span)} for label in finding.labels],
             "help": finding.help,
         }
-        for finding in found
+        for finding in findings
     ]
     return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
 

@@ -1,4 +1,4 @@
-"""Findings as JUnit XML: one failed test case a finding, one passed case where there are none."""
+"""Findings as JUnit XML: a failed test case for each finding, one passed case where there is none."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from fieldspec.render.blocks import visible_text
 from fieldspec.render.text import concise, place
 
 
-def rendered(found: Sequence[Diagnostic]) -> str:
+def rendered(findings: Sequence[Diagnostic]) -> str:
     """The XML text."""
-    cases = "".join(_case(finding) for finding in found)
-    if not found:
+    cases = "".join(_case(finding) for finding in findings)
+    if not findings:
         cases = '  <testcase classname="fieldspec" name="check"/>\n'
-    head = f'<testsuite name="fieldspec" tests="{max(1, len(found))}" failures="{len(found)}" errors="0">'
+    head = f'<testsuite name="fieldspec" tests="{max(1, len(findings))}" failures="{len(findings)}" errors="0">'
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{head}\n{cases}</testsuite>\n'
 
 
@@ -34,5 +34,5 @@ def _attribute(text: str) -> str:
 
 
 def _visible(text: str) -> str:
-    """A text whose lines have no characters that XML does not allow: these are shown as escapes."""
+    """A text with escapes for the characters that XML does not allow."""
     return "\n".join(visible_text(line) for line in text.split("\n"))

@@ -1,4 +1,4 @@
-"""A matrix of facts by versions as a page."""
+"""A matrix of facts by versions as an HTML page."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _STYLE = (
 
 
 def rendered(device: str, matrix: Matrix) -> str:
-    """The page; a fact that is missing in a version is marked, and so is one that says something new."""
+    """The page; marks cells of facts that a version does not have, and of facts that change with a version."""
     title = escape(f"{device}: facts by versions")
     head = "".join(f"<th scope=col>{escape(name)}</th>" for name in ("fact", *matrix.versions))
     rows = "".join(

@@ -1,4 +1,4 @@
-"""A struct in memory, drawn as boxes of bytes, and as a table."""
+"""A struct in memory as a table, and as a drawing of its bytes."""
 
 from __future__ import annotations
 
@@ -28,22 +28,25 @@ def blocks(placed: Placed, title: str) -> Iterator[Block]:
 
 
 def drawn(placed: Placed) -> Iterator[str]:
-    """Four bytes a row, each value a box. A value that goes on in the next row has no wall there; `...` are bytes
-    that hold nothing, and `:` stands for rows that look like the one before."""
+    """A drawing with four bytes in a row and a box for each value.
+
+    There is no wall where a value continues in the next row. `...` are bytes without a value, and `:` replaces rows
+    that are equal to the one before.
+    """
     names = _names(placed)
     yield " " * 6 + "".join(f"{number:<{_BYTE}}" for number in range(_A_ROW)).rstrip()
     before: list[str] = []
-    shown = ""
+    mark = ""
     for at in range(0, placed.size, _A_ROW):
         row = names[at : at + _A_ROW]
         yield from _wall(before, row)
         if row == before and len(set(row)) == 1:
-            if shown != ":":
+            if mark != ":":
                 yield f"{'':5}:"
-            shown = ":"
+            mark = ":"
         else:
             yield f"{at:>4} {_boxes(row, before)}"
-            shown = ""
+            mark = ""
         before = row
     yield from _wall([], before)
 
@@ -56,7 +59,7 @@ def _wall(above: list[str], below: list[str]) -> Iterator[str]:
 
 
 def _boxes(row: list[str], before: list[str]) -> str:
-    """The boxes of a row: bytes of one value share one."""
+    """The boxes of a row; bytes of one value share a box."""
     text, at = "|", 0
     while at < len(row):
         count = next((n for n, name in enumerate(row[at:]) if name != row[at]), len(row) - at)
@@ -73,26 +76,36 @@ def _cut(name: str, room: int) -> str:
 
 
 def _names(placed: Placed) -> list[str]:
-    """What lies in each byte."""
+    """The name of the value in each byte."""
     names = [_NOTHING] * placed.size
     _fill(names, placed, "", 0)
     return names
 
 
 def _fill(names: list[str], placed: Placed, before: str, start: int) -> None:
-    for one in placed.members:
-        path, at = f"{before}{one.member.name}", start + one.at
-        if one.bit is not None:
-            held = names[at]
-            names[at] = path if held == _NOTHING else f"{held.partition(' ..')[0]} .. {one.member.name}"
-        elif one.inner is not None and one.inner.struct.kind != "bits":
-            _fill(names, one.inner, f"{path}[0]." if one.is_array else f"{path}.", at)
-            _name(names, f"{path}[1..{one.count - 1}]", at + one.stride, one.stride * (one.count - 1))
-        elif one.is_array and one.size * one.count <= _A_ROW:
-            for number in range(one.count):
-                _name(names, f"{path}[{number}]", at + number * one.stride, one.size)
+    for placed_member in placed.members:
+        path, at = f"{before}{placed_member.member.name}", start + placed_member.at
+        if placed_member.bit is not None:
+            name = names[at]
+            names[at] = path if name == _NOTHING else f"{name.partition(' ..')[0]} .. {placed_member.member.name}"
+        elif placed_member.inner is not None and placed_member.inner.struct.kind != "bits":
+            _fill(names, placed_member.inner, f"{path}[0]." if placed_member.is_array else f"{path}.", at)
+            _name(
+                names,
+                f"{path}[1..{placed_member.count - 1}]",
+                at + placed_member.stride,
+                placed_member.stride * (placed_member.count - 1),
+            )
+        elif placed_member.is_array and placed_member.size * placed_member.count <= _A_ROW:
+            for number in range(placed_member.count):
+                _name(names, f"{path}[{number}]", at + number * placed_member.stride, placed_member.size)
         else:
-            _name(names, f"{path}[0..{one.count - 1}]" if one.is_array else path, at, one.end - one.at)
+            _name(
+                names,
+                f"{path}[0..{placed_member.count - 1}]" if placed_member.is_array else path,
+                at,
+                placed_member.end - placed_member.at,
+            )
 
 
 def _name(names: list[str], name: str, first: int, count: int) -> None:

@@ -15,7 +15,7 @@ from fieldspec.render.blocks import Block, Line, Table, narrowed
 
 
 def value_details(value: Value) -> Iterator[tuple[str, str]]:
-    """What is said of a value, key by key; keys without a text are left out by who prints."""
+    """The details of a value as keys with texts. Callers leave out keys without a text."""
     yield "type", value.type.name if value.type.size else f"{value.type.name}, {value.size} bytes"
     yield "unit", unit_text(value)
     yield "range", range_text(value)
@@ -26,14 +26,14 @@ def value_details(value: Value) -> Iterator[tuple[str, str]]:
 
 
 def unit_text(value: Value) -> str:
-    """`0.01 mm`, and the offset where there is one."""
+    """`0.01 mm`, with the offset of a value that has one."""
     scale = value.scale_text if "/" in value.scale_text else f"{value.scale:f}"
     text = f"{scale} {value.unit}".strip() if value.scaled else value.unit
     return text if value.offset == 0 else f"{text}, {value.offset:+f}"
 
 
 def range_text(value: Value) -> str:
-    """The intervals in counts, and in the unit where that is something else."""
+    """The intervals of raw values, and as quantities where these differ."""
     if value.ranges is None:
         return ""
     counts = value.ranges.text()
@@ -43,7 +43,7 @@ def range_text(value: Value) -> str:
 
 
 def field_table(record: RecordLayout, base: int | None = None) -> Block:
-    """The fields of a record: where they are, and what they hold; `base` is the address of the first word."""
+    """The fields of a record with their places and values; `base` is the address of the first word."""
     if not record.fields:
         return Line("no data")
     rows = [row for field in record.fields for row in _rows(field, base)]
@@ -76,9 +76,9 @@ def _value(value: Value | None) -> tuple[str, ...]:
     if value is None:
         return "", "", "", ""
     default = value.default if value.const is None else f"always {value.const}"
-    names = value.enum or value.flags or ", ".join(f"{held.text} = {held.name}" for held in value.sentinels)
-    written = "" if value.write_ranges is None else f"; written: {range_text(value.for_writing())}"
-    return unit_text(value), range_text(value) + written, "" if default is None else str(default), names
+    names = value.enum or value.flags or ", ".join(f"{sentinel.text} = {sentinel.name}" for sentinel in value.sentinels)
+    write_range = "" if value.write_ranges is None else f"; written: {range_text(value.for_writing())}"
+    return unit_text(value), range_text(value) + write_range, "" if default is None else str(default), names
 
 
 def member_table(enum: Enum) -> Table:
@@ -105,7 +105,7 @@ def overview(layout: DeviceLayout) -> Iterator[Block]:
         _tables(device),
         _messages(device),
         _signals(device),
-        *(parameter_table(words) for words in device.parameters.values()),
+        *(parameter_table(parameter_set) for parameter_set in device.parameters.values()),
     )
     for table in tables:
         if table.rows:
@@ -130,15 +130,19 @@ def register_table(registers: Iterable[Register]) -> Table:
     return narrowed(Table(("address", "register", "label", "type", "access", "unit", "names"), tuple(rows)))
 
 
-def parameter_table(words: ParameterSet) -> Table:
-    """Parameters by number, as the manual counts and on the wire."""
+def parameter_table(parameter_set: ParameterSet) -> Table:
+    """Parameters by number, in the manual and on the wire."""
     rows = []
-    for parameter in words.parameters:
+    for parameter in parameter_set.parameters:
         label = " ".join(text for text in (parameter.printed_name, parameter.label) if text)
         value = parameter.value
         last = parameter.number + parameter.count - 1
-        number = _span(words.number_text(parameter.number), words.number_text(last))
-        wire = _span(f"0x{words.base + parameter.number:04X}", f"0x{words.base + last:04X}") if words.base else ""
+        number = _span(parameter_set.number_text(parameter.number), parameter_set.number_text(last))
+        wire = (
+            _span(f"0x{parameter_set.base + parameter.number:04X}", f"0x{parameter_set.base + last:04X}")
+            if parameter_set.base
+            else ""
+        )
         kind = value.type.name + (f" x {parameter.elements}" if parameter.elements is not None else "")
         name = parameter.name or "reserved"
         first = (number, wire, name, label, kind, parameter.access or "?")

@@ -1,4 +1,4 @@
-"""A tree of a spec as YAML, each value with the place that it comes from behind it."""
+"""The tree of a spec as YAML, with a comment after each value that says where it is from."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from collections.abc import Iterator
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.render.blocks import visible_text
 
-# Words and ranges stand without quotes; what readers of YAML take for something else than text is no word.
+# Words and ranges need no quotes; what YAML takes for something else than text is not a word.
 _WORD = re.compile(r"(?!(?i:y|n|yes|no|on|off|true|false|null)$)[A-Za-z_][\w ()/.-]*(?<! )")
 _RANGE = re.compile(r"-?\w+\.\.-?\w+")
 _WIDTH = 72
 
 
 def resolved(tree: Mapping) -> str:
-    """The tree in block style; lists of scalars are in one line."""
+    """The tree in block style, with lists of scalars on one line."""
     return "".join(f"{line}\n" for line in _mapping(tree, ""))
 
 
@@ -56,7 +56,7 @@ def _cited(text: str, node: Node) -> str:
 
 
 def _scalar(node: Scalar) -> str:
-    """A scalar as it is read again."""
+    """A scalar in a form that YAML reads as the same value."""
     if isinstance(node.value, bool):
         return "true" if node.value else "false"
     if node.value is None:

@@ -1,4 +1,4 @@
-"""Findings as SARIF 2.1.0, the form that code scanning takes."""
+"""Findings as SARIF 2.1.0, for code scanning."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from fieldspec.source import Span
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 
 
-def rendered(found: Sequence[Diagnostic]) -> str:
+def rendered(findings: Sequence[Diagnostic]) -> str:
     """The SARIF text. Columns count UTF-16 code units from 1; the end column is exclusive."""
-    codes = sorted({finding.code for finding in found})
+    codes = sorted({finding.code for finding in findings})
     run = {
         "tool": {"driver": {"name": "fieldspec", "rules": [_rule(code) for code in codes]}},
         "columnKind": "utf16CodeUnits",
-        "results": [_result(finding, codes.index(finding.code)) for finding in found],
+        "results": [_result(finding, codes.index(finding.code)) for finding in findings],
     }
     return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, ensure_ascii=False, indent=1) + "\n"
 

@@ -1,4 +1,4 @@
-"""Findings as text for people: the source line, a caret under the culprit, and every other place involved."""
+"""Findings as text for people: the source line with carets under the place, and every other place involved."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ _STYLES = {
 }
 
 
-def rendered(found: Sequence[Diagnostic], *, coloured: bool = False) -> str:
-    """All findings, and how many there are."""
+def rendered(findings: Sequence[Diagnostic], *, coloured: bool = False) -> str:
+    """All findings, and how many errors and warnings they are."""
     paint = _painted if coloured else _unstyled
-    blocks = [_block(finding, paint) for finding in found]
-    errors = sum(finding.severity is Severity.ERROR for finding in found)
-    counts = [_plural(errors, "error"), _plural(len(found) - errors, "warning")]
+    blocks = [_block(finding, paint) for finding in findings]
+    errors = sum(finding.severity is Severity.ERROR for finding in findings)
+    counts = [_plural(errors, "error"), _plural(len(findings) - errors, "warning")]
     return "\n".join(blocks) + "\n" + ", ".join(count for count in counts if count) + "\n"
 
 
@@ -61,7 +61,7 @@ def _block(finding: Diagnostic, paint: _Paint) -> str:
 
 
 def _marked(span: Span, mark: str, paint: _Paint, style: str) -> list[str]:
-    """The source line with marks under the span, cut to a window around it where the line is long."""
+    """The source line with marks under the span; of a long line, only the part around the span."""
     number, column = span.position()
     source = span.file.line(number)
     if not source.strip():
@@ -69,13 +69,13 @@ def _marked(span: Span, mark: str, paint: _Paint, style: str) -> list[str]:
     first = column - 1
     last = max(first + 1, min(len(source), first + span.end - span.start))
     start = max(0, first - 20) if len(source) > LONGEST_LINE else 0
-    shown = source[start : start + LONGEST_LINE]
+    excerpt = source[start : start + LONGEST_LINE]
     before = visible_text(("..." if start else "") + source[start:first])
     under = visible_text(source[first : min(last, start + LONGEST_LINE)]) or " "
     gutter = f"{number:>6} | "
     after = "..." if start + LONGEST_LINE < len(source) else ""
     return [
-        paint("dim", gutter) + ("..." if start else "") + visible_text(shown) + after,
+        paint("dim", gutter) + ("..." if start else "") + visible_text(excerpt) + after,
         paint("dim", " " * 6 + " | ") + " " * width(before) + paint(style, mark * max(1, width(under))),
     ]
 
@@ -86,10 +86,10 @@ def place(span: Span) -> str:
     return f"{span.file.path}:{line}:{column}"
 
 
-def concise(found: Sequence[Diagnostic]) -> str:
-    """One line a finding, one for each label, and one for the help."""
+def concise(findings: Sequence[Diagnostic]) -> str:
+    """A line for each finding, each label and each help."""
     text = ""
-    for finding in found:
+    for finding in findings:
         text += f"{place(finding.span)}: {finding.code}: {visible_text(finding.message)}\n"
         for label in finding.labels:
             text += f"  label {place(label.span)}: {visible_text(label.text)}\n"

@@ -1,4 +1,4 @@
-"""The last field of a record, where an earlier field, the selector, decides what it holds."""
+"""The last field of a record, where an earlier field, the selector, decides its type."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ if TYPE_CHECKING:
 class Case:
     """Elements of one type. `letters` are those of one element in the Struct of its record."""
 
-    __slots__ = ("_native", "_plain", "size", "structs", "value")
+    __slots__ = ("_direct", "_native", "size", "structs", "value")
 
     def __init__(self, fixed: str, letters: str, value: Value[Any]) -> None:
         self.value, self.size = value, value.size
         self.structs = Repeated(fixed, letters)
         self._native = not letters.endswith("s")
-        # Structs make these as they are, but for those that lie in more bytes than their type has.
-        self._plain = self._native and type(value) in (Number, Float)
+        # A Struct returns these values themselves, unless they have more bytes than their type.
+        self._direct = self._native and type(value) in (Number, Float)
 
     def values(self, name: str, raws: Sequence[Any], at: int) -> tuple[Any, ...]:
         """The elements of a field whose first byte is byte `at`. Raises CodecError."""
-        if self._plain:
+        if self._direct:
             return tuple(raws)
         return tuple([self._value(name, raw, at + number * self.size) for number, raw in enumerate(raws)])
 
@@ -42,7 +42,7 @@ class Case:
             raise error.shifted(at) from None
 
     def raws(self, name: str, values: Sequence[Any]) -> list[Any]:
-        """What the Struct of the record takes for the elements. Raises CodecError."""
+        """The raw values of the elements for the Struct of the record. Raises CodecError."""
         if not self._native:
             return [self.value.encode(name, value) for value in values]
         for value in values:
@@ -53,7 +53,7 @@ class Case:
 
 
 class Choice:
-    """What the last field of a record holds: `least` to `most` elements of the case that its selector has.
+    """The last field of a record: `least` to `most` elements of the case that its selector chooses.
 
     The selector is `by`: `by_size` bytes at byte `at` of the record. `fixed` is the format of all fields before the
     decided one; each case has its numbers, the letters of an element, and the value.
@@ -115,22 +115,22 @@ class Choice:
         return int.from_bytes(data[self.at : self.at + self.by_size], self.order)
 
     def case(self, number: Any) -> Case:
-        """The case that a value of the selector has. Raises CodecError."""
+        """The case for a value of the selector. Raises CodecError."""
         error = self.refused_by(number)
         if error is not None:
             raise error
         return self.cases[number]
 
     def refused_by(self, number: Any) -> CodecError | None:
-        """Why a value of the selector cannot be encoded; None for one that can."""
+        """Why a value of the selector cannot be encoded; None for one that can be."""
         if isinstance(number, int) and number in self.cases:
             return None
         return CodecError("unknown_value", f"{self.by} is {number}, which chooses nothing that may follow")
 
     def refused(self, name: str, number: int, values: Any) -> CodecError | None:
-        """Why elements cannot be encoded; None for those that can. The selector has this value."""
+        """Why elements cannot be encoded for a value of the selector; None for those that can be."""
         return refused_list(name, values, self.least, self.most, self.cases[number].value.refused)
 
-    def refused_one(self, name: str, number: int, value: Any) -> CodecError | None:
-        """The same for a field that is not repeated."""
+    def refused_element(self, name: str, number: int, value: Any) -> CodecError | None:
+        """Why the element of a field that is not repeated cannot be encoded; None for one that can be."""
         return self.cases[number].value.refused(name, value)

@@ -1,4 +1,4 @@
-"""Members of enums by what else the manual calls them."""
+"""Members of enums by their printed names and their other numbers."""
 
 from __future__ import annotations
 

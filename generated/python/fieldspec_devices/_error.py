@@ -1,4 +1,4 @@
-"""The one exception, and the sentences that it says."""
+"""The exception of all codecs, and its messages."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class CodecError(ValueError):
     `reason` is one of: incomplete, wrong_length, wrong_mark, wrong_check, not_hex, unknown_code,
     unknown_value, wrong_const, wrong_measure, out_of_range, wrong_type, read_only,
     no_message.
-    `offset` is the byte at which it shows, None for values.
+    `offset` is the byte that is wrong, None for values.
     """
 
     def __init__(self, reason: str, detail: str, offset: int | None = None) -> None:
@@ -26,12 +26,12 @@ class CodecError(ValueError):
         return type(self), (self.reason, self.detail, self.offset)
 
     def shifted(self, by: int) -> CodecError:
-        """The same error of bytes that lie `by` bytes further on."""
+        """The same error, `by` bytes further on."""
         return CodecError(self.reason, self.detail, None if self.offset is None else self.offset + by)
 
 
 def wrong_length(name: str, length: int, least: int, most: int | None, fixed: int = 0, unit: int = 1) -> CodecError:
-    """Why `length` bytes are none of a record of `least` to `most` bytes, in steps of `unit` above `fixed`."""
+    """The error for `length` bytes where a record has `least` to `most`, in steps of `unit` above `fixed`."""
     if length < least:
         return CodecError("incomplete", f"{name} has at least {least} bytes, not {length}", length)
     if most is not None and length > most:

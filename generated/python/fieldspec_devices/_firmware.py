@@ -1,4 +1,4 @@
-"""The module of a device's version, picked by the firmware that the device says it has."""
+"""The module of a version, selected by the firmware that the device reports."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ LONGEST = 9  # Digits of a number of a version; Python refuses to read very long
 
 
 class UnknownFirmwareError(LookupError):
-    """Firmware that a spec does not know: `firmware` is what was asked for, `known` are the versions that it knows."""
+    """Firmware that a spec does not list: `firmware` is the requested one, `known` are the versions of the spec."""
 
     def __init__(self, firmware: str, known: tuple[str, ...]) -> None:
         self.firmware, self.known = firmware, known
@@ -26,12 +26,15 @@ class UnknownFirmwareError(LookupError):
 
 
 def module_of(package: str, lines: tuple[Line, ...], firmware: str, nearest: bool) -> ModuleType:
-    """The module of a firmware; `lines` have the versions, the oldest first, each with the name of its module."""
+    """The module of a firmware; `lines` have the versions, the oldest first, each with the name of its module.
+
+    Raises UnknownFirmwareError.
+    """
     text = firmware.strip(" \t\r\n\0")
     name = _named(lines, text) or _numbered(lines, text, nearest)
     if name is None:
         raise UnknownFirmwareError(firmware, tuple(version for line in lines for version, _ in line))
-    from importlib import import_module  # few programs ask, and all would wait for it
+    from importlib import import_module  # few programs need it, and its import takes time
 
     return import_module(f"{package}.{name}")
 
@@ -41,26 +44,26 @@ def _named(lines: tuple[Line, ...], text: str) -> str | None:
 
 
 def _numbered(lines: tuple[Line, ...], text: str, nearest: bool) -> str | None:
-    """The module of the same number; or of what was before the first one; or, if asked for, of the one below."""
+    """The module of the same number, or of all before the first number, or with `nearest` of the number below."""
     asked = _numbers(text)
     if asked is None:
         return None
     for line in lines if len(lines) == 1 else [line for line in lines if _first(line) == asked[0]]:
-        held = [(number, module) for version, module in line if (number := _numbers(version)) is not None]
-        for number, module in held:
+        numbered = [(number, module) for version, module in line if (number := _numbers(version)) is not None]
+        for number, module in numbered:
             if number == asked:
                 return module
         earlier = [module for version, module in line if _before(version, asked)]
-        if earlier and all(asked < number for number, _ in held):
+        if earlier and all(asked < number for number, _ in numbered):
             return earlier[0]
-        below = [(number, module) for number, module in held if number < asked]
+        below = [(number, module) for number, module in numbered if number < asked]
         if nearest and below:
             return max(below)[1]
     return None
 
 
 def _numbers(text: str) -> tuple[int, ...] | None:
-    """`v02.21` as (2, 21), without zeros at the end; None for what is no number of a version."""
+    """`v02.21` as (2, 21), without trailing zeros; None for a text that is no version number."""
     parts = text[text[:1] in ("v", "V") :].split(".")
     if not all(part.isascii() and part.isdigit() and len(part) <= LONGEST for part in parts):
         return None
@@ -72,11 +75,11 @@ def _numbers(text: str) -> tuple[int, ...] | None:
 
 def _first(line: Line) -> int | None:
     """The first number of the versions of a line."""
-    found = (_numbers(version.removeprefix(EARLIER)) for version, _ in line)
-    return next((numbers[0] for numbers in found if numbers is not None), None)
+    numbers = (_numbers(version.removeprefix(EARLIER)) for version, _ in line)
+    return next((parts[0] for parts in numbers if parts is not None), None)
 
 
 def _before(version: str, asked: tuple[int, ...]) -> bool:
-    """Whether a version is all that was before a number, and the firmware is below that number."""
+    """Whether a version stands for all firmware below a number, and the requested number is below it."""
     bound = _numbers(version.removeprefix(EARLIER)) if version.startswith(EARLIER) else None
     return bound is not None and asked < bound

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
     from typing import Any, TypeAlias
 
+    from ._typing import Quantity
+
     Rows: TypeAlias = "Mapping[str, Parameter[Any] | tuple[Parameter[Any], ...]]"
 
 
@@ -44,13 +46,12 @@ class Subindex:
 class Parameter(Generic[T]):
     """One parameter. Its value is of type T; a message carries it as a number or as bytes.
 
-    `number` counts as the manual does in the set with the name `set`, and `wire_number` is the one on the wire;
-    `printed_name` is the name that the manual gives it, or its number as the manual writes it. `type` is its type on
-    the wire. Where the manual tells nothing of a parameter but that there is one, `name`, `type` and `source` are
-    empty. `default` is a count. `elements` is the length of an array, None where it is none. `access` is ro, rw or wo,
-    and empty where the manual does not say it; so is `restart` None. `applies_to` and `messages` say for what, and with
-    which messages, it has an effect, and `only` which versions or models have it; they are empty where the manual makes
-    no difference.
+    `number` is its number in the set `set`, and `wire_number` the number on the wire. `printed_name` is its name in the
+    manual, or its number as the manual writes it. `type` is its type on the wire. `name`, `type` and `source` are empty
+    where the manual prints the number alone. `default` is a count. `elements` is the length of an array, None for a
+    single value. `access` is ro, rw or wo; it is empty, and `restart` None, where the manual does not state it.
+    `applies_to` and `messages` are the objects and the messages that it has an effect on, and `only` the versions or
+    models that have it; they are empty where it applies to all.
     """
 
     __slots__ = (
@@ -107,7 +108,7 @@ class Parameter(Generic[T]):
 
     @property
     def title(self) -> str:
-        """What errors call it: its name, or where it has none its printed name."""
+        """Its name in errors: the name, or else the printed name."""
         return self.name or self.printed_name
 
     @property
@@ -129,7 +130,7 @@ class Parameter(Generic[T]):
         """A count in the unit; None for one that stands for an absent value."""
         return self.value.in_unit(count)
 
-    def from_unit(self, value: float) -> int:
+    def from_unit(self, value: Quantity) -> int:
         """The count that is nearest to a value in the unit, of two the even one.
 
         Raises CodecError out of range, and where that count stands for an absent value.
@@ -137,8 +138,8 @@ class Parameter(Generic[T]):
         return self.value.from_unit(self.title, value)
 
     def subindex(self, index: int) -> Subindex | None:
-        """What the manual tells of the element with an index; None where it makes no difference."""
-        return next((held for held in self.subindices if index in held), None)
+        """The description of the element with an index; None where all elements are alike."""
+        return next((subindex for subindex in self.subindices if index in subindex), None)
 
     def decode(self, data: bytes) -> T:
         """The value of exactly all of its bytes. Raises CodecError."""
@@ -154,17 +155,17 @@ class Parameter(Generic[T]):
             raise CodecError("read_only", f"{self.title} can only be read")
 
     def from_raw(self, raw: float | str | bytes, subindex: int = 0) -> T:
-        """The value of what a message carries for it, or for its element with an index. Raises CodecError."""
-        held = self.subindex(subindex) if self.subindices else None
-        value: Value[T] = self.value if held is None else held.value
-        return value.of_carried(self._title(held), raw)
+        """The value of a raw value in a message, for its element with an index. Raises CodecError."""
+        element = self.subindex(subindex) if self.subindices else None
+        value: Value[T] = self.value if element is None else element.value
+        return value.of_carried(self._title(element), raw)
 
     def to_raw(self, value: T, subindex: int = 0) -> Any:
-        """What a message carries for a value. Raises CodecError where the value is out of range."""
-        held = self.subindex(subindex) if self.subindices else None
-        if not self.carrier or held is not None:
-            own = self.value if held is None else held.value
-            error = own.refused(self._title(held), value)
+        """The raw value in a message. Raises CodecError where the value is out of range."""
+        element = self.subindex(subindex) if self.subindices else None
+        if not self.carrier or element is not None:
+            own = self.value if element is None else element.value
+            error = own.refused(self._title(element), value)
             if error is not None:
                 raise error
             return own.to_raw(value)
@@ -178,18 +179,18 @@ class Parameter(Generic[T]):
         return [self.from_raw(raw, subindex + place) for place, raw in enumerate(raws)]
 
     def to_raws(self, values: Sequence[T], subindex: int = 0) -> list[Any]:
-        """What a message carries for the values of its elements. Raises CodecError."""
+        """The raw values of its elements in a message. Raises CodecError."""
         return [self.to_raw(value, subindex + place) for place, value in enumerate(values)]
 
-    def _title(self, held: Subindex | None) -> str:
-        return self.title if held is None else f"{self.title}.{held.name}"
+    def _title(self, element: Subindex | None) -> str:
+        return self.title if element is None else f"{self.title}.{element.name}"
 
 
 class ParameterSet:
     """The parameters of a set, in the order of their numbers; each is an attribute too, a run of them a tuple.
 
-    `space` is that of the numbers on the wire, which are those of the set with `base` added. `numbers` are all that the
-    set has, as intervals, where they are more than those that the manual tells of. `printed_as` is how it writes one.
+    `space` is the space of the numbers on the wire, which are the numbers of the set plus `base`. `numbers` are all
+    numbers of the set as intervals, where the manual describes only some. `printed_as` is the format of a number.
     """
 
     __slots__ = ("_index", "_make", "_rows", "base", "name", "numbers", "printed_as", "space", "title")
@@ -211,8 +212,8 @@ class ParameterSet:
         self._rows: dict[str, Any] = {}
         self._index: dict[int, Parameter[Any]] = {}
 
-    def _made(self) -> dict[int, Parameter[Any]]:
-        """All rows by number; they are made when one is asked for, as few programs need many of them."""
+    def _parameters(self) -> dict[int, Parameter[Any]]:
+        """All parameters by number; they are created on first use, as few programs need many of them."""
         if not self._index:
             self._rows |= self._make()
             for row in self._rows.values():
@@ -224,30 +225,30 @@ class ParameterSet:
 
         def __getattr__(self, name):
             if not name.startswith("_"):
-                self._made()
+                self._parameters()
                 if name in self._rows:
                     return self._rows[name]
             raise AttributeError(f"{self.__class__.__name__} has no parameter {name}")
 
     def __dir__(self) -> list[str]:
-        self._made()
+        self._parameters()
         return [*super().__dir__(), *self._rows]
 
     def __len__(self) -> int:
-        return len(self._made())
+        return len(self._parameters())
 
     def __iter__(self) -> Iterator[Parameter[Any]]:
-        return iter(self._made().values())
+        return iter(self._parameters().values())
 
     def __contains__(self, number: int) -> bool:
-        return number in self._made() or any(first <= number <= last for first, last in self.numbers)
+        return number in self._parameters() or any(first <= number <= last for first, last in self.numbers)
 
     def __getitem__(self, number: int) -> Parameter[Any]:
         """The parameter with a number of the set. Raises IndexError."""
-        found = self._made().get(number)
-        if found is None and number not in self:
+        parameter = self._parameters().get(number)
+        if parameter is None and number not in self:
             raise IndexError(f"there is no parameter {number}")
-        return found or self._untold(number)
+        return parameter or self._unknown(number)
 
     def __call__(self, wire_number: int) -> Parameter[Any]:
         """The parameter with a number on the wire. Raises CodecError for a number that the set does not have."""
@@ -255,13 +256,13 @@ class ParameterSet:
             raise no_parameter(self.space, wire_number)
         return self[wire_number - self.base]
 
-    def _untold(self, number: int) -> Parameter[Any]:
-        """A parameter of which nothing is known but that there is one."""
+    def _unknown(self, number: int) -> Parameter[Any]:
+        """A parameter of which only the number is known."""
         unknown: Value[Any] = Unknown()
-        return Parameter("", number, unknown, printed_name=self.written(number), set=self.name, base=self.base)
+        return Parameter("", number, unknown, printed_name=self.number_text(number), set=self.name, base=self.base)
 
-    def written(self, number: int) -> str:
-        """A number of the set as the manual writes it."""
+    def number_text(self, number: int) -> str:
+        """The text of a number of the set, as the manual prints it."""
         return self.printed_as.format(number=number) if self.printed_as else str(number)
 
     def from_raws(self, raws: Sequence[int]) -> dict[str, Any]:
@@ -285,50 +286,53 @@ class ParameterSet:
 class ParameterSpace:
     """Sets of parameters that share the numbers on the wire."""
 
-    __slots__ = ("_found", "name", "sets")
+    __slots__ = ("_parameters", "name", "sets")
 
     def __init__(self, name: str, *sets: ParameterSet) -> None:
         self.name, self.sets = name, sets
-        self._found: dict[int, Parameter[Any]] = {}
+        self._parameters: dict[int, Parameter[Any]] = {}
 
     def __call__(self, wire_number: int) -> Parameter[Any]:
-        """The parameter with a number on the wire, also one of which nothing but its set is known.
+        """The parameter with a number on the wire, even where only its set is known.
 
         Raises CodecError, which is a ValueError, for a number that no set has.
         """
-        found = self._found.get(wire_number)
-        if found is None:
-            held = next((held for held in self.sets if wire_number - held.base in held), None)
-            if held is None:
+        parameter = self._parameters.get(wire_number)
+        if parameter is None:
+            parameter_set = next(
+                (parameter_set for parameter_set in self.sets if wire_number - parameter_set.base in parameter_set),
+                None,
+            )
+            if parameter_set is None:
                 raise no_parameter(self.name, wire_number)
-            found = self._found[wire_number] = held[wire_number - held.base]
-        return found
+            parameter = self._parameters[wire_number] = parameter_set[wire_number - parameter_set.base]
+        return parameter
 
     def __contains__(self, wire_number: int) -> bool:
-        return any(wire_number - held.base in held for held in self.sets)
+        return any(wire_number - parameter_set.base in parameter_set for parameter_set in self.sets)
 
     def __iter__(self) -> Iterator[Parameter[Any]]:
-        return (parameter for held in self.sets for parameter in held)
+        return (parameter for parameter_set in self.sets for parameter in parameter_set)
 
 
 def no_parameter(space: str, wire_number: int) -> CodecError:
-    """A number that no set has."""
+    """The error for a number that no set has."""
     return CodecError("unknown_value", f"{space} has no number {wire_number} ({wire_number:#06x})")
 
 
 def single(parameter: Parameter[Any], values: Sequence[T]) -> T:
-    """The one value of a response. Raises CodecError where there are none or several."""
+    """The value of a response. Raises CodecError unless there is exactly one."""
     if len(values) != 1:
         raise CodecError("wrong_length", f"{parameter.title} has {len(values)} values, not one")
     return values[0]
 
 
-def selected(parameter: Parameter[Any], formats: Mapping[str, T], given: T | None) -> T:
-    """What says the type of a parameter's values: what is given, or else what suits its type. Raises CodecError."""
-    if given is not None:
-        return given
-    found = formats.get(parameter.type)
-    if found is None:
+def selected(parameter: Parameter[Any], formats: Mapping[str, T], selector: T | None) -> T:
+    """The selector of the type of values: the argument, or else the one for the parameter's type. Raises CodecError."""
+    if selector is not None:
+        return selector
+    selection = formats.get(parameter.type)
+    if selection is None:
         text = f"no value of the selector is known for {parameter.title}: give one"
         raise CodecError("unknown_value", text)
-    return found
+    return selection

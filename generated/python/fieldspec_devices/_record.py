@@ -1,13 +1,35 @@
-"""What all records and frames have in common."""
+"""The base of all records and frames."""
 
 from __future__ import annotations
 
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import Any
+
 
 class Record:
-    """Fields by name; equal where all of them are, and shown with all of them."""
+    """Fields by name. Records are equal where all fields are; `repr` has all of them."""
 
     __slots__ = ()
     __match_args__: tuple[str, ...] = ()
+
+    def _set_fields(self, /, *values: Any, **quantities: tuple[str, Any]) -> None:
+        """Sets every field by its raw value or by its quantity; an argument that is missing is None.
+
+        `quantities` has, by the name of the field, the name of the argument in its unit and the quantity. Raises
+        TypeError where a field has neither or both, and CodecError as setting the quantity does.
+        """
+        for name, value in zip(self.__match_args__, values, strict=True):
+            keyword, quantity = quantities.get(name, ("", None))
+            if (value is None) == (quantity is None):
+                arguments = f"{name!r} or {keyword!r}" if keyword else repr(name)
+                problem = "is missing" if value is None else "takes only one of"
+                raise TypeError(f"{self.__class__.__name__}() {problem} {arguments}")
+            if quantity is None:
+                setattr(self, name, value)
+            else:
+                setattr(self, keyword, quantity)
 
     def __eq__(self, other: object) -> bool:
         if other.__class__ is not self.__class__:
@@ -17,5 +39,5 @@ class Record:
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        shown = ", ".join(f"{name}={getattr(self, name)!r}" for name in self.__match_args__)
-        return f"{self.__class__.__name__}({shown})"
+        fields = ", ".join(f"{name}={getattr(self, name)!r}" for name in self.__match_args__)
+        return f"{self.__class__.__name__}({fields})"

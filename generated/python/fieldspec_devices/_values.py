@@ -1,4 +1,4 @@
-"""How single values lie in bytes: what registers and numbered parameters decode and encode with."""
+"""Single values in bytes: the codecs of registers and numbered parameters."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from struct import Struct
 from ._conversions import counts, text, turned
 from ._error import CodecError, no_boolean, unknown_member, wrong_const
 from ._flags import Flags
-from ._refusals import is_one_of, refused_bytes, refused_flags, refused_float, refused_number, refused_text
+from ._refusals import is_among, refused_bytes, refused_flags, refused_float, refused_number, refused_text
 from ._typing import TYPE_CHECKING, Generic, T
 
 if TYPE_CHECKING:
     from enum import IntEnum
     from typing import Any, TypeVar
 
-    from ._typing import Data
+    from ._typing import Data, Quantity
 
     E = TypeVar("E", bound=IntEnum)
     F = TypeVar("F", bound=Flags)
@@ -36,9 +36,9 @@ _LIMITS = {
 class Value(Generic[T]):
     """A value of type T in `size` bytes: a Struct of `letters`, with the words turned before it is read.
 
-    `limits` is the letter of a narrower type that lies in a word of its own. `ranges` are in counts. The scale, if
+    `limits` is the letter of a narrower type that fills a word. `ranges` are in counts. The scale, if
     there is one, is (a, b, c) of unit = (count * a + b) / c. `others` are the counts that stand for an absent value:
-    they may lie outside of the ranges, and are no quantity.
+    they may be outside the ranges, and are no quantity.
     """
 
     __slots__ = ("high", "low", "others", "ranges", "ratio", "size", "struct", "swapped", "unit")
@@ -75,11 +75,11 @@ class Value(Generic[T]):
         return turned(data) if self.swapped else data
 
     def of_raw(self, name: str, raw: Any) -> T:
-        """The value of what its Struct gives. Raises CodecError."""
+        """The value of a raw value from its Struct. Raises CodecError."""
         raise NotImplementedError
 
     def of_carried(self, name: str, raw: Any) -> T:
-        """The value of what a message carries, which may count with or without a sign. Raises CodecError."""
+        """The value of a raw value in a message, which may be signed or unsigned. Raises CodecError."""
         if not isinstance(raw, int):
             raise CodecError("wrong_type", f"{name} is a whole number, not {raw!r}")
         span = self.high - self.low + 1
@@ -89,7 +89,7 @@ class Value(Generic[T]):
         return self.of_raw(name, moved - span if moved > self.high else moved)
 
     def to_raw(self, value: Any) -> Any:
-        """What its Struct takes, of a value that it does not refuse."""
+        """The raw value for its Struct, of a value that `refused` accepts."""
         return value
 
     def in_unit(self, count: float) -> float | None:
@@ -99,7 +99,7 @@ class Value(Generic[T]):
         a, b, c = self.ratio
         return (count * a + b) / c
 
-    def from_unit(self, name: str, value: float) -> int:
+    def from_unit(self, name: str, value: Quantity) -> int:
         """The count that is nearest to a value in the unit, of two the even one.
 
         Raises CodecError out of range, and where that count stands for an absent value.
@@ -149,7 +149,7 @@ class Constant(Number):
 
 
 class Setting(Number):
-    """A count of which one may be written; what the device answers may be any."""
+    """A count with only one value to write; the device may answer any."""
 
     __slots__ = ("const",)
 
@@ -223,7 +223,7 @@ class Open(Value["E | int"], Generic[E]):
 
 
 class Trigger(Open[E]):
-    """A member of a closed enum that starts something when it is written; what the device answers may be any count."""
+    """A member of a closed enum that starts an action when it is written; the device may answer any count."""
 
     __slots__ = ()
 
@@ -301,8 +301,8 @@ class Float(Value[float]):
         return refused_float(name, value, self.ranges, self.others)
 
     def in_unit(self, count: float) -> float | None:
-        """The number itself, which counts in the unit; None for one that stands for an absent value."""
-        return None if is_one_of(count, self.others) else float(count)
+        """The number itself, which is in the unit; None for one that stands for an absent value."""
+        return None if is_among(count, self.others) else float(count)
 
 
 class Text(Value[str]):
@@ -349,7 +349,7 @@ class Bytes(Value[bytes]):
 
 
 class RecordValue(Value[T]):
-    """A record that lies in registers."""
+    """A record in registers."""
 
     __slots__ = ("record",)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 from itertools import pairwise
 
+from fieldspec.backends import PageLink
 from fieldspec.backends.docs.context import cited
 from fieldspec.backends.docs.document import (
     Block,
@@ -17,7 +18,6 @@ from fieldspec.backends.docs.document import (
     TableColumn,
     TableRow,
     cell,
-    clean,
     code,
     innermost,
     styled,
@@ -25,9 +25,10 @@ from fieldspec.backends.docs.document import (
     text_piece,
 )
 from fieldspec.backends.docs.identity import version_title
+from fieldspec.changes.acceptances import ComparedVersions, JudgedChange, judged_changes
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.judging import Compared, Judged, judged
 from fieldspec.classes import dataclass
+from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Version
 
@@ -39,6 +40,7 @@ COLUMNS = (
     TableColumn("Fact", unbroken=True),
     TableColumn("Remarks"),
 )
+
 MEANINGS = {
     Effect.WIRE: (
         "On the wire",
@@ -60,29 +62,31 @@ class Step:
 
     old: DeviceLayout
     new: DeviceLayout
-    changes: tuple[Judged, ...]
+    changes: tuple[JudgedChange, ...]
 
     def counts(self) -> str:
         """`2 on the wire, 1 in behaviour`"""
-        some = ((sum(one.change.effect is effect for one in self.changes), MEANINGS[effect][0]) for effect in Effect)
+        some = (
+            (sum(change.change.effect is effect for change in self.changes), MEANINGS[effect][0]) for effect in Effect
+        )
         return ", ".join(f"{count} {title[:1].lower()}{title[1:]}" for count, title in some if count) or "nothing"
 
 
 def steps(layouts: Sequence[DeviceLayout]) -> list[Step]:
     """The steps between neighbours on each line that has outputs, the oldest first."""
     by_version = {layout.device.version: layout for layout in layouts}
-    found = []
+    line_steps = []
     for line in layouts[-1].device.lines if layouts else ():
-        held = [by_version[version.id] for version in line.versions if line.builds and version.id in by_version]
-        found += [_step(old, new) for old, new in pairwise(held)]
-    return found
+        line_layouts = [by_version[version.id] for version in line.versions if line.builds and version.id in by_version]
+        line_steps += [_step(old, new) for old, new in pairwise(line_layouts)]
+    return line_steps
 
 
 def _step(old: DeviceLayout, new: DeviceLayout) -> Step:
     from fieldspec.changes import changes  # with all rules, for which a device of one version has no use
 
-    compared = Compared(old.device, new.device, changes(old.device, new.device), step=True)
-    return Step(old, new, tuple(judged(compared)))
+    compared = ComparedVersions(old.device, new.device, changes(old.device, new.device), step=True)
+    return Step(old, new, tuple(judged_changes(compared)))
 
 
 def page_name(version: str) -> str:
@@ -90,11 +94,11 @@ def page_name(version: str) -> str:
     return f"{version}_" if version.lower() in (NAME, "index", "readme") else version
 
 
-def changed(held: Sequence[Step], ending: str, anchors: dict[str, frozenset[str]]) -> Document:
+def changed(device_steps: Sequence[Step], ending: str, anchors: dict[str, frozenset[str]]) -> Document:
     """The page, the newest version first. `ending` is that of the versions' pages, `anchors` what is on them."""
-    newest = held[-1].new
+    newest = device_steps[-1].new
     device = newest.device
-    sections = tuple(_section(step, ending, anchors) for step in reversed(held))
+    sections = tuple(_section(step, ending, anchors) for step in reversed(device_steps))
     return Document(
         clean(f"{device.name}: changes from version to version"),
         clean(device.title),
@@ -129,7 +133,13 @@ def link(version: str, ending: str) -> str:
 
 def _head(step: Step, pages: _Pages) -> Iterator[Block]:
     version = next(
-        (one for line in step.new.device.lines for one in line.versions if one.id == step.new.device.version), None
+        (
+            version
+            for line in step.new.device.lines
+            for version in line.versions
+            if version.id == step.new.device.version
+        ),
+        None,
     )
     if version is not None:
         for text in (version.title, version.doc):
@@ -149,7 +159,7 @@ def _head(step: Step, pages: _Pages) -> Iterator[Block]:
 
 
 def _effect(step: Step, effect: Effect, pages: _Pages) -> Section | None:
-    rows = [_row(one, pages) for one in step.changes if one.change.effect is effect]
+    rows = [_row(change, pages) for change in step.changes if change.change.effect is effect]
     if not rows:
         return None
     title, meaning = MEANINGS[effect]
@@ -160,13 +170,13 @@ def _effect(step: Step, effect: Effect, pages: _Pages) -> Section | None:
     )
 
 
-def _row(held: Judged, pages: _Pages) -> TableRow:
-    change = held.change
+def _row(judged_change: JudgedChange, pages: _Pages) -> TableRow:
+    change = judged_change.change
     remarks: list[Line] = []
     if change.outputs:
         remarks.append((text_piece(f"in {', '.join(_TARGETS.get(name, name) for name in change.outputs)}"),))
-    if held.accepted is not None:
-        remarks.append((styled("accepted: ", "strong"), text_piece(held.accepted.reason)))
+    if judged_change.accepted is not None:
+        remarks.append((styled("accepted: ", "strong"), text_piece(judged_change.accepted.reason)))
     return TableRow((cell(change.message), cell(code(change.path, pages.fact(change))), cell(*remarks)))
 
 
@@ -204,16 +214,16 @@ VERSION_COLUMNS = (
 
 
 def versions(
-    layouts: Sequence[DeviceLayout], held: Sequence[Step], ending: str, beside: Sequence[tuple[str, str]] = ()
+    layouts: Sequence[DeviceLayout], device_steps: Sequence[Step], ending: str, links: Sequence[PageLink] = ()
 ) -> Document:
     """The versions, the newest first, and the steps between them; `ending` is that of the pages to which they lead.
 
-    `beside` are other pages of the device: what each is, and its file.
+    `links` lead to other pages of the device.
     """
     newest = layouts[-1]
     device = newest.device
     known = {version.id: version for line in device.lines for version in line.versions}
-    came_by = {step.new.device.version: step for step in held}
+    came_by = {step.new.device.version: step for step in device_steps}
     rows = []
     for layout in reversed(layouts):
         version = layout.device.version
@@ -222,7 +232,7 @@ def versions(
     section = Section(
         "versions", (text_piece("Versions"),), (*blocks, table("Versions, the newest first", VERSION_COLUMNS, rows))
     )
-    summary = tuple((text_piece(text, file),) for text, file in beside)
+    summary = tuple((text_piece(link.text, link.file),) for link in links)
     return Document(
         clean(device.name), clean(device.title), newest.identity, device.manual.language, summary, (section,)
     )
@@ -243,7 +253,7 @@ def _version_row(layout: DeviceLayout, version: Version | None, step: Step | Non
             cell(*doc),
             _count(sum(register.count for register in device.registers())),
             _count(len(device.messages)),
-            _count(sum(len(held.parameters) for held in device.parameters.values())),
+            _count(sum(len(parameter_set.parameters) for parameter_set in device.parameters.values())),
             _count(len(device.examples)),
             cell(text_piece(step.counts(), link(device.version, ending)) if step is not None else ()),
             cell(code(layout.identity)),

@@ -37,8 +37,8 @@ class Holding:
         self._made: dict[str, tuple[object, Section]] = {}
         for layout in layouts:
             device = layout.device
-            for held in (device.examples.values(), device.notes, device.errata):
-                for fact in held:
+            for facts in (device.examples.values(), device.notes, device.errata):
+                for fact in facts:
                     self._by_path.setdefault(fact.place.path, []).append(device.version)
 
     def section(self, anchor: str, of: object, make: Callable[[], Section]) -> Section:
@@ -63,15 +63,15 @@ class Holding:
 
     def badges(self, path: str) -> tuple[Line, ...]:
         """What is said of a fact that not all versions have; nothing of the others."""
-        held = self.of(path)
-        return () if held == self.all else ((styled(f"only {', '.join(held)}", "badge"),),)
+        versions = self.of(path)
+        return () if versions == self.all else ((styled(f"only {', '.join(versions)}", "badge"),),)
 
     def lines(self, path: str) -> tuple[Line, ...]:
         """For which versions a fact holds; nothing where there is but one."""
-        held = self.of(path)
+        versions = self.of(path)
         if len(self.all) < 2:
             return ()
-        return ((text_piece("all"),),) if held == self.all else ((text_piece(", ".join(held)),),)
+        return ((text_piece("all"),),) if versions == self.all else ((text_piece(", ".join(versions)),),)
 
 
 _MEMORY = {"volatile": " It is lost with the power.", "nonvolatile": " It is kept without power."}
@@ -81,20 +81,20 @@ _ENDURANCE = {
 }
 
 
-def handled(said: Handling) -> Iterator[Line]:
+def handled(handling: Handling) -> Iterator[Line]:
     """A line for each thing that is said; none for most values."""
-    if said == UNSPECIFIED:
+    if handling == UNSPECIFIED:
         return
-    if said.clears_on_read:
+    if handling.clears_on_read:
         yield (styled("cleared by reading", "badge"), text_piece(" Only the first reader gets it."))
-    if said.memory:
-        yield (styled(said.memory, "badge"), text_piece(_MEMORY[said.memory]))
-    if said.saved_by:
-        yield (text_piece("Saved by "), code(said.saved_by, f"#{said.saved_by}"))
-    if said.endurance:
-        yield (text_piece(_ENDURANCE.get(said.endurance, f"It may be written {said.endurance} times.")),)
-    if said.opposite_of:
-        yield (text_piece("The opposite sense of "), code(said.opposite_of, f"#{said.opposite_of}"))
+    if handling.memory:
+        yield (styled(handling.memory, "badge"), text_piece(_MEMORY[handling.memory]))
+    if handling.saved_by:
+        yield (text_piece("Saved by "), code(handling.saved_by, f"#{handling.saved_by}"))
+    if handling.endurance:
+        yield (text_piece(_ENDURANCE.get(handling.endurance, f"It may be written {handling.endurance} times.")),)
+    if handling.opposite_of:
+        yield (text_piece("The opposite sense of "), code(handling.opposite_of, f"#{handling.opposite_of}"))
 
 
 class Context:
@@ -142,7 +142,10 @@ class Context:
         if notes := self._notes.get(place.path):
             yield (styled("See: ", "quiet"), *joined((text_piece(title, f"#{path}"),) for path, title in notes))
         if ids := self._errata.get(place.path):
-            yield (styled("Erratum: ", "quiet"), *joined((text_piece(found, f"#errata/{found}"),) for found in ids))
+            yield (
+                styled("Erratum: ", "quiet"),
+                *joined((text_piece(erratum_id, f"#errata/{erratum_id}"),) for erratum_id in ids),
+            )
 
     def users(self, path: str) -> Line:
         """The facts whose values an enum, a word of flags or a record names."""
@@ -150,8 +153,8 @@ class Context:
 
     def opening(self, fact: Fact) -> list[Block]:
         """What a section on a fact begins with."""
-        said: list[Block] = [Paragraph(line) for line in self.about(fact)]
-        return said + [Paragraph(line, "note") for line in reasons(fact.inferred)]
+        blocks: list[Block] = [Paragraph(line) for line in self.about(fact)]
+        return blocks + [Paragraph(line, "note") for line in reasons(fact.inferred)]
 
     def link_to(self, path: str) -> Piece:
         """A link to a fact."""
@@ -160,7 +163,7 @@ class Context:
 
 def _users(all_of_them: Iterable[Holder]) -> dict[str, list[tuple[str, str]]]:
     """Names and paths of the facts that use an enum, a word of flags or a record, by that one's path."""
-    found: dict[str, list[tuple[str, str]]] = defaultdict(list)
+    users_by_path: dict[str, list[tuple[str, str]]] = defaultdict(list)
     for holder in all_of_them:
         if not isinstance(holder, Fact):
             continue
@@ -173,8 +176,8 @@ def _users(all_of_them: Iterable[Holder]) -> dict[str, list[tuple[str, str]]]:
             names["enums"] = enum
         for section, name in names.items():
             if name:
-                found[f"{section}/{name}"].append((_short(path), path))
-    return found
+                users_by_path[f"{section}/{name}"].append((_short(path), path))
+    return users_by_path
 
 
 def _short(path: str) -> str:

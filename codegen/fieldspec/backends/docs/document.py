@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
-import unicodedata
 from collections.abc import Container, Iterable, Iterator, Sequence
 from functools import lru_cache
 from typing import ClassVar, NamedTuple, TypeAlias
 
 from fieldspec.classes import dataclass, field, replace
+from fieldspec.html_text import clean
 
 # Both forms are written from this, so that they say the same. Text that comes from a spec enters through `plain`,
 # `code` and their like, which leave no control characters in it; each form then escapes it in its own way.
@@ -32,7 +31,6 @@ class Piece(NamedTuple):
 
 Line: TypeAlias = tuple[Piece, ...]
 
-_BLANKS = re.compile(r"\s+")
 REUSED = 1 << 16
 """How many texts are remembered as they were written."""
 
@@ -200,24 +198,6 @@ class Document:
     sections: tuple[Section, ...] = field(repr=False)
 
 
-def clean(text: str) -> str:
-    """Text in one line, with a picture for every other control character."""
-    if text.isprintable() and "  " not in text:
-        return text
-    text = _BLANKS.sub(" ", text)
-    return "".join(_visible(char) if _forbidden(char) else char for char in text)
-
-
-def _forbidden(char: str) -> bool:
-    """Whether HTML forbids a character: a control character, half a character, or a code point that is no character."""
-    code = ord(char)
-    return unicodedata.category(char) in ("Cc", "Cs") or code & 0xFFFE == 0xFFFE or 0xFDD0 <= code <= 0xFDEF
-
-
-def _visible(char: str) -> str:
-    return chr(0x2400 + ord(char)) if ord(char) < 0x20 else "\ufffd"
-
-
 @lru_cache(maxsize=REUSED)
 def _piece(text: str, style: str, link: str) -> Piece:
     return Piece(clean(text), style, link)
@@ -260,16 +240,16 @@ def cell(*lines: Line | Piece | str, items: Sequence[Item] = ()) -> Cell:
 
 
 @lru_cache(maxsize=REUSED)
-def _cell(given: tuple[Line | Piece | str, ...], items: tuple[Item, ...]) -> Cell:
-    lines = tuple([line for line in map(_line, given) if any(piece.text for piece in line)])
+def _cell(contents: tuple[Line | Piece | str, ...], items: tuple[Item, ...]) -> Cell:
+    lines = tuple([line for line in map(_line, contents) if any(piece.text for piece in line)])
     every = [*lines, *(line for item in items for line in (item.line, *item.inner))]
     return Cell(lines, items, tuple([path for line in every for path in paths(line)]))
 
 
-def _line(held: Line | Piece | str) -> Line:
-    if isinstance(held, str):
-        return (text_piece(held),)
-    return (held,) if isinstance(held, Piece) else held
+def _line(content: Line | Piece | str) -> Line:
+    if isinstance(content, str):
+        return (text_piece(content),)
+    return (content,) if isinstance(content, Piece) else content
 
 
 @lru_cache(maxsize=REUSED)
@@ -287,13 +267,15 @@ def table(
 ) -> DocumentTable:
     """A table without the columns that nothing stands in; the cell of column `heading` names its row."""
     rows = list(rows)
-    kept = [n for n, column in enumerate(columns) if column.unbroken or any(not row.cells[n].empty for row in rows)]
-    if len(kept) < len(columns):
-        rows = [row._replace(cells=tuple([row.cells[n] for n in kept])) for row in rows]
+    used_columns = [
+        n for n, column in enumerate(columns) if column.unbroken or any(not row.cells[n].empty for row in rows)
+    ]
+    if len(used_columns) < len(columns):
+        rows = [row._replace(cells=tuple([row.cells[n] for n in used_columns])) for row in rows]
     return DocumentTable(
         clean(caption),
-        tuple([_cleaned(columns[n]) for n in kept]),
-        kept.index(heading) if heading in kept else -1,
+        tuple([_cleaned(columns[n]) for n in used_columns]),
+        used_columns.index(heading) if heading in used_columns else -1,
         tuple(rows),
         tuple(footnotes),
     )
@@ -332,18 +314,18 @@ def every(sections: tuple[Section, ...]) -> Iterator[str]:
 
 def paths_of(section: Section) -> frozenset[str]:
     """Where the links in a section lead that lead within the page."""
-    found = set(paths(section.title))
+    linked_paths = set(paths(section.title))
     for block in section.blocks:
         if isinstance(block, DocumentTable):
-            found.update(path for row in block.rows for one in row.cells for path in one.paths)
-            found.update(path for note in block.footnotes for path in paths(note.line))
+            linked_paths.update(path for row in block.rows for table_cell in row.cells for path in table_cell.paths)
+            linked_paths.update(path for note in block.footnotes for path in paths(note.line))
         elif isinstance(block, Paragraph):
-            found.update(paths(block.line))
+            linked_paths.update(paths(block.line))
         elif isinstance(block, Facts):
-            found.update(path for _, lines in block.rows for line in lines for path in paths(line))
+            linked_paths.update(path for _, lines in block.rows for line in lines for path in paths(line))
         elif isinstance(block, Bits):
-            found.update(box.link[1:] for row in block.rows for box in row.boxes if box.link)
-    return frozenset(found).union(*map(paths_of, section.sections))
+            linked_paths.update(box.link[1:] for row in block.rows for box in row.boxes if box.link)
+    return frozenset(linked_paths).union(*map(paths_of, section.sections))
 
 
 class Anchors:
@@ -363,15 +345,15 @@ class Anchors:
         path = innermost(link[1:], self._known)
         return f"#{path}" if path else ""
 
-    def line(self, held: Line) -> Line:
+    def line(self, pieces: Line) -> Line:
         """A line with its links."""
-        if self._known.issuperset(paths(held)):
-            return held
-        return tuple([piece._replace(link=self.target(piece.link)) for piece in held])
+        if self._known.issuperset(paths(pieces)):
+            return pieces
+        return tuple([piece._replace(link=self.target(piece.link)) for piece in pieces])
 
-    def cell(self, held: Cell) -> Cell:
+    def cell(self, own: Cell) -> Cell:
         """A cell with its links."""
-        if not held.paths or self._known.issuperset(held.paths):
-            return held
-        items = [Item(self.line(item.line), tuple(map(self.line, item.inner))) for item in held.items]
-        return cell(*map(self.line, held.lines), items=items)
+        if not own.paths or self._known.issuperset(own.paths):
+            return own
+        items = [Item(self.line(item.line), tuple(map(self.line, item.inner))) for item in own.items]
+        return cell(*map(self.line, own.lines), items=items)

@@ -206,14 +206,14 @@ def _row(context: Context, word: Flags, bit: Bit, marks: Inferences) -> TableRow
 
 
 def _state(word: Flags, state: State) -> TableRow:
-    mask, held = word.masked(state)
+    mask, pattern = word.masked(state)
     digits = 2 * word.type.size
     return TableRow(
         (
             names(state, state.name),
             cell(joined((code(name),) for name in state.set)),
             cell(joined((code(name),) for name in state.clear)),
-            cell(code(f"word & 0x{mask:0{digits}X} = 0x{held:0{digits}X}")),
+            cell(code(f"word & 0x{mask:0{digits}X} = 0x{pattern:0{digits}X}")),
             cell(state.doc),
             sources(state),
         ),
@@ -256,10 +256,10 @@ def _box(bit: Bit | None, width: int) -> Box:
 def _characters(word: Flags, width: int) -> str:
     """Boxes of four characters a bit, and from each named bit a line down to its name."""
     named = [bit for bit in word.bits if not bit.reserved]
-    held = {number for bit in named for number in range(bit.first, bit.last + 1)}
+    named_numbers = {number for bit in named for number in range(bit.first, bit.last + 1)}
     numbers = range(width - 1, -1, -1)
     rule = "+---" * width + "+"
-    boxes = "".join("| x " if number in held else "|   " for number in numbers) + "|"
+    boxes = "".join("| x " if number in named_numbers else "|   " for number in numbers) + "|"
     lines = ["".join(f"{number:>3} " for number in numbers).rstrip(), rule, boxes, rule]
     lines += [_leader(named, at, width) for at in range(len(named))]
     return "\n".join(lines)

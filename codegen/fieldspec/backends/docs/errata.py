@@ -69,13 +69,16 @@ def errata(context: Context) -> Section:
     )
 
 
-def _counts(found: Sequence[Erratum]) -> Iterator[TableRow]:
-    counts = Counter((erratum.effect, erratum.verdict) for erratum in found)
+def _counts(errata_of_device: Sequence[Erratum]) -> Iterator[TableRow]:
+    counts = Counter((erratum.effect, erratum.verdict) for erratum in errata_of_device)
     for effect, (title, _) in EFFECTS.items():
         numbers = [counts[effect, verdict] for verdict in VERDICTS]
         if any(numbers):
             yield TableRow(
-                (cell(text_piece(title, f"#errata-{effect}")), *(cell(str(one)) for one in (sum(numbers), *numbers)))
+                (
+                    cell(text_piece(title, f"#errata-{effect}")),
+                    *(cell(str(count)) for count in (sum(numbers), *numbers)),
+                )
             )
 
 
@@ -117,31 +120,31 @@ def _both_values(pairs: list[tuple[str, str]], last: Line) -> Cell:
     return cell(*lines, last)
 
 
-def _printed(key: str, held: object) -> str:
+def _printed(key: str, value: object) -> str:
     if key == "present":
         return "missing"
-    if key in ("at", "base") and isinstance(held, int):
-        return address(held)
-    return _text(held)
+    if key in ("at", "base") and isinstance(value, int):
+        return address(value)
+    return _text(value)
 
 
-def _text(held: object) -> str:
+def _text(value: object) -> str:
     """Any value of a spec as text."""
-    if held is None:
+    if value is None:
         return ""
-    if isinstance(held, bool):
-        return {True: "yes", False: "no"}[held]
-    if isinstance(held, Decimal):
-        return decimal_text(held)
-    if isinstance(held, Ranges):
-        return held.text()
-    if isinstance(held, bytes):
-        return held.hex(" ").upper()
-    if isinstance(held, Mapping):
-        return ", ".join(f"{key} {_text(inner)}" for key, inner in held.items())
-    if isinstance(held, list | tuple):
-        return ", ".join(_text(inner) for inner in held)
-    return str(held)
+    if isinstance(value, bool):
+        return {True: "yes", False: "no"}[value]
+    if isinstance(value, Decimal):
+        return decimal_text(value)
+    if isinstance(value, Ranges):
+        return value.text()
+    if isinstance(value, bytes):
+        return value.hex(" ").upper()
+    if isinstance(value, Mapping):
+        return ", ".join(f"{key} {_text(inner)}" for key, inner in value.items())
+    if isinstance(value, list | tuple):
+        return ", ".join(_text(inner) for inner in value)
+    return str(value)
 
 
 def _used(holder: Holder | None, key: str) -> str:
@@ -156,8 +159,8 @@ def _used(holder: Holder | None, key: str) -> str:
     value = getattr(holder, "value", None)
     if isinstance(value, Value) and key in OF_VALUES:
         return _text(OF_VALUES[key](value))
-    found = getattr(holder, key, None)
-    return "" if callable(found) else _text(found)
+    attribute = getattr(holder, key, None)
+    return "" if callable(attribute) else _text(attribute)
 
 
 def _span(bounds: tuple[int, int] | None) -> str:

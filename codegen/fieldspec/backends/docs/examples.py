@@ -24,7 +24,8 @@ from fieldspec.backends.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.explain.explanation import Explanation, Meaning, Printed, explained_example, printed
+from fieldspec.explain.examples import Printed, explained_example, printed
+from fieldspec.explain.explanation import Explanation, Meaning
 from fieldspec.explain.row import ExplanationRow as ByteRow
 from fieldspec.layout.values import Raw
 from fieldspec.model.link import Link
@@ -73,28 +74,30 @@ def _line(example: Example) -> tuple[bool, int]:
 
 
 def _example(context: Context, example: Example) -> Section:
-    found = explained_example(context.layout, example)
+    explanation = explained_example(context.layout, example)
     print_of = printed(context.device, example)
     link, message = context.device.links[example.link], context.device.messages.get(example.message)
     holds = context.holding.lines(example.place.path)
     facts = tuple(_facts(example, link, message, holds))
     return context.holding.section(
-        example.place.path, (example, found, print_of, facts), lambda: _section(example, found, print_of, facts)
+        example.place.path,
+        (example, explanation, print_of, facts),
+        lambda: _section(example, explanation, print_of, facts),
     )
 
 
 def _section(
-    example: Example, found: Explanation, print_of: Printed, facts: tuple[tuple[str, tuple[Line, ...]], ...]
+    example: Example, explanation: Explanation, print_of: Printed, facts: tuple[tuple[str, tuple[Line, ...]], ...]
 ) -> Section:
     blocks: list[Paragraph | Facts | Strips | DocumentTable] = []
     blocks += [Paragraph(_erratum_line(erratum), "erratum") for erratum in print_of.errata]
     blocks += [Paragraph((styled("Note: ", "strong"), text_piece(note))) for note in example.notes]
-    blocks.append(Strips(tuple(_strips(example, print_of, found))))
+    blocks.append(Strips(tuple(_strips(example, print_of, explanation))))
     blocks.append(Facts(facts))
-    rows = [_byte_row(row) for row in found.rows]
+    rows = [_byte_row(row) for row in explanation.rows]
     blocks.append(table("What the bytes say", BYTES, rows, heading=3))
-    if found.registers:
-        touched = [_register_row(row) for row in found.registers]
+    if explanation.registers:
+        touched = [_register_row(row) for row in explanation.registers]
         blocks.append(table("Registers that the frame accesses", REGISTERS, touched, heading=2))
     title: list[Line] = [(code(example.id),)]
     if example.title:
@@ -112,7 +115,7 @@ def _erratum_line(erratum: Erratum) -> Line:
     )
 
 
-def _strips(example: Example, print_of: Printed, found: Explanation) -> Iterator[Strip]:
+def _strips(example: Example, print_of: Printed, explanation: Explanation) -> Iterator[Strip]:
     """The right bytes, above them what is printed where it differs, and the characters where a byte is two."""
     right = _pairs(example.frame.hex())
     as_printed = _pairs(print_of.frame)
@@ -121,7 +124,7 @@ def _strips(example: Example, print_of: Printed, found: Explanation) -> Iterator
         yield Strip("right", _compared(right, as_printed))
     else:
         yield Strip("computed, not printed" if example.origin == "computed" else "frame", _compared(right, right))
-    if any(row.characters for row in found.rows):
+    if any(row.characters for row in explanation.rows):
         characters = example.frame.decode("latin-1")
         if print_of.characters and print_of.characters != characters:
             yield Strip("characters as printed", (code(_characters(print_of.characters)),))
@@ -134,14 +137,14 @@ def _pairs(text: str) -> list[str]:
     return [digits[at : at + 2] for at in range(0, len(digits), 2)]
 
 
-def _compared(one: list[str], other: list[str]) -> Line:
+def _compared(first: list[str], other: list[str]) -> Line:
     """Bytes, those marked that the other frame does not have."""
-    if one == other:
-        return tuple(styled(pair, "code") for pair in one)
+    if first == other:
+        return tuple(styled(pair, "code") for pair in first)
     pieces = []
-    for change, start, end, _, _ in SequenceMatcher(None, one, other, autojunk=False).get_opcodes():
+    for change, start, end, _, _ in SequenceMatcher(None, first, other, autojunk=False).get_opcodes():
         style = "code" if change == "equal" else "changed"
-        pieces += [styled(pair, style) for pair in one[start:end]]
+        pieces += [styled(pair, style) for pair in first[start:end]]
     return tuple(pieces)
 
 
@@ -199,13 +202,13 @@ def _byte_row(row: ByteRow) -> TableRow:
 
 def _register_row(row: ByteRow) -> TableRow:
     name = code(row.path, f"#{row.fact}") if row.path else text_piece(row.doc)
-    found = row.raw.hex(" ").upper() if len(row.raw) <= 32 else f"{len(row.raw)} bytes"
+    bytes_text = row.raw.hex(" ").upper() if len(row.raw) <= 32 else f"{len(row.raw)} bytes"
     return TableRow(
         (
             cell(code(address(row.address or 0))),
             cell(str(row.words)),
             cell(name, label(row.label)),
-            cell(code(found)),
+            cell(code(bytes_text)),
             cell(raw_text(row.number)),
             cell(row.value),
             cell(*(_meaning(meaning) for meaning in row.meanings)),
@@ -220,7 +223,7 @@ def _verdict(verdict: str) -> Line:
 
 
 def _errata(row: ByteRow) -> list[Line]:
-    links = ((text_piece(found, f"#errata/{found}"),) for found in row.errata)
+    links = ((text_piece(erratum_id, f"#errata/{erratum_id}"),) for erratum_id in row.errata)
     return [(styled("Erratum: ", "quiet"), *joined(links))] if row.errata else []
 
 

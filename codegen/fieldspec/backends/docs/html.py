@@ -1,7 +1,4 @@
-"""A document as HTML: every text escaped, every block as lines.
-
-The form has what is on every page.
-"""
+"""A document as HTML: every text escaped, every block as lines. The template has what is on every page."""
 
 from __future__ import annotations
 
@@ -25,7 +22,8 @@ from fieldspec.backends.docs.document import (
     Strips,
     paths_of,
 )
-from fieldspec.backends.forms import filled, text
+from fieldspec.backends.templates import fill, text
+from fieldspec.html_text import escaped
 
 _TAGS = {
     "": ("", ""),
@@ -38,26 +36,19 @@ _TAGS = {
 
 def page(document: Document) -> str:
     """A whole page."""
-    made = _Page(document)
+    writer = _Page(document)
     subtitle = f'<p class="subtitle">{escaped(document.subtitle)}</p>\n' if document.subtitle else ""
     summary = "".join([f"<li>{_writer(document.language).line(line)}</li>" for line in document.summary])
-    return filled(
-        "backends/docs/page.html.in",
-        title=escaped(document.title),
-        identity=escaped(document.identity),
-        style=text("backends/docs/page.css"),
+    return fill(
+        "docs/page.html.j2",
+        title=document.title,
+        identity=document.identity,
+        style=text("backends/page.css"),
         script=text("backends/docs/filter.js"),
         head=subtitle + (f'<ul class="summary">{summary}</ul>\n' if summary else ""),
-        contents="".join(map(made.entry, document.sections)),
-        sections=[held for section in document.sections for held in made.section(section, 2)],
+        contents="".join(map(writer.entry, document.sections)),
+        sections="".join([piece for section in document.sections for piece in writer.section(section, 2)]),
     )
-
-
-@lru_cache(maxsize=REUSED)
-def escaped(text: str) -> str:
-    """Text that means itself, in an element or in an attribute."""
-    text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
-    return text.replace("'", "&#39;").replace('"', "&#34;")
 
 
 def _attribute(name: str, value: str) -> str:
@@ -97,11 +88,11 @@ class _Writer:
         return text + self._items(cell) if cell.items else text
 
     def _items(self, cell: Cell) -> str:
-        shown = []
+        items = []
         for item in cell.items:
-            inner = "".join(f"<li>{self.line(held)}</li>" for held in item.inner)
-            shown.append(f"<li>{self.line(item.line)}{f'<ul>{inner}</ul>' if inner else ''}</li>")
-        return f"<ul>{''.join(shown)}</ul>"
+            inner = "".join(f"<li>{self.line(line)}</li>" for line in item.inner)
+            items.append(f"<li>{self.line(item.line)}{f'<ul>{inner}</ul>' if inner else ''}</li>")
+        return f"<ul>{''.join(items)}</ul>"
 
 
 class _Page:
@@ -115,8 +106,8 @@ class _Page:
     def entry(self, section: Section) -> str:
         """A section in the table of contents, with those within it."""
         inner = [
-            f'<li><a href="#{escaped(one.anchor)}">{"".join(escaped(piece.text) for piece in one.title)}</a></li>\n'
-            for one in section.sections
+            f'<li><a href="#{escaped(part.anchor)}">{"".join(escaped(piece.text) for piece in part.title)}</a></li>\n'
+            for part in section.sections
         ]
         within = f"<ul>\n{''.join(inner)}</ul>\n" if inner else ""
         return f'<li><a href="#{escaped(section.anchor)}">{self._line(section.title)}</a>\n{within}</li>\n'
@@ -130,9 +121,9 @@ class _Page:
         if before is not None and self._anchors.have(before.paths):
             yield before.text
             return
-        text, held = "".join(self._section(section, level)), paths_of(section)
-        if self._anchors.have(held):
-            section.rendered[self._form] = RenderedSection(text, held)
+        text, links = "".join(self._section(section, level)), paths_of(section)
+        if self._anchors.have(links):
+            section.rendered[self._form] = RenderedSection(text, links)
         yield text
 
     def _section(self, section: Section, level: int) -> Iterator[str]:
@@ -141,8 +132,8 @@ class _Page:
         for block in section.blocks:
             yield from self._block(block)
         yield "\n"
-        for one in section.sections:
-            yield from self.section(one, level + 1)
+        for inner_section in section.sections:
+            yield from self.section(inner_section, level + 1)
         yield "</section>\n"
 
     def _line(self, pieces: Line) -> str:
@@ -155,15 +146,15 @@ class _Page:
             yield f"<p{_attribute('class', block.style)}>{self._line(block.line)}</p>\n"
         elif isinstance(block, Facts):
             yield '<dl class="facts">\n'
-            for term, held in block.rows:
-                shown = "".join(f"<dd>{self._line(one)}</dd>" for one in held)
-                yield f"<div><dt>{escaped(term)}</dt>{shown}</div>\n"
+            for term, lines in block.rows:
+                terms = "".join(f"<dd>{self._line(line)}</dd>" for line in lines)
+                yield f"<div><dt>{escaped(term)}</dt>{terms}</div>\n"
             yield "</dl>\n"
         elif isinstance(block, Strips):
             yield '<dl class="strips">\n'
             for strip in block.rows:
-                shown = self._writer.strip(strip.bytes)
-                yield f"<div><dt>{escaped(strip.title)}</dt><dd>{shown}</dd></div>\n"
+                terms = self._writer.strip(strip.bytes)
+                yield f"<div><dt>{escaped(strip.title)}</dt><dd>{terms}</dd></div>\n"
             yield "</dl>\n"
         else:
             yield '<div class="scroll">\n'
@@ -173,20 +164,20 @@ class _Page:
     def _table(self, table: DocumentTable) -> Iterator[str]:
         classes = [_attribute("class", column.style) for column in table.columns]
         titles = (
-            f'<th scope="col"{held}>{escaped(column.title)}</th>'
-            for held, column in zip(classes, table.columns, strict=True)
+            f'<th scope="col"{style}>{escaped(column.title)}</th>'
+            for style, column in zip(classes, table.columns, strict=True)
         )
         yield f'<div class="scroll">\n<table{_attribute("id", table.anchor)}>\n'
         yield f"<caption>{escaped(table.caption)}</caption>\n"
         yield f"<thead><tr>{''.join(titles)}</tr></thead>\n<tbody>\n"
-        tags = [(f"<td{held}>", "</td>") for held in classes]
+        tags = [(f"<td{style}>", "</td>") for style in classes]
         if table.heading >= 0:
             tags[table.heading] = f'<th scope="row"{classes[table.heading]}>', "</th>"
-        written, right = self._writer.cell, self._anchors.cell
+        cell_text, right = self._writer.cell, self._anchors.cell
         for row in table.rows:
             style = ' class="element"' if row.element else ""
             cells = [
-                f"{opening}{written(right(cell) if cell.paths else cell)}{closing}"
+                f"{opening}{cell_text(right(cell) if cell.paths else cell)}{closing}"
                 for cell, (opening, closing) in zip(row.cells, tags, strict=True)
             ]
             yield f"<tr{_attribute('id', row.anchor)}{style}>{''.join(cells)}</tr>\n"

@@ -109,7 +109,7 @@ class FrameTable:
         return TableRow((cell(code(place)), name, Cell(), Cell(), Cell(), meaning, Cell()))
 
     def _part(
-        self, part: PartLayout, position: Position, record: RecordLayout | None, code_held: int | None
+        self, part: PartLayout, position: Position, record: RecordLayout | None, message_code: int | None
     ) -> TableRow:
         value = part.value
         inferred = part.part.inferred
@@ -119,16 +119,16 @@ class FrameTable:
                 cell(code(position.text(part.size, self.start, self.width))),
                 names(part.part, part.name, mark=self.marks.marks(inferred)),
                 *cells,
-                meaning_cell(self.context, part.part, value, *self._role(part, record, code_held)),
+                meaning_cell(self.context, part.part, value, *self._role(part, record, message_code)),
                 sources(part.part),
             ),
             self._anchor(part.part),
         )
 
-    def _role(self, part: PartLayout, record: RecordLayout | None, code_held: int | None) -> Iterator[Line]:
+    def _role(self, part: PartLayout, record: RecordLayout | None, message_code: int | None) -> Iterator[Line]:
         """What a part holds by its role."""
-        if part.role == "code" and code_held is not None:
-            yield (code(f"0x{code_held:0{2 * part.size}X}"), text_piece(f" ({code_held})"))
+        if part.role == "code" and message_code is not None:
+            yield (code(f"0x{message_code:0{2 * part.size}X}"), text_piece(f" ({message_code})"))
         elif part.role == "code":
             yield (text_piece("the code of the message"),)
         elif part.role == "unit_address" and not part.part.doc:
@@ -294,33 +294,30 @@ def length_text(around: int, record: RecordLayout) -> str:
 
 
 ENCODINGS = {"binary": "bytes as they are", "hex_ascii": "each byte as two hexadecimal characters, the high one first"}
-ORDERS = {
-    "big": "the most significant first",
-    "little": "the least significant first",
-}
+ORDERS = {"big": "the most significant first", "little": "the least significant first"}
 
 
 def links(context: Context) -> Section:
     """All links of the device."""
-    inner = tuple(_link(context, laid) for laid in context.layout.links.values())
+    inner = tuple(_link(context, link_layout) for link_layout in context.layout.links.values())
     return Section("links", (text_piece("Links"),), (), inner)
 
 
-def _link(context: Context, laid: LinkLayout) -> Section:
-    link = laid.link
+def _link(context: Context, link_layout: LinkLayout) -> Section:
+    link = link_layout.link
     blocks = context.opening(link)
     blocks.append(Facts(tuple(_facts(link))))
     if _alike(link):
-        frame = FrameTable(context, laid, "request", f"{link.place.path}/frame", "links/")
+        frame = FrameTable(context, link_layout, "request", f"{link.place.path}/frame", "links/")
         blocks.append(frame.table("Requests and responses", None))
     else:
         for direction, title in (("request", "Requests"), ("response", "Responses")):
             anchor = f"{link.place.path}/{direction}-frame"
-            blocks.append(FrameTable(context, laid, direction, anchor, "links/").table(title, None))
+            blocks.append(FrameTable(context, link_layout, direction, anchor, "links/").table(title, None))
     if link.exception_response is not None:
         anchor = f"{link.place.path}/refusal-frame"
         body = context.layout.records[link.exception_response.record]
-        frame = FrameTable(context, laid, "response", anchor, "")
+        frame = FrameTable(context, link_layout, "response", anchor, "")
         blocks.append(frame.table("Responses that refuse a request", body))
     return Section(link.place.path, context.section_title(link.title or link.name, link), tuple(blocks))
 
@@ -328,14 +325,14 @@ def _link(context: Context, laid: LinkLayout) -> Section:
 def _alike(link: Link) -> bool:
     """Whether requests and responses have the same parts."""
 
-    def told(part: Part) -> tuple[object, ...]:
+    def facts_of(part: Part) -> tuple[object, ...]:
         return (
             (part.name, part.role, part.value, part.algorithm, part.byte_order, part.reserved),
             (part.span, part.unit_size, part.plus),
             (part.doc, part.label, part.notes, part.sources),
         )
 
-    return [told(part) for part in link.request] == [told(part) for part in link.response]
+    return [facts_of(part) for part in link.request] == [facts_of(part) for part in link.response]
 
 
 def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
@@ -390,13 +387,13 @@ def _serial(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
     if serial.baud:
         default = "" if serial.default_baud is None else f"; {serial.default_baud} by default"
         yield "Baud rate", ((text_piece(f"{', '.join(map(str, serial.baud))} bit/s{default}"),),)
-    for title, held in (
+    for title, settings in (
         ("Start bits", () if serial.start_bits is None else (serial.start_bits,)),
         ("Data bits", serial.data_bits),
         ("Parity", serial.parity),
         ("Stop bits", serial.stop_bits),
     ):
-        if held:
-            yield title, (joined(((text_piece(str(one)),) for one in held), " or "),)
+        if settings:
+            yield title, (joined(((text_piece(str(setting)),) for setting in settings), " or "),)
     if serial.sources:
         yield "Source of the settings", (cited(serial.sources),)

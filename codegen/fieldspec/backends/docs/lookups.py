@@ -77,15 +77,15 @@ def _title(column: LookupColumn) -> str:
 def _lookup_row(context: Context, columns: tuple[LookupColumn, ...], row: LookupRow) -> TableRow:
     notes: list[Line] = [(styled(f"only {', '.join(row.only)}", "badge"),)] if row.only else []
     notes += [(text_piece(row.notes),)] if row.notes else []
-    cells = [_lookup_cell(context, column, held) for column, held in zip(columns, row.cells, strict=True)]
+    cells = [_lookup_cell(context, column, value) for column, value in zip(columns, row.cells, strict=True)]
     where = cell(cited(row.sources))
     return TableRow((*cells, cell(*notes, *context.beside(row.place)), where), row.place.path)
 
 
-def _lookup_cell(context: Context, column: LookupColumn, held: ScalarValue) -> Cell:
-    if held is None:
+def _lookup_cell(context: Context, column: LookupColumn, value: ScalarValue) -> Cell:
+    if value is None:
         return Cell()
-    text = {True: "yes", False: "no"}[held] if isinstance(held, bool) else str(held)
+    text = {True: "yes", False: "no"}[value] if isinstance(value, bool) else str(value)
     if column.enum:
         return cell(code(text, f"#enums/{column.enum}/{text}"))
     return cell(text)
@@ -95,11 +95,11 @@ def limits(context: Context) -> Section:
     """All single numbers, by what they are about."""
     inner = []
     for kind, title in KINDS.items():
-        held = [limit for limit in context.device.limits if limit.kind == kind]
-        if held:
+        limits_of_kind = [limit for limit in context.device.limits if limit.kind == kind]
+        if limits_of_kind:
             path = f"limits-{kind}"
             marks = Inferences(path)
-            rows = [_limit(context, limit, marks) for limit in held]
+            rows = [_limit(context, limit, marks) for limit in limits_of_kind]
             blocks = (table(title, LIMITS, rows, marks.footnotes()),)
             inner.append(Section(path, (text_piece(title),), blocks))
     return Section("limits", (text_piece("Timings and limits"),), (), tuple(inner))
@@ -158,9 +158,15 @@ def _note(context: Context, note: Note) -> Section:
     if note.statements:
         rows = [
             TableRow(
-                (cell(code(one.subject)), cell(one.says), cell(one.text), cell(cited(one.sources))), one.place.path
+                (
+                    cell(code(statement.subject)),
+                    cell(statement.says),
+                    cell(statement.text),
+                    cell(cited(statement.sources)),
+                ),
+                statement.place.path,
             )
-            for one in note.statements
+            for statement in note.statements
         ]
         blocks.append(table("What places of the manual state", STATEMENTS, rows))
     blocks += [Paragraph(line) for line in context.holding.badges(note.place.path)]

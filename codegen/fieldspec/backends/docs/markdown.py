@@ -25,7 +25,7 @@ from fieldspec.backends.docs.document import (
     paths,
     paths_of,
 )
-from fieldspec.backends.forms import filled
+from fieldspec.backends.templates import fill
 
 _ENTITIES = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}
 _SPECIAL = re.compile(r"[&<>]|[\\`*\[\]|~$!]|(?<![0-9A-Za-z])_|_(?![0-9A-Za-z])|:(?=\w)|@(?=\w)")
@@ -36,14 +36,14 @@ _BLOCK = re.compile(r"^(?:[#+\-=]|\d+(?=[.)](?:\s|$)))")
 def page(document: Document) -> str:
     """A whole page."""
     subtitle = f"{escaped(document.subtitle)}\n\n" if document.subtitle else ""
-    summary = "".join([f"- {line(held)}\n" for held in document.summary])
-    return filled(
-        "backends/docs/page.md.in",
+    summary = "".join([f"- {line(pieces)}\n" for pieces in document.summary])
+    return fill(
+        "docs/page.md.j2",
         title=escaped(document.title),
         identity=document.identity,
         head=subtitle + (f"{summary}\n" if summary else ""),
-        contents=_contents(document.sections, ""),
-        sections=_sections(document.sections, "##", _Page(document)),
+        contents="".join(_contents(document.sections, "")),
+        sections="".join(_sections(document.sections, "##", _Page(document))),
     )
 
 
@@ -64,12 +64,12 @@ def _sections(sections: tuple[Section, ...], hashes: str, page: _Page) -> Iterat
 @lru_cache(maxsize=REUSED)
 def escaped(text: str) -> str:
     """Text that means itself, anywhere in a line."""
-    text = _SPECIAL.sub(lambda found: _ENTITIES.get(found[0], f"\\{found[0]}"), text)
+    text = _SPECIAL.sub(lambda match: _ENTITIES.get(match[0], f"\\{match[0]}"), text)
     return _BLOCK.sub(_at_start, text)
 
 
-def _at_start(found: re.Match[str]) -> str:
-    return f"{found[0]}\\" if found[0].isdigit() else f"\\{found[0]}"
+def _at_start(match: re.Match[str]) -> str:
+    return f"{match[0]}\\" if match[0].isdigit() else f"\\{match[0]}"
 
 
 def line(pieces: Line) -> str:
@@ -98,8 +98,8 @@ def _piece(piece: Piece, lost: tuple[str, ...]) -> str:
 @lru_cache(maxsize=REUSED)
 def _styled(text: str, style: str) -> str:
     if style in ("code", "changed"):
-        shown = f"`{text}`" if text and not set(text) & set("`|\\") else escaped(text)
-        return f"**{shown}**" if style == "changed" else shown
+        monospaced = f"`{text}`" if text and not set(text) & set("`|\\") else escaped(text)
+        return f"**{monospaced}**" if style == "changed" else monospaced
     if style in ("strong", "wrong", "open"):
         return _wrapped(text, "**")
     if style in ("badge", "unknown"):
@@ -120,10 +120,10 @@ def _wrapped(text: str, marks: str) -> str:
 
 @lru_cache(maxsize=REUSED)
 def _cell(cell: Cell, lost: tuple[str, ...] = ()) -> str:
-    lines = [_line(held, lost) for held in cell.lines]
+    lines = [_line(pieces, lost) for pieces in cell.lines]
     for item in cell.items:
         lines.append(f"• {_line(item.line, lost)}")
-        lines += [f"◦ {_line(held, lost)}" for held in item.inner]
+        lines += [f"◦ {_line(pieces, lost)}" for pieces in item.inner]
     return "<br>".join(lines)
 
 
@@ -141,9 +141,9 @@ class _Page:
         before = section.rendered.get("markdown")
         if before is not None and self._anchors.have(before.paths) and before.paths - self._headings == before.lost:
             return before.text
-        text, held = self._section(section, hashes), paths_of(section)
-        if self._anchors.have(held):
-            section.rendered["markdown"] = RenderedSection(text, held, held - self._headings)
+        text, links = self._section(section, hashes), paths_of(section)
+        if self._anchors.have(links):
+            section.rendered["markdown"] = RenderedSection(text, links, links - self._headings)
         return text
 
     def _section(self, section: Section, hashes: str) -> str:
@@ -170,19 +170,20 @@ class _Page:
         yield f"| {' | '.join([escaped(column.title) for column in table.columns])} |"
         yield f"|{'|'.join(['---'] * len(table.columns))}|"
         for row in table.rows:
-            yield f"| {' | '.join([self._linked(one) if one.paths else _cell(one) for one in row.cells])} |"
+            cells = [self._linked(cell) if cell.paths else _cell(cell) for cell in row.cells]
+            yield f"| {' | '.join(cells)} |"
         if table.footnotes:
             yield ""
         for note in table.footnotes:
             yield f"- ({note.mark}) {self._line(note.line)}"
 
-    def _line(self, held: Line) -> str:
-        held = self._anchors.line(held)
-        return _line(held, self._lost(paths(held)))
+    def _line(self, pieces: Line) -> str:
+        pieces = self._anchors.line(pieces)
+        return _line(pieces, self._lost(paths(pieces)))
 
-    def _linked(self, held: Cell) -> str:
-        held = self._anchors.cell(held)
-        return _cell(held, self._lost(held.paths))
+    def _linked(self, linked_cell: Cell) -> str:
+        linked_cell = self._anchors.cell(linked_cell)
+        return _cell(linked_cell, self._lost(linked_cell.paths))
 
-    def _lost(self, held: tuple[str, ...]) -> tuple[str, ...]:
-        return tuple([path for path in held if path not in self._headings]) if held else held
+    def _lost(self, links: tuple[str, ...]) -> tuple[str, ...]:
+        return tuple([path for path in links if path not in self._headings]) if links else links

@@ -33,27 +33,29 @@ DIRECTIONS = ("request", "response")
 
 def messages(context: Context) -> Section:
     """All messages by code, those without a code by their numbers behind them."""
-    inner = tuple(_message(context, laid) for laid in sorted(context.layout.messages.values(), key=_by_code))
+    inner = tuple(
+        _message(context, message_layout) for message_layout in sorted(context.layout.messages.values(), key=_by_code)
+    )
     return Section("messages", (text_piece("Messages"),), (), inner)
 
 
-def _by_code(laid: MessageLayout) -> tuple[bool, int]:
-    code = laid.message.code
-    return code is None, (laid.message.number if code is None else code) or 0
+def _by_code(message_layout: MessageLayout) -> tuple[bool, int]:
+    code = message_layout.message.code
+    return code is None, (message_layout.message.number if code is None else code) or 0
 
 
-def _message(context: Context, laid: MessageLayout) -> Section:
-    message = laid.message
+def _message(context: Context, message_layout: MessageLayout) -> Section:
+    message = message_layout.message
     path = message.place.path
     blocks = context.opening(message)
-    blocks.append(Facts(tuple(_facts(context, laid))))
-    sent = [link for link in context.layout.links.values() if laid.name in link.messages]
+    blocks.append(Facts(tuple(_facts(context, message_layout))))
+    sent = [link for link in context.layout.links.values() if message_layout.name in link.messages]
     for number, link in enumerate(sent):
         for direction in DIRECTIONS:
-            blocks.append(_frame(context, laid, link, direction, "messages/" if number == 0 else ""))
+            blocks.append(_frame(context, message_layout, link, direction, "messages/" if number == 0 else ""))
     title = message.title or " ".join(message.name.split("_")).capitalize()
-    shown: Line = () if message.code is None else (code(_code(context, message.code)), text_piece(" "))
-    return Section(path, (*shown, *context.section_title(title, message)), tuple(blocks))
+    code_pieces: Line = () if message.code is None else (code(_code(context, message.code)), text_piece(" "))
+    return Section(path, (*code_pieces, *context.section_title(title, message)), tuple(blocks))
 
 
 def _code(context: Context, number: int) -> str:
@@ -63,20 +65,22 @@ def _code(context: Context, number: int) -> str:
     return f"0x{number:0{2 * size}X}"
 
 
-def _frame(context: Context, laid: MessageLayout, link: LinkLayout, direction: str, anchored: str) -> DocumentTable:
-    anchor = f"{laid.message.place.path}/{link.name}-{direction}"
-    record = laid.data(direction)
+def _frame(
+    context: Context, message_layout: MessageLayout, link: LinkLayout, direction: str, anchored: str
+) -> DocumentTable:
+    anchor = f"{message_layout.message.place.path}/{link.name}-{direction}"
+    record = message_layout.data(direction)
     shape = link.frame(direction)
     title = link.link.direction_name(direction).capitalize()
     length = length_text(shape.head_size + shape.tail_size, record)
     if link.link.encoding == "hex_ascii":
         length += ", as two characters each"
     caption = f"{title} on {link.link.title or link.name}: {length}"
-    return FrameTable(context, link, direction, anchor, anchored).table(caption, record, laid.message.code)
+    return FrameTable(context, link, direction, anchor, anchored).table(caption, record, message_layout.message.code)
 
 
-def _facts(context: Context, laid: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    message = laid.message
+def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
+    message = message_layout.message
     yield "Name", ((code(message.name),),)
     if message.number is not None:
         yield "Number", ((code(str(message.number)),),)
@@ -128,7 +132,7 @@ MOST_WORDS = 64
 
 def telegrams(context: Context) -> Section:
     """A table for each link whose frames are words of data only, with one column for each message and direction."""
-    blocks = [made for link in context.layout.links.values() if (made := _table(link)) is not None]
+    blocks = [words_table for link in context.layout.links.values() if (words_table := _table(link)) is not None]
     names = sorted({link.link.message_name for link in context.layout.links.values() if _has_process_data(link)})
     title = " and ".join(f"{name.capitalize()}s" for name in names) or "Telegrams"
     return Section("words", (text_piece(f"{title} word by word"),), tuple(blocks))
@@ -137,11 +141,11 @@ def telegrams(context: Context) -> Section:
 def _has_process_data(link: LinkLayout) -> bool:
     """Whether a link has messages that only their number tells apart, all of whole words."""
     bare = all(not link.frame(direction).head and not link.frame(direction).tail for direction in TELEGRAM_DIRECTIONS)
-    numbered = [laid for laid in link.messages.values() if laid.message.number is not None]
+    numbered = [message for message in link.messages.values() if message.message.number is not None]
     return (
         bare
         and bool(numbered)
-        and all(_words(laid.data(d)) is not None for laid in numbered for d in TELEGRAM_DIRECTIONS)
+        and all(_words(message.data(d)) is not None for message in numbered for d in TELEGRAM_DIRECTIONS)
     )
 
 
@@ -156,24 +160,26 @@ def _table(link: LinkLayout) -> DocumentTable | None:
     if not _has_process_data(link):
         return None
     columns = [TableColumn("Word", "number", unbroken=True)]
-    shown: list[RecordLayout] = []
-    numbered = [laid for laid in link.messages.values() if laid.message.number is not None]
-    for laid in sorted(numbered, key=lambda laid: laid.message.number or 0):
+    records: list[RecordLayout] = []
+    numbered = [message for message in link.messages.values() if message.message.number is not None]
+    for message in sorted(numbered, key=lambda message: message.message.number or 0):
         for direction in TELEGRAM_DIRECTIONS:
-            columns.append(TableColumn(_title(link, laid, direction), unbroken=True))
-            shown.append(laid.data(direction))
-    most = max((_words(record) or 0 for record in shown), default=0)
-    rows = [TableRow((cell(str(word + 1)), *(_at(record, word) for record in shown))) for word in range(most)]
+            columns.append(TableColumn(_title(link, message, direction), unbroken=True))
+            records.append(message.data(direction))
+    most = max((_words(record) or 0 for record in records), default=0)
+    rows = [TableRow((cell(str(word + 1)), *(_at(record, word) for record in records))) for word in range(most)]
     return table(f"Words of {link.link.title or link.name}", columns, rows)
 
 
-def _title(link: LinkLayout, laid: MessageLayout, direction: str) -> str:
-    return f"{laid.message.number} {link.link.direction_name(direction)}"
+def _title(link: LinkLayout, message: MessageLayout, direction: str) -> str:
+    return f"{message.message.number} {link.link.direction_name(direction)}"
 
 
 def _at(record: RecordLayout, word: int) -> Cell:
     """What lies in a word: the field that starts there, or that goes on there."""
-    field = next((one for one in record.fields if one.offset <= 2 * word < (one.end or 0)), None)
+    field = next(
+        (candidate for candidate in record.fields if candidate.offset <= 2 * word < (candidate.end or 0)), None
+    )
     if field is None:
         return Cell()
     if field.offset < 2 * word:
@@ -228,12 +234,12 @@ def _signal(context: Context, signal: Signal, marks: Inferences) -> TableRow:
 
 def _lies_in(context: Context, signal: Signal) -> Cell:
     """The messages that have a signal."""
-    found = [
+    messages = [
         message
         for message in context.device.messages.values()
         if any(field.signal == signal.name for field in (*message.request.fields, *message.response.fields))
     ]
-    return cell(joined((code(message.name, f"#messages/{message.name}"),) for message in found))
+    return cell(joined((code(message.name, f"#messages/{message.name}"),) for message in messages))
 
 
 def _converted(context: Context, signal: Signal) -> Iterator[Line]:

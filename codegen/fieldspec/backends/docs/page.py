@@ -14,7 +14,6 @@ from fieldspec.backends.docs.document import (
     TableColumn,
     TableRow,
     cell,
-    clean,
     code,
     table,
     text_piece,
@@ -32,6 +31,7 @@ from fieldspec.backends.docs.registers import registers
 from fieldspec.backends.docs.spaces import spaces
 from fieldspec.backends.docs.tasks import tasks
 from fieldspec.classes import replace
+from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Citation
 from fieldspec.model.value import merged
@@ -41,6 +41,7 @@ COLUMNS = (
     TableColumn("Facts", "number", unbroken=True),
     TableColumn("Lines", "wide", unbroken=True),
 )
+
 _PARTS = re.compile(r"[0-9]+|[^0-9.]+")
 
 
@@ -102,8 +103,8 @@ def page(layout: DeviceLayout, holding: Holding) -> Document:
     """The page of a device at one version. Sections in which nothing would stand are left out."""
     context = Context(layout, holding)
     device = layout.device
-    made = [section(context) for section in SECTIONS]
-    sections = tuple(_shared(section, holding) for section in made if section.blocks or section.sections)
+    all_sections = [section(context) for section in SECTIONS]
+    sections = tuple(_shared(section, holding) for section in all_sections if section.blocks or section.sections)
     title = f"{device.name}, {version_title(device)}" if device.lines else device.name
     return Document(
         clean(title),
@@ -125,7 +126,11 @@ def _summary(layout: DeviceLayout) -> Iterator[Line]:
     counts = (
         ("registers", sum(register.count for register in device.registers()), "registers"),
         ("messages", len(device.messages), "messages"),
-        ("parameters", sum(len(held.parameters) for held in device.parameters.values()), "parameters"),
+        (
+            "parameters",
+            sum(len(parameter_set.parameters) for parameter_set in device.parameters.values()),
+            "parameters",
+        ),
         ("example frames", len(device.examples), "examples"),
         ("errata", len(device.errata), "errata"),
     )

@@ -49,33 +49,40 @@ COLUMNS = (
 
 def parameters(context: Context) -> Section:
     """All sets of parameters."""
-    inner = tuple(_set(context, held) for held in context.device.parameters.values())
+    inner = tuple(_set(context, parameter_set) for parameter_set in context.device.parameters.values())
     return Section("parameters", (text_piece("Parameters"),), (), inner)
 
 
-def _set(context: Context, held: ParameterSet) -> Section:
-    path = held.place.path
-    blocks = context.opening(held)
-    if numbering := tuple(_numbering(held)):
+def _set(context: Context, parameter_set: ParameterSet) -> Section:
+    path = parameter_set.place.path
+    blocks = context.opening(parameter_set)
+    if numbering := tuple(_numbering(parameter_set)):
         blocks.append(Facts(numbering))
     marks = Inferences(path)
-    restart = any(parameter.restart is not None for parameter in held.parameters)
-    rows = [row for parameter in held.parameters for row in _rows(context, held, parameter, marks, restart)]
-    title = held.title or held.name
+    restart = any(parameter.restart is not None for parameter in parameter_set.parameters)
+    rows = [
+        row
+        for parameter in parameter_set.parameters
+        for row in _rows(context, parameter_set, parameter, marks, restart)
+    ]
+    title = parameter_set.title or parameter_set.name
     blocks.append(table(title, COLUMNS, rows, marks.footnotes(), heading=2))
-    if held.sources:
-        blocks.append(Facts((("Source", (cited(held.sources),)),)))
-    return Section(path, context.section_title(title, held), tuple(blocks))
+    if parameter_set.sources:
+        blocks.append(Facts((("Source", (cited(parameter_set.sources),)),)))
+    return Section(path, context.section_title(title, parameter_set), tuple(blocks))
 
 
-def _numbering(held: ParameterSet) -> Iterator[tuple[str, tuple[Line, ...]]]:
+def _numbering(parameter_set: ParameterSet) -> Iterator[tuple[str, tuple[Line, ...]]]:
     """How the numbers of a set are those on the wire, and which it has besides its rows."""
-    if held.space != held.name:
-        yield "Numbers are those of", ((code(held.space),),)
-    if held.base:
-        yield "On the wire", ((text_piece("its number + "), code(f"0x{held.base:X}")),)
-    if held.numbers is not None:
-        first, last = held.number_text(held.numbers.low), held.number_text(held.numbers.high)
+    if parameter_set.space != parameter_set.name:
+        yield "Numbers are those of", ((code(parameter_set.space),),)
+    if parameter_set.base:
+        yield "On the wire", ((text_piece("its number + "), code(f"0x{parameter_set.base:X}")),)
+    if parameter_set.numbers is not None:
+        first, last = (
+            parameter_set.number_text(parameter_set.numbers.low),
+            parameter_set.number_text(parameter_set.numbers.high),
+        )
         yield (
             "All numbers",
             ((code(first), text_piece(" to "), code(last), text_piece("; the table has those that are described")),),
@@ -83,15 +90,15 @@ def _numbering(held: ParameterSet) -> Iterator[tuple[str, tuple[Line, ...]]]:
 
 
 def _rows(
-    context: Context, held: ParameterSet, parameter: Parameter, marks: Inferences, restart: bool
+    context: Context, parameter_set: ParameterSet, parameter: Parameter, marks: Inferences, restart: bool
 ) -> Iterator[TableRow]:
     inferred, value = parameter.inferred, parameter.value
     kind, unit, bounds = value_cells(value, inferred, marks)
     last = parameter.number + parameter.count - 1
     yield TableRow(
         (
-            cell(*_numbers(held.number_text(parameter.number), held.number_text(last))),
-            _wire(held, parameter.number, last),
+            cell(*_numbers(parameter_set.number_text(parameter.number), parameter_set.number_text(last))),
+            _wire(parameter_set, parameter.number, last),
             names(parameter, parameter.name, mark=marks.marks(inferred)),
             kind,
             access_cell(parameter.access, inferred, marks),
@@ -114,11 +121,11 @@ def _numbers(first: str, last: str) -> list[Line]:
     return [(code(first),)] if first == last else [(code(first), text_piece(" to ")), (code(last),)]
 
 
-def _wire(held: ParameterSet, first: int, last: int) -> Cell:
+def _wire(parameter_set: ParameterSet, first: int, last: int) -> Cell:
     """The numbers on the wire in both notations, where frames have these and not others."""
-    if not held.base and held.space == held.name:
+    if not parameter_set.base and parameter_set.space == parameter_set.name:
         return Cell()
-    low, high = held.base + first, held.base + last
+    low, high = parameter_set.base + first, parameter_set.base + last
     return cell(*_numbers(f"0x{low:04X}", f"0x{high:04X}"), styled(str(low), "quiet"))
 
 
@@ -137,12 +144,12 @@ def _subindex(context: Context, parameter: Parameter, inner: Subindex, marks: In
     kind, unit, bounds = value_cells(inner.value, inner.inferred, marks)
     special: list[Line] = [(styled("reserved", "badge"),)] if inner.reserved else []
     index = spoken(inner.indices.text())
-    shown = f"{parameter.name}[{index}]" + (f" {inner.name}" if inner.name else "")
+    subindex_name = f"{parameter.name}[{index}]" + (f" {inner.name}" if inner.name else "")
     return TableRow(
         (
             Cell(),
             Cell(),
-            names(inner, shown, mark=marks.all_marks(inner.inferred)),
+            names(inner, subindex_name, mark=marks.all_marks(inner.inferred)),
             kind,
             Cell(),
             unit,

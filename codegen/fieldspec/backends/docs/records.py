@@ -55,47 +55,47 @@ OF_RECORD = (TableColumn("Byte", "number", unbroken=True), TableColumn("Bytes", 
 def tables(context: Context) -> Section:
     """All tables."""
     done: set[str] = set()
-    inner = tuple(_table(context, laid, done) for laid in context.layout.tables.values())
+    inner = tuple(_table(context, table_layout, done) for table_layout in context.layout.tables.values())
     return Section("tables", (text_piece("Tables"),), (), inner)
 
 
-def _table(context: Context, laid: TableLayout, done: set[str]) -> Section:
+def _table(context: Context, table_layout: TableLayout, done: set[str]) -> Section:
     """A table with the fields of its record; `done` are the records whose fields have their anchors already."""
-    held = laid.table
-    path = held.place.path
-    blocks = context.opening(held)
-    blocks.append(Facts(tuple(_facts(context, laid))))
-    blocks += context.opening(laid.record.record)
-    blocks.append(_fields(context, laid, laid.record.name not in done))
-    done.add(laid.record.name)
-    blocks.append(_addresses(laid))
-    if held.elements:
+    model = table_layout.table
+    path = model.place.path
+    blocks = context.opening(model)
+    blocks.append(Facts(tuple(_facts(context, table_layout))))
+    blocks += context.opening(table_layout.record.record)
+    blocks.append(_fields(context, table_layout, table_layout.record.name not in done))
+    done.add(table_layout.record.name)
+    blocks.append(_addresses(table_layout))
+    if model.elements:
         columns = (
             TableColumn("Element"),
             TableColumn("Printed addresses"),
             TableColumn("Printed words"),
             TableColumn("Source"),
         )
-        blocks.append(table("Elements as printed", columns, [_printed(element) for element in held.elements]))
-    return Section(path, context.section_title(held.title or held.name, held), tuple(blocks))
+        blocks.append(table("Elements as printed", columns, [_printed(element) for element in model.elements]))
+    return Section(path, context.section_title(model.title or model.name, model), tuple(blocks))
 
 
-def _facts(context: Context, laid: TableLayout) -> list[tuple[str, tuple[Line, ...]]]:
-    held = laid.table
-    first, last = held.indexes[0], held.indexes[-1]
-    formula = f"address(n) = {address(held.base)} + {held.stride} * (n - {held.index_from})"
-    record = laid.record.record
+def _facts(context: Context, table_layout: TableLayout) -> list[tuple[str, tuple[Line, ...]]]:
+    model = table_layout.table
+    first, last = model.indexes[0], model.indexes[-1]
+    formula = f"address(n) = {address(model.base)} + {model.stride} * (n - {model.index_from})"
+    record = table_layout.record.record
     printed = joined(((label(text),) for text in (record.printed_name, record.label) if text), " ")
     return [
-        ("Name", ((code(held.name),),)),
-        *_space(context, held),
-        ("Elements", ((text_piece(f"{held.count}, numbered {first} to {last}"),),)),
+        ("Name", ((code(model.name),),)),
+        *_space(context, model),
+        ("Elements", ((text_piece(f"{model.count}, numbered {first} to {last}"),),)),
         ("Address of element n", ((code(formula),),)),
         (
             "Words of an element",
-            ((text_piece(f"{laid.words}; one element begins {held.stride} words after the other"),),),
+            ((text_piece(f"{table_layout.words}; one element begins {model.stride} words after the other"),),),
         ),
-        ("Addresses", ((code(f"{address(held.base)}..{address(held.address(last) + laid.words - 1)}"),),)),
+        ("Addresses", ((code(f"{address(model.base)}..{address(model.address(last) + table_layout.words - 1)}"),),)),
         ("Record", ((code(record.name, f"#{record.place.path}"), text_piece(" "), *printed),)),
     ]
 
@@ -107,15 +107,15 @@ def _space(context: Context, table: TableOfRecords) -> Iterator[tuple[str, tuple
         yield "Address space", ((text_piece(space.title or space.name, f"#{space.place.path}"),),)
 
 
-def _fields(context: Context, laid: TableLayout, anchored: bool) -> DocumentTable:
-    record = laid.record.record
-    marks = Inferences(f"{laid.table.place.path}/fields")
-    rows = [_table_row(context, field, laid.access(field.field), marks) for field in laid.record.fields]
+def _fields(context: Context, table_layout: TableLayout, anchored: bool) -> DocumentTable:
+    record = table_layout.record.record
+    marks = Inferences(f"{table_layout.table.place.path}/fields")
+    rows = [_table_row(context, field, table_layout.access(field.field), marks) for field in table_layout.record.fields]
     caption = f"Fields of an element, the record {record.name}"
     if not anchored:
         rows = [row._replace(anchor="") for row in rows]
-    made = table(caption, OF_TABLE, rows, marks.footnotes(), heading=2)
-    return replace(made, anchor=record.place.path if anchored else "")
+    field_table = table(caption, OF_TABLE, rows, marks.footnotes(), heading=2)
+    return replace(field_table, anchor=record.place.path if anchored else "")
 
 
 def _table_row(context: Context, field: FieldLayout, access: str, marks: Inferences) -> TableRow:
@@ -147,22 +147,22 @@ def _word(field: FieldLayout) -> Line:
     return (code(f"+{field.offset // 2}"), *half)
 
 
-def _addresses(laid: TableLayout) -> DocumentTable:
+def _addresses(table_layout: TableLayout) -> DocumentTable:
     """The addresses of each field in the first elements and in the last one."""
-    held = laid.table
-    shown = [*held.indexes[:FIRST], *held.indexes[max(FIRST, held.count - 1) :]]
+    model = table_layout.table
+    indexes = [*model.indexes[:FIRST], *model.indexes[max(FIRST, model.count - 1) :]]
     columns = [
         TableColumn("Field", unbroken=True),
-        *(TableColumn(f"Element {index}", "number", unbroken=True) for index in shown),
+        *(TableColumn(f"Element {index}", "number", unbroken=True) for index in indexes),
     ]
     rows = [
         TableRow(
             (
                 cell(code(field.name)),
-                *(cell(_span(held.address(index) + field.offset // 2, field)) for index in shown),
+                *(cell(_span(model.address(index) + field.offset // 2, field)) for index in indexes),
             )
         )
-        for field in laid.record.fields
+        for field in table_layout.record.fields
     ]
     return table("Addresses", columns, rows)
 
@@ -187,30 +187,34 @@ def _printed(element: PrintedElement) -> TableRow:
 
 def records(context: Context) -> Section:
     """The records that no table shows."""
-    shown = {laid.record.name for laid in context.layout.tables.values()}
-    inner = tuple(_record(context, laid) for laid in context.layout.records.values() if laid.name not in shown)
+    in_tables = {table_layout.record.name for table_layout in context.layout.tables.values()}
+    inner = tuple(
+        _record(context, record_layout)
+        for record_layout in context.layout.records.values()
+        if record_layout.name not in in_tables
+    )
     return Section("records", (text_piece("Records"),), (), inner)
 
 
-def _record(context: Context, laid: RecordLayout) -> Section:
-    record = laid.record
+def _record(context: Context, record_layout: RecordLayout) -> Section:
+    record = record_layout.record
     path = record.place.path
     blocks = context.opening(record)
     users = context.users(path)
-    facts: list[tuple[str, tuple[Line, ...]]] = [("Size", ((text_piece(_size(laid)),),))]
+    facts: list[tuple[str, tuple[Line, ...]]] = [("Size", ((text_piece(_size(record_layout)),),))]
     if users:
         facts.append(("Used by", (users,)))
     blocks.append(Facts(tuple(facts)))
     marks = Inferences(path)
-    rows = [_record_row(context, field, marks) for field in laid.fields]
+    rows = [_record_row(context, field, marks) for field in record_layout.fields]
     blocks.append(table(f"Fields of {record.name}", OF_RECORD, rows, marks.footnotes(), heading=2))
     return Section(path, (code(record.name), *context.section_title("", record)[1:]), tuple(blocks))
 
 
-def _size(laid: RecordLayout) -> str:
-    if laid.size is not None:
-        return f"{laid.size} bytes"
-    return f"{laid.least} to {laid.most} bytes"
+def _size(record_layout: RecordLayout) -> str:
+    if record_layout.size is not None:
+        return f"{record_layout.size} bytes"
+    return f"{record_layout.least} to {record_layout.most} bytes"
 
 
 def _record_row(context: Context, field: FieldLayout, marks: Inferences) -> TableRow:

@@ -145,5 +145,5 @@ def provenance_lines(fact: Fact) -> Iterable[Line]:
             text_piece(f" is from {standard.text()}; the manual does not print it."),
         )
     for report in fact.reported:
-        said = joined((text_piece(f"{key} "), code(str(value))) for key, value in report.values.items())
-        yield (styled("reported", "badge"), text_piece(" "), *said, text_piece(f" by {report.by}: {report.how}"))
+        values = joined((text_piece(f"{key} "), code(str(value))) for key, value in report.values.items())
+        yield (styled("reported", "badge"), text_piece(" "), *values, text_piece(f" by {report.by}: {report.how}"))

@@ -21,9 +21,9 @@ COLUMNS = (
 
 def spaces(context: Context) -> Section:
     """All address spaces in one table."""
-    held = context.device.spaces
+    address_spaces = context.device.spaces
     marks = Inferences("spaces")
-    rows = [_row(context, space, marks) for space in held.values()]
+    rows = [_row(context, space, marks) for space in address_spaces.values()]
     blocks = (table("Address spaces", COLUMNS, rows, marks.footnotes()),) if rows else ()
     return Section("spaces", (text_piece("Address spaces"),), blocks)
 
@@ -47,11 +47,11 @@ def _row(context: Context, space: AddressSpace, marks: Inferences) -> TableRow:
 
 def _messages(context: Context, space: AddressSpace, operation: str) -> Line:
     device = context.device
-    found = [
+    messages = [
         message
         for message in device.messages.values()
         if message.accesses is not None
         and message.accesses.operation == operation
         and device.space_name(message.accesses.space) == space.name
     ]
-    return joined(((code(message.name, f"#{message.place.path}"),) for message in found), ", ")
+    return joined(((code(message.name, f"#{message.place.path}"),) for message in messages), ", ")

@@ -64,8 +64,8 @@ def _overview(context: Context, task: Task) -> TableRow:
             ways = (*ways, text_piece(" with "), *joined((code(name, f"#messages/{name}"),) for name in task.messages))
         return TableRow((cell(code(task.name)), cell(ways), sources(task)))
     mark = styled("open question", "open") if task.open else styled("not applicable", "badge")
-    said: Line = (mark, text_piece(f" {task.open or task.not_applicable}"))
-    return TableRow((cell(code(task.name)), cell(said, *context.about(task)), sources(task)), path)
+    text: Line = (mark, text_piece(f" {task.open or task.not_applicable}"))
+    return TableRow((cell(code(task.name)), cell(text, *context.about(task)), sources(task)), path)
 
 
 def _task(context: Context, task: Task, operands: Operands) -> Section:
@@ -85,7 +85,7 @@ def _step(number: int, step: Step, task: Task, operands: Operands) -> TableRow:
         values.append((text_piece(argument_text(step.argument)),))
     elif step.value is not None:
         values.append((code(value_text(step.value)),))
-    values += [(code(name), text_piece(" = "), code(value_text(held))) for name, held in step.values.items()]
+    values += [(code(name), text_piece(" = "), code(value_text(value))) for name, value in step.values.items()]
     values += [(code(name), text_piece(f" = {argument_text(argument)}")) for name, argument in step.arguments.items()]
     return TableRow(
         (
@@ -107,10 +107,10 @@ def _targets(step: Step, task: Task, operands: Operands) -> Iterator[Line]:
     seen: set[Piece] = set()
     for message in task.messages or ("",):
         for operand in operands.target(step.target, message):
-            shown = code(_short(operand.path, message), f"#{operand.fact.place.path}")
-            if shown not in seen:
-                seen.add(shown)
-                yield (shown,)
+            target = code(_short(operand.path, message), f"#{operand.fact.place.path}")
+            if target not in seen:
+                seen.add(target)
+                yield (target,)
 
 
 def _short(path: str, message: str) -> str:

@@ -145,7 +145,9 @@ def _named_by(context: Context, value: Value) -> Iterator[Line]:
         yield (styled("Bits: ", "quiet"), code(value.flags, f"#flags/{value.flags}"))
     if value.parameter is not None:
         name = value.parameter.set
-        links = [code(held.name, f"#parameters/{held.name}") for held in context.device.sets(name)]
+        links = [
+            code(parameter_set.name, f"#parameters/{parameter_set.name}") for parameter_set in context.device.sets(name)
+        ]
         yield (styled(PARTS[value.parameter.part], "quiet"), *joined((link,) for link in links))
 
 

@@ -24,7 +24,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
 
     Versions with the same texts have the same workbooks, as objects too.
     """
-    made: dict[str, str | Workbook] = {}
+    outputs: dict[str, str | Workbook] = {}
     known: dict[tuple[str | None, tuple[TextList, ...]], dict[str, Workbook]] = {}
     for layout in versions:
         device = layout.device
@@ -32,20 +32,20 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
         if not rows:
             continue
         name = stem(device.id, device.version)
-        made[f"{name}_codes.csv"] = BYTE_ORDER_MARK + csv_text([code_lists.COLUMNS, *rows])
-        held = CULTURES.get(device.manual.language), tuple(text_lists(device))
-        if held not in known:
-            known[held] = dict(_workbooks(*held))
-        made |= {f"{name}_{ending}.xlsx": book for ending, book in known[held].items()}
-    return made
+        outputs[f"{name}_codes.csv"] = BYTE_ORDER_MARK + csv_text([code_lists.COLUMNS, *rows])
+        texts_of_device = CULTURES.get(device.manual.language), tuple(text_lists(device))
+        if texts_of_device not in known:
+            known[texts_of_device] = dict(_workbooks(*texts_of_device))
+        outputs |= {f"{name}_{ending}.xlsx": book for ending, book in known[texts_of_device].items()}
+    return outputs
 
 
-def _workbooks(culture: str | None, held: Sequence[TextList]) -> Iterator[tuple[str, Workbook]]:
+def _workbooks(culture: str | None, text_lists: Sequence[TextList]) -> Iterator[tuple[str, Workbook]]:
     """Workbooks by the ends of their names, in English, and in English and another language."""
     for languages in ((ENGLISH,), *(((ENGLISH, culture),) if culture else ())):
         words = "_".join(language.replace("-", "_").lower() for language in languages)
-        yield f"tia_panel_{words}", panel_workbook(held, languages)
-        yield f"tia_alarms_{words}", controller_workbook(held, languages)
+        yield f"tia_panel_{words}", panel_workbook(text_lists, languages)
+        yield f"tia_alarms_{words}", controller_workbook(text_lists, languages)
 
 
 def shared() -> dict[str, str | Workbook]:

@@ -41,11 +41,11 @@ def _cause(member: Member) -> str:
 
 def _remedy(member: Member) -> str:
     """What to do, numbered as the causes are; what helps whatever the cause is stands last."""
-    given = [" ".join(cause.remedies) for cause in member.causes]
+    remedies = [" ".join(cause.remedies) for cause in member.causes]
     general = " ".join(member.remedies)
-    if not any(given):
+    if not any(remedies):
         return general
-    return "; ".join(part for part in (_numbered(given), general) if part)
+    return "; ".join(part for part in (_numbered(remedies), general) if part)
 
 
 def _numbered(texts: Sequence[str]) -> str:

@@ -44,39 +44,39 @@ def text_lists(device: Device) -> Iterator[TextList]:
                 yield TextList((base + Name.of(word)).snake(), f"{title}, {word}", entries)
 
 
-def panel_workbook(held: Sequence[TextList], languages: Sequence[str]) -> Workbook:
+def panel_workbook(text_lists: Sequence[TextList], languages: Sequence[str]) -> Workbook:
     """The text lists of a panel, in the languages that a project has."""
     texts = [f"Text [{language}]" for language in languages]
     head = ("Name", "Parent", "DefaultEntry", "Value", *texts, "FieldInfos")
     entries = [
-        (f"Text_list_entry_{number}", one.name, "", str(value), *_texts(languages, english, label), "")
-        for one in held
-        for number, (value, english, label) in enumerate(one.entries, 1)
+        (f"Text_list_entry_{number}", text_list.name, "", str(value), *_texts(languages, english, label), "")
+        for text_list in text_lists
+        for number, (value, english, label) in enumerate(text_list.entries, 1)
     ]
-    return Workbook((_lists(held, languages), Worksheet("TextListEntry", (head, *entries))))
+    return Workbook((_lists(text_lists, languages), Worksheet("TextListEntry", (head, *entries))))
 
 
-def controller_workbook(held: Sequence[TextList], languages: Sequence[str]) -> Workbook:
+def controller_workbook(text_lists: Sequence[TextList], languages: Sequence[str]) -> Workbook:
     """The text lists of a controller's alarms."""
     head = ("Parent", "From", "To", *(f"Text [{language}]" for language in languages))
     entries = [
-        (one.name, str(value), str(value), *_texts(languages, english, label))
-        for one in held
-        for value, english, label in one.entries
+        (text_list.name, str(value), str(value), *_texts(languages, english, label))
+        for text_list in text_lists
+        for value, english, label in text_list.entries
     ]
-    sheets = (_lists(held, languages), Worksheet("TextListEntry", (head, *entries)))
+    sheets = (_lists(text_lists, languages), Worksheet("TextListEntry", (head, *entries)))
     return Workbook(sheets, {"FileVersion": "1", "FileContent": "Alarm text lists"})
 
 
-def _lists(held: Sequence[TextList], languages: Sequence[str]) -> Worksheet:
+def _lists(text_lists: Sequence[TextList], languages: Sequence[str]) -> Worksheet:
     head = ("Name", "ListRange", *(f"Comment [{language}]" for language in languages))
     rows = [
         (
-            one.name,
+            text_list.name,
             "Decimal",
-            *(_single_line(one.comment) if language == ENGLISH else NO_VALUE for language in languages),
+            *(_single_line(text_list.comment) if language == ENGLISH else NO_VALUE for language in languages),
         )
-        for one in held
+        for text_list in text_lists
     ]
     return Worksheet("TextList", (head, *rows))
 

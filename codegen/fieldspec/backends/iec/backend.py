@@ -33,8 +33,8 @@ class Source:
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """Of a device's newest version the types and functions as one source, and the constants for a configuration."""
     layout = newest(versions)
-    made = source(layout)
-    return {f"{stem(layout)}.st": text(made), f"{stem(layout)}_constants.st": constants(made)}
+    iec_source = source(layout)
+    return {f"{stem(layout)}.st": text(iec_source), f"{stem(layout)}_constants.st": constants(iec_source)}
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
@@ -55,19 +55,19 @@ def source(layout: DeviceLayout) -> Source:
     return Source(declared, tuple(routines(declared.world)), spelling)
 
 
-def text(made: Source) -> str:
+def text(iec_source: Source) -> str:
     """Types, each behind those that it uses, then functions, each behind those that it calls."""
-    lines = _remarks([*about(made.declared.layout), "", *_guide(made)])
+    lines = _remarks([*about(iec_source.declared.layout), "", *_guide(iec_source)])
     declared: set[str] = set()
-    for struct in made.declared.structs:
+    for struct in iec_source.declared.structs:
         for member in struct.members:
-            lines += _arrays(member.type, made.spelling, declared)
-        lines += ["", *struct_lines(struct, made.spelling)]
-    for routine in made.routines:
-        for one in routine.declared:
-            lines += _arrays(one.variable.type, made.spelling, declared)
-    for routine in made.routines:
-        lines += ["", *routine_text(routine, made.spelling)]
+            lines += _arrays(member.type, iec_source.spelling, declared)
+        lines += ["", *struct_lines(struct, iec_source.spelling)]
+    for routine in iec_source.routines:
+        for parameter in routine.declared:
+            lines += _arrays(parameter.variable.type, iec_source.spelling, declared)
+    for routine in iec_source.routines:
+        lines += ["", *routine_text(routine, iec_source.spelling)]
     return "\n".join(lines) + "\n"
 
 
@@ -81,11 +81,11 @@ def _arrays(kind: object, spelling: Spelling, declared: set[str]) -> Iterator[st
             yield from ("", *lines)
 
 
-def _guide(made: Source) -> list[str]:
+def _guide(iec_source: Source) -> list[str]:
     return [
         "Each function returns a status, a number: see the constants. Unless that is 0, its outputs and what it was to",
         "fill must not be used. Arrays have named types, because an argument must have the type of the parameter.",
-        *examples(made.declared.world, made.routines, made.spelling),
+        *examples(iec_source.declared.world, iec_source.routines, iec_source.spelling),
     ]
 
 
@@ -94,21 +94,21 @@ def _remarks(lines: Sequence[str]) -> list[str]:
     return [form.format(line.replace("(*", "( *").replace("*)", "* )")).rstrip() for line in lines]
 
 
-def constants(made: Source) -> str:
+def constants(iec_source: Source) -> str:
     """All constants, for the configuration: a program names those that it uses in VAR_EXTERNAL CONSTANT."""
     head = ["Put these lists into the CONFIGURATION. A program declares what it uses as VAR_EXTERNAL CONSTANT."]
-    lines = _remarks([*about(made.declared.layout), "", *head])
-    for listed in made.declared.constants:
-        lines += ["", *_constants(listed)]
+    lines = _remarks([*about(iec_source.declared.layout), "", *head])
+    for constant_list in iec_source.declared.constants:
+        lines += ["", *_constants(constant_list)]
     return "\n".join(lines) + "\n"
 
 
-def _constants(listed: ConstantList) -> Iterator[str]:
-    yield from comment(listed.title, form=IEC.comment)
+def _constants(constant_list: ConstantList) -> Iterator[str]:
+    yield from comment(constant_list.title, form=IEC.comment)
     yield "VAR_GLOBAL CONSTANT"
-    for one in listed.constants:
-        remark = comment_text(one.remark)
-        yield f"    {one.name} : {one.type.name} := {number(one)};" + (
+    for constant in constant_list.constants:
+        remark = comment_text(constant.remark)
+        yield f"    {constant.name} : {constant.type.name} := {number(constant)};" + (
             f" {IEC.comment.format(remark)}" if remark else ""
         )
     yield "END_VAR"

@@ -58,18 +58,18 @@ class PlacedValue:
         return self.name if self.elements == 1 else self.name.format(f"{self.first}..{self.first + self.elements - 1}")
 
 
-def of_register(laid: RegisterLayout, index: int, start: int) -> PlacedValue:
+def of_register(register_layout: RegisterLayout, index: int, start: int) -> PlacedValue:
     """One element of a register."""
-    register = laid.register
+    register = register_layout.register
     value = register.value
-    many = laid.count > 1
+    many = register_layout.count > 1
     return PlacedValue(
-        f"{laid.name}[{register.index_from + index}]" if many else laid.name,
+        f"{register_layout.name}[{register.index_from + index}]" if many else register_layout.name,
         start,
         value.size,
         value.type.name,
-        laid.order,
-        laid.swapped,
+        register_layout.order,
+        register_layout.swapped,
         register,
         value,
         access=register.access,
@@ -82,8 +82,8 @@ def of_table(
 ) -> Iterator[PlacedValue]:
     """The fields of a table's record; each stands for those of all elements, `stride` bytes apart."""
     for field in record.fields:
-        for inner in _of_field(field, f"{name}[{{}}]." if count > 1 else f"{name}.", 0, "", listed=False):
-            held = PlacedValue(
+        for inner in _of_field(field, f"{name}[{{}}]." if count > 1 else f"{name}.", 0, "", as_elements=False):
+            placed_value = PlacedValue(
                 inner.name,
                 inner.start,
                 inner.size,
@@ -100,13 +100,13 @@ def of_table(
                 stride,
                 first,
             )
-            yield held
+            yield placed_value
 
 
 def of_record(record: RecordLayout, start: int) -> Iterator[PlacedValue]:
     """The values of a record. Equal values that follow each other are one with several elements."""
     for field in record.fields:
-        yield from _of_field(field, "", start, record.selector.name if record.selector else "", listed=True)
+        yield from _of_field(field, "", start, record.selector.name if record.selector else "", as_elements=True)
 
 
 def of_part(part: PartLayout, start: int, fixed: int | None) -> PlacedValue:
@@ -129,41 +129,47 @@ def of_part(part: PartLayout, start: int, fixed: int | None) -> PlacedValue:
     )
 
 
-def _of_field(field: FieldLayout, before: str, at: int, selector: str, listed: bool) -> Iterator[PlacedValue]:
+def _of_field(field: FieldLayout, before: str, at: int, selector: str, as_elements: bool) -> Iterator[PlacedValue]:
     repeat = field.field.repeat
     count = field.count if field.count is not None else repeat.high if repeat is not None else 1
     start = at + field.offset
     if field.cases:
         for case in field.cases:
-            yield from _elements(field, case, f"{before}{field.name}", start, count, selector, listed)
+            yield from _elements(field, case, f"{before}{field.name}", start, count, selector, as_elements)
         return
     if field.record is None:
-        yield from _elements(field, field, f"{before}{field.name}", start, count, "", listed)
+        yield from _elements(field, field, f"{before}{field.name}", start, count, "", as_elements)
         return
     for number in range(count):
         name = f"{before}{field.name}[{number}]." if field.is_list else f"{before}{field.name}."
         for inner in field.record.fields:
-            for held in _of_field(inner, name, start + number * field.size, "", listed=False):
-                yield replace(held, access=narrowed(field.field.access, held.access))
+            for placed_value in _of_field(inner, name, start + number * field.size, "", as_elements=False):
+                yield replace(placed_value, access=narrowed(field.field.access, placed_value.access))
 
 
 def _elements(
-    field: FieldLayout, held: FieldLayout | CaseLayout, name: str, start: int, count: int, selector: str, listed: bool
+    field: FieldLayout,
+    typed: FieldLayout | CaseLayout,
+    name: str,
+    start: int,
+    count: int,
+    selector: str,
+    as_elements: bool,
 ) -> Iterator[PlacedValue]:
-    value = held.value
+    value = typed.value
     assert value is not None
-    case = f"{selector}: {', '.join(held.case.when)}" if isinstance(held, CaseLayout) else ""
-    fact = held.case if isinstance(held, CaseLayout) else held.field
+    case = f"{selector}: {', '.join(typed.case.when)}" if isinstance(typed, CaseLayout) else ""
+    fact = typed.case if isinstance(typed, CaseLayout) else typed.field
     spec = field.field
 
-    def one(named: str, at: int, elements: int) -> PlacedValue:
+    def value_at(named: str, at: int, elements: int) -> PlacedValue:
         return PlacedValue(
             named,
             at,
             value.size,
             value.type.name,
-            held.order,
-            held.swapped,
+            typed.order,
+            typed.swapped,
             fact,
             value,
             spec.access,
@@ -175,12 +181,12 @@ def _elements(
         )
 
     if not field.is_list:
-        yield one(name, start, 1)
-    elif listed and count > 1:
-        yield one(f"{name}[{{}}]", start, count)
+        yield value_at(name, start, 1)
+    elif as_elements and count > 1:
+        yield value_at(f"{name}[{{}}]", start, count)
     else:
         for number in range(count):
-            yield one(f"{name}[{number}]", start + number * value.size, 1)
+            yield value_at(f"{name}[{number}]", start + number * value.size, 1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -225,22 +231,22 @@ def _runs(layout: DeviceLayout) -> Iterator[Area]:
 def _runs_of(layout: DeviceLayout, space: str) -> Iterator[Area]:
     """The runs of a space; of all registers where it has no name."""
     placed = [
-        (laid.address + number * laid.stride, laid, number)
-        for laid in layout.registers
-        if not space or layout.device.space_name(laid.register.space) == space
-        for number in range(laid.count)
+        (register.address + number * register.stride, register, number)
+        for register in layout.registers
+        if not space or layout.device.space_name(register.register.space) == space
+        for number in range(register.count)
     ]
-    placed.sort(key=lambda one: one[0])
+    placed.sort(key=lambda place: place[0])
     run: list[PlacedValue] = []
     first = end = 0
-    for address, laid, number in placed:
+    for address, register, number in placed:
         if run and address > end:
             yield _run(space, first, end, run)
             run = []
         if not run:
             first = end = address
-        run.append(of_register(laid, number, 2 * (address - first)))
-        end = max(end, address + laid.words)
+        run.append(of_register(register, number, 2 * (address - first)))
+        end = max(end, address + register.words)
     if run:
         yield _run(space, first, end, run)
 
@@ -249,34 +255,37 @@ def _run(space: str, first: int, end: int, run: list[PlacedValue]) -> Area:
     return Area(f"{space or 'registers'} 0x{first:04X}..0x{end - 1:04X}", "", 2, 2 * (end - first), tuple(run), first)
 
 
-def _table(laid: TableLayout) -> Area:
-    table = laid.table
+def _table(table_layout: TableLayout) -> Area:
+    table = table_layout.table
     stride = 2 * table.stride
-    held = tuple(of_table(table.name, laid.record, table.access, table.count, stride, table.index_from))
-    return Area(f"table {table.name}", "", 2, stride * (table.count - 1) + 2 * laid.words, held, table.base)
+    values = tuple(of_table(table.name, table_layout.record, table.access, table.count, stride, table.index_from))
+    return Area(f"table {table.name}", "", 2, stride * (table.count - 1) + 2 * table_layout.words, values, table.base)
 
 
-def _message(layout: DeviceLayout, link: LinkLayout, laid: MessageLayout) -> Iterator[Area]:
+def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> Iterator[Area]:
     """The frames of a message. Of one that reads or writes registers, the areas of registers are all there is."""
-    if layout.device.register_access(laid.message) is not None:
+    if layout.device.register_access(message.message) is not None:
         return
-    several = sum(laid.name in other.messages for other in layout.links.values()) > 1
+    several = sum(message.name in other.messages for other in layout.links.values()) > 1
     for direction, sign in (("request", ">"), ("response", "<")):
-        shape, data = link.frame(direction), laid.data(direction)
+        shape, data = link.frame(direction), message.data(direction)
         whole = None if data.size is None else shape.head_size + data.size + shape.tail_size
         length = shape.role("length")
-        fixed = {"code": laid.message.code, "length": None if length is None or whole is None else length.number(whole)}
-        held = [of_part(part, part.offset, fixed.get(part.role)) for part in shape.head]
-        held += of_record(data, shape.head_size)
+        fixed = {
+            "code": message.message.code,
+            "length": None if length is None or whole is None else length.number(whole),
+        }
+        values = [of_part(part, part.offset, fixed.get(part.role)) for part in shape.head]
+        values += of_record(data, shape.head_size)
         if whole is not None:
-            held += [of_part(part, whole + part.offset, None) for part in shape.tail]
+            values += [of_part(part, whole + part.offset, None) for part in shape.tail]
         size = shape.head_size + (data.size if data.size is not None else data.most or data.least) + shape.tail_size
-        if held:
-            name = f"{laid.name} on {link.name}" if several else laid.name
+        if values:
+            name = f"{message.name} on {link.name}" if several else message.name
             # A frame with a check goes through a serial port, byte by byte; anything else is exchanged as words.
             unit = 1 if shape.checksum else 2
-            each = tuple(one for some in held for one in some.regular(unit))
-            yield Area(f"{name} {direction}", f"{laid.name}{sign}", unit, size, each)
+            each = tuple(value for some in values for value in some.regular(unit))
+            yield Area(f"{name} {direction}", f"{message.name}{sign}", unit, size, each)
 
 
 Bit = tuple[int, int]
@@ -302,13 +311,13 @@ def wire_byte(significance: int, size: int, order: str, swapped: bool) -> int:
     return (size // 2 - 1 - byte // 2) * 2 + byte % 2 if swapped else byte
 
 
-def bits_text(held: Sequence[Bit], first: int) -> str:
+def bits_text(bits: Sequence[Bit], first: int) -> str:
     """Bits as text, the most significant first: `15..0`, `3`, `1:15..0 0:15..0`.
 
     The number before a colon is that of the word, counted from `first`; it is left out where all are in that word.
     """
     runs: list[tuple[int, int, int]] = []
-    for word, bit in reversed(held):
+    for word, bit in reversed(bits):
         if runs and runs[-1][0] == word and runs[-1][2] == bit + 1:
             runs[-1] = (word, runs[-1][1], bit)
         else:
@@ -317,9 +326,9 @@ def bits_text(held: Sequence[Bit], first: int) -> str:
     return " ".join(("" if alone else f"{word - first}:") + _span(high, low) for word, high, low in runs)
 
 
-def words(held: Iterable[Bit]) -> int:
+def words(bits: Iterable[Bit]) -> int:
     """How many words some bits reach over."""
-    numbers = [word for word, _ in held]
+    numbers = [word for word, _ in bits]
     return max(numbers) - min(numbers) + 1
 
 

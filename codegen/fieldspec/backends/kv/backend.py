@@ -31,10 +31,10 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     known: dict[tuple[int, str], AreaRows] = {}
     for layout in versions:
         name = stem(layout.device.id, layout.device.version)
-        written = [_area_rows(layout, base, area, known) for base, area in _placed(layout, KV)]
-        words = [csv_text(word_map.head(layout)), *(one.words for one in written)]
+        map_rows = [_area_rows(layout, base, area, known) for base, area in _placed(layout, KV)]
+        words = [csv_text(word_map.head(layout)), *(rows_of_area.words for rows_of_area in map_rows)]
         texts[f"{name}_words.csv"] = BYTE_ORDER_MARK + "".join(words)
-        texts[f"{name}_comments.csv"] = "".join(one.comments for one in written)
+        texts[f"{name}_comments.csv"] = "".join(rows_of_area.comments for rows_of_area in map_rows)
     return texts
 
 

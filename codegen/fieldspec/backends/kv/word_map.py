@@ -57,37 +57,45 @@ def head(layout: DeviceLayout) -> list[Sequence[Cell]]:
 
 def rows(device: Device, base: int, area: Area, dialect: WordDialect) -> Iterator[list[Cell]]:
     """The rows of an area, whose first word has the number `base`."""
-    for held in area.values:
-        for cells in _value(device, base, area, held, dialect):
+    for placed_value in area.values:
+        for cells in _value(device, base, area, placed_value, dialect):
             yield list(map(cells.get, COLUMNS))
 
 
 def meanings(device: Device, area: Area) -> list[Enum | Flags]:
     """What the rows of an area tell beside what is in the area."""
-    found: list[Enum | Flags] = []
-    for held in area.values:
-        value = held.value
+    meanings_of_values: list[Enum | Flags] = []
+    for placed_value in area.values:
+        value = placed_value.value
         if value is not None and value.enum in device.enums:
-            found.append(device.enums[value.enum])
+            meanings_of_values.append(device.enums[value.enum])
         if value is not None and value.flags in device.flags:
             flags = device.flags[value.flags]
-            found += [flags, *(device.enums[bit.enum] for bit in flags.bits if bit.enum in device.enums)]
-    return found
+            meanings_of_values += [flags, *(device.enums[bit.enum] for bit in flags.bits if bit.enum in device.enums)]
+    return meanings_of_values
 
 
-def _value(device: Device, base: int, area: Area, held: PlacedValue, dialect: WordDialect) -> Iterator[Cells]:
-    value = held.value
-    word = held.start // area.unit
+def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dialect: WordDialect) -> Iterator[Cells]:
+    value = placed_value.value
+    word = placed_value.start // area.unit
     number = value is None or value.type.letter != "s"
-    places = bits(held.start, held.size, held.order, held.swapped, area.unit)
+    places = bits(placed_value.start, placed_value.size, placed_value.order, placed_value.swapped, area.unit)
     place: Cells = {"area": area.name, "device": dialect.device(base + word), "word": word}
-    if held.elements > 1:
-        place |= {"elements": held.elements, "stride": held.stride // area.unit}
-    where = _where(area, held)
-    row = place | where | {"words": words(places) if held.size else 0, "name": held.title, "type": held.type}
+    if placed_value.elements > 1:
+        place |= {"elements": placed_value.elements, "stride": placed_value.stride // area.unit}
+    where = _where(area, placed_value)
+    row = (
+        place
+        | where
+        | {"words": words(places) if placed_value.size else 0, "name": placed_value.title, "type": placed_value.type}
+    )
     if number:
         text = bits_text(places, word)
-        row |= {"bits": text, "in_memory": _in_memory(text, held, dialect), "suffix": _suffix(text, held, dialect)}
+        row |= {
+            "bits": text,
+            "in_memory": _in_memory(text, placed_value, dialect),
+            "suffix": _suffix(text, placed_value, dialect),
+        }
     if value is not None:
         enum = device.enums.get(value.enum) if value.enum else None
         row |= {
@@ -99,11 +107,11 @@ def _value(device: Device, base: int, area: Area, held: PlacedValue, dialect: Wo
             "values": "; ".join(_named(value, enum)) or None,
         }
     yield row | {
-        "fixed": held.fixed,
-        "access": held.access or None,
-        "case": held.case or None,
-        "label": "reserved" if held.reserved else held.fact.label or None,
-        "source": _source(held.fact),
+        "fixed": placed_value.fixed,
+        "access": placed_value.access or None,
+        "case": placed_value.case or None,
+        "label": "reserved" if placed_value.reserved else placed_value.fact.label or None,
+        "source": _source(placed_value.fact),
     }
     flags = device.flags.get(value.flags) if value is not None and value.flags else None
     for bit in flags.bits if flags is not None else ():
@@ -111,24 +119,24 @@ def _value(device: Device, base: int, area: Area, held: PlacedValue, dialect: Wo
         yield place | {
             "words": 1,
             "bits": bits_text(places[bit.first : bit.last + 1], word),
-            "name": f"{held.title}.{bit.name}",
+            "name": f"{placed_value.title}.{bit.name}",
             "type": "bit" if bit.width == 1 else "bits",
             "values": _members(enum) if enum is not None else _senses(bit),
             "case": bit.when or None,
-            "access": held.access or None,
+            "access": placed_value.access or None,
             "label": "reserved" if bit.reserved else bit.label or None,
             "source": _source(bit),
         }
 
 
-def _where(area: Area, held: PlacedValue) -> Cells:
+def _where(area: Area, placed_value: PlacedValue) -> Cells:
     """Where a value is on the wire: the address of its first register, or its first byte."""
     if area.address is None:
-        return {"byte": held.start}
-    return {"address": f"0x{area.address + held.start // 2:04X}"}
+        return {"byte": placed_value.start}
+    return {"address": f"0x{area.address + placed_value.start // 2:04X}"}
 
 
-def _in_memory(text: str, held: PlacedValue, dialect: WordDialect) -> str:
+def _in_memory(text: str, placed_value: PlacedValue, dialect: WordDialect) -> str:
     """What must be done with the words before an instruction reads them as a number of that size."""
     if text in ("15..0", "7..0") or text == _native(dialect):
         return "direct"
@@ -138,15 +146,15 @@ def _in_memory(text: str, held: PlacedValue, dialect: WordDialect) -> str:
         return "swap bytes"
     if text in ("0:15..0 1:15..0", "1:15..0 0:15..0"):
         return "swap words"
-    return "join words" if text.count(":15..0") * 2 == held.size else "join bytes"
+    return "join words" if text.count(":15..0") * 2 == placed_value.size else "join bytes"
 
 
 def _native(dialect: WordDialect) -> str:
     return "1:15..0 0:15..0" if dialect.low_word_first else "0:15..0 1:15..0"
 
 
-def _suffix(text: str, held: PlacedValue, dialect: WordDialect) -> str | None:
-    return dialect.suffixes.get(held.type) if _in_memory(text, held, dialect) == "direct" else None
+def _suffix(text: str, placed_value: PlacedValue, dialect: WordDialect) -> str | None:
+    return dialect.suffixes.get(placed_value.type) if _in_memory(text, placed_value, dialect) == "direct" else None
 
 
 def _ranges(value: Value) -> Cells:
@@ -186,35 +194,35 @@ _FOREIGN = {"°C": "degC"}
 def comment_rows(base: int, area: Area, dialect: WordDialect) -> Iterator[tuple[str, str]]:
     """Devices and their comments, for an area whose first word has the number `base`."""
     texts: dict[int, dict[str, str]] = {}
-    for held in area.values:
-        unit = _scaled(held)
-        for name, start in held.names():
-            first, last = start // area.unit, (start + max(held.size, 1) - 1) // area.unit
+    for placed_value in area.values:
+        unit = _scaled(placed_value)
+        for name, start in placed_value.names():
+            first, last = start // area.unit, (start + max(placed_value.size, 1) - 1) // area.unit
             texts.setdefault(first, {}).setdefault(name, unit)
             for word in range(first + 1, last + 1):
                 texts.setdefault(word, {}).setdefault(f"{name}+{word - first}", unit)
-    for word, found in sorted(texts.items()):
+    for word, names in sorted(texts.items()):
         device = dialect.device(base + word)
         if device:
-            yield device, _fitted(area.tag, found, dialect.width)
+            yield device, _fitted(area.tag, names, dialect.width)
 
 
-def _scaled(held: PlacedValue) -> str:
+def _scaled(placed_value: PlacedValue) -> str:
     """What one count is worth: `0.01mm`."""
-    value = held.value
+    value = placed_value.value
     if value is None or not value.unit:
         return ""
     unit = _FOREIGN.get(value.unit, value.unit)
     return f"{value.scale_text}{unit}" if value.scaled else unit
 
 
-def _fitted(tag: str, found: dict[str, str], width: int) -> str:
+def _fitted(tag: str, names: dict[str, str], width: int) -> str:
     """The names of what a word holds, and the unit of a single one if there is room.
 
     Words of letters are cut, all to the same length, until it fits.
     """
-    text = tag + "/".join(found)
-    (unit, *others) = found.values()
+    text = tag + "/".join(names)
+    (unit, *others) = names.values()
     if unit and not others and len(text) + len(unit) < width:
         return f"{text} {unit}"
     if len(text) <= width:

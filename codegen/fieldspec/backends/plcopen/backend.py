@@ -34,8 +34,11 @@ CREATED = "2000-01-01T00:00:00"
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """A project with everything of a device's newest version, and a table of where members of structs lie."""
     layout = newest(versions)
-    made = program(layout)
-    return {f"{stem(layout)}.xml": document_text(project(made)), f"{stem(layout)}_layout.csv": layout_table(made)}
+    st_program = program(layout)
+    return {
+        f"{stem(layout)}.xml": document_text(project(st_program)),
+        f"{stem(layout)}_layout.csv": layout_table(st_program),
+    }
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
@@ -48,29 +51,34 @@ def shared() -> dict[str, str]:
     return {}
 
 
-def project(made: Program) -> Element:
+def project(program_of_device: Program) -> Element:
     """The project: types, functions, and the lists of constants as data that CODESYS reads and writes itself."""
-    layout = made.declared.layout
-    types = [enum_type(one) for one in made.declared.enums]
-    types += [struct_type(one.struct, one.size) for one in made.placed]
-    lists = [constants_list(one) for one in made.declared.constants]
-    if made.texts is not None:
-        types.append(text_type(made.texts))
-        lists.append(texts_list(made.texts_list, made.declared.texts, made.texts))
-    functions = [sizes_function(made), *map(function, made.routines, made.functions)]
+    layout = program_of_device.declared.layout
+    types = [enum_type(enum) for enum in program_of_device.declared.enums]
+    types += [struct_type(placed.struct, placed.size) for placed in program_of_device.placed]
+    lists = [constants_list(constant_list) for constant_list in program_of_device.declared.constants]
+    if program_of_device.texts is not None:
+        types.append(text_type(program_of_device.texts))
+        lists.append(
+            texts_list(program_of_device.texts_list, program_of_device.declared.texts, program_of_device.texts)
+        )
+    functions = [
+        sizes_function(program_of_device),
+        *map(function, program_of_device.routines, program_of_device.functions),
+    ]
     scaling = element("scaling", x="1", y="1")
     return element(
         "project",
         element("fileHeader", companyName="", productName="fieldspec", productVersion="", creationDateTime=CREATED),
         element(
             "contentHeader",
-            element("Comment", text="\n".join([*made.about(), "", *made.guide()])),
+            element("Comment", text="\n".join([*program_of_device.about(), "", *program_of_device.guide()])),
             element("coordinateInfo", element("fbd", scaling), element("ld", scaling), element("sfc", scaling)),
             name=stem(layout),
         ),
         element("types", element("dataTypes", *types), element("pous", *functions)),
         element("instances", element("configurations")),
-        element("addData", *(element("data", one, name=GLOBALS, handleUnknown="implementation") for one in lists)),
-        documentation(made.about()),
+        element("addData", *(element("data", data, name=GLOBALS, handleUnknown="implementation") for data in lists)),
+        documentation(program_of_device.about()),
         xmlns=NAMESPACE,
     )

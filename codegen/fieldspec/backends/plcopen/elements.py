@@ -38,18 +38,18 @@ def document_text(root: Element) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _write(one: Element, indent: str, lines: list[str]) -> None:
-    given = "".join([f" {name}={_quoted(value)}" for name, value in one.attributes])
-    if one.text:
-        lines.append(f"{indent}<{one.name}{given}>{escape(_legal(one.text), quote=False)}</{one.name}>")
-    elif one.children:
-        lines.append(f"{indent}<{one.name}{given}>")
+def _write(node: Element, indent: str, lines: list[str]) -> None:
+    attributes_text = "".join([f" {name}={_quoted(value)}" for name, value in node.attributes])
+    if node.text:
+        lines.append(f"{indent}<{node.name}{attributes_text}>{escape(_legal(node.text), quote=False)}</{node.name}>")
+    elif node.children:
+        lines.append(f"{indent}<{node.name}{attributes_text}>")
         inner = indent + " "
-        for child in one.children:
+        for child in node.children:
             _write(child, inner, lines)
-        lines.append(f"{indent}</{one.name}>")
+        lines.append(f"{indent}</{node.name}>")
     else:
-        lines.append(f"{indent}<{one.name}{given}/>")
+        lines.append(f"{indent}<{node.name}{attributes_text}/>")
 
 
 def _quoted(value: str) -> str:
@@ -81,9 +81,9 @@ def type_element(kind: Type) -> Element:
 
 def attributes(*pairs: tuple[str, str]) -> Element:
     """Pragmas, which the schema does not know: as data that CODESYS reads and writes itself."""
-    held = (element("Attribute", Name=name, Value=value) for name, value in pairs)
+    pragmas = (element("Attribute", Name=name, Value=value) for name, value in pairs)
     return element(
-        "addData", element("data", element("Attributes", *held), name=ATTRIBUTES, handleUnknown="implementation")
+        "addData", element("data", element("Attributes", *pragmas), name=ATTRIBUTES, handleUnknown="implementation")
     )
 
 
@@ -106,9 +106,9 @@ def variable(name: str, kind: Element, initial: Element | None, remark: str) -> 
 
 def _declared(name: str, base: Element, pairs: Iterable[tuple[str, str]], title: str) -> Element:
     parts = [element("baseType", base)]
-    given = tuple(pairs)
-    if given:
-        parts.append(attributes(*given))
+    attribute_pairs = tuple(pairs)
+    if attribute_pairs:
+        parts.append(attributes(*attribute_pairs))
     if comment_text(title):
         parts.append(documentation([title]))
     return element("dataType", *parts, name=name)
@@ -116,20 +116,25 @@ def _declared(name: str, base: Element, pairs: Iterable[tuple[str, str]], title:
 
 def enum_type(declared: EnumDeclaration) -> Element:
     """A strict enum with its base type."""
-    values = (element("value", name=one.name, value=str(one.value)) for one in declared.members)
+    values = (element("value", name=member.name, value=str(member.value)) for member in declared.members)
     base = element("baseType", type_element(declared.base))
-    held = element("enum", element("values", *values), base)
-    remarks = [f"{one.name}: {one.remark}" for one in declared.members if comment_text(one.remark)]
-    made = _declared(declared.name, held, ((name, "") for name in ENUM_ATTRIBUTES), declared.title)
+    values_and_base = element("enum", element("values", *values), base)
+    remarks = [f"{member.name}: {member.remark}" for member in declared.members if comment_text(member.remark)]
+    declared_enum = _declared(declared.name, values_and_base, ((name, "") for name in ENUM_ATTRIBUTES), declared.title)
     if not remarks:
-        return made
-    told = documentation([declared.title, *remarks])
-    return element("dataType", *(one for one in made.children if one.name != "documentation"), told, name=declared.name)
+        return declared_enum
+    remarks_element = documentation([declared.title, *remarks])
+    return element(
+        "dataType",
+        *(child for child in declared_enum.children if child.name != "documentation"),
+        remarks_element,
+        name=declared.name,
+    )
 
 
 def struct_type(struct: Struct, size: int) -> Element:
     """A struct of some bytes, without gaps between its members."""
-    members = [variable(one.name, type_element(one.type), None, one.remark) for one in struct.members]
+    members = [variable(member.name, type_element(member.type), None, member.remark) for member in struct.members]
     members = members or [variable("byNothing", element("BYTE"), None, "a struct must have a member")]
     pairs = [("pack_mode", str(PACK_MODE))]
     return _declared(struct.name, element("struct", *members), pairs, f"{struct.title} {size} bytes.".strip())
@@ -152,12 +157,12 @@ def function(routine: Routine, text: Item) -> Element:
     """A function and its statements in Structured Text."""
     sections = []
     for role, name in _SECTIONS.items():
-        held = [
-            variable(one.variable.name, type_element(one.variable.type), _initial(one), one.remark)
-            for one in routine.of_role(role)
+        variables = [
+            variable(declared.variable.name, type_element(declared.variable.type), _initial(declared), declared.remark)
+            for declared in routine.of_role(role)
         ]
-        if held:
-            sections.append(element(name, *held))
+        if variables:
+            sections.append(element(name, *variables))
     interface = element(
         "interface",
         *([element("returnType", type_element(routine.returns))] if routine.returns is not None else []),
@@ -176,57 +181,59 @@ def _body(lines: Sequence[str]) -> Element:
     return element("body", element("ST", element("xhtml", text="\n".join(lines), xmlns=_DOCUMENTATION_NAMESPACE)))
 
 
-def sizes_function(made: Program) -> Element:
+def sizes_function(program: Program) -> Element:
     """The function that compares the sizes of structs."""
-    measured = [one.struct.name for one in made.placed if one.struct.members]
-    held = [
+    measured = [placed.struct.name for placed in program.placed if placed.struct.members]
+    variables = [
         variable(f"st{number_of}", type_element(StructType(name)), None, "")
         for number_of, name in enumerate(measured, 1)
     ]
-    told = [line.removeprefix("// ") for line in made.sizes.declaration if line.startswith("//")]
+    remarks = [line.removeprefix("// ") for line in program.sizes.declaration if line.startswith("//")]
     interface = element(
         "interface",
         element("returnType", type_element(BOOL)),
-        *([element("localVars", *held)] if held else []),
-        documentation(told),
+        *([element("localVars", *variables)] if variables else []),
+        documentation(remarks),
     )
-    return element("pou", interface, _body(made.sizes.implementation), name=made.sizes.name, pouType="function")
+    return element("pou", interface, _body(program.sizes.implementation), name=program.sizes.name, pouType="function")
 
 
-def constants_list(listed: ConstantList) -> Element:
+def constants_list(constant_list: ConstantList) -> Element:
     """A list of numbers."""
-    held = [
-        variable(one.name, type_element(one.type), element("simpleValue", value=number(one)), one.remark)
-        for one in listed.constants
+    variables = [
+        variable(
+            constant.name, type_element(constant.type), element("simpleValue", value=number(constant)), constant.remark
+        )
+        for constant in constant_list.constants
     ]
-    return _list(listed.name, held, listed.title)
+    return _list(constant_list.name, variables, constant_list.title)
 
 
 def texts_list(name: str, tables: tuple[TextTable, ...], form: TextForm) -> Element:
     """The list of all texts of codes."""
     code, text = form.members
-    held = []
+    variables = []
     for table in tables:
         rows = [
             element(
                 "value",
                 element(
                     "structValue",
-                    element("value", element("simpleValue", value=str(one.code)), member=code),
-                    element("value", element("simpleValue", value=string(one.text, form.wide)), member=text),
+                    element("value", element("simpleValue", value=str(entry.code)), member=code),
+                    element("value", element("simpleValue", value=string(entry.text, form.wide)), member=text),
                 ),
             )
-            for one in table.texts
+            for entry in table.texts
         ]
         bounds = element("dimension", lower="0", upper=str(len(rows) - 1))
         kind = element("array", bounds, element("baseType", element("derived", name=form.name)))
-        held.append(variable(table.name, kind, element("arrayValue", *rows), table.title))
-    return _list(name, held, "Texts of codes")
+        variables.append(variable(table.name, kind, element("arrayValue", *rows), table.title))
+    return _list(name, variables, "Texts of codes")
 
 
-def _list(name: str, held: list[Element], title: str) -> Element:
-    pragmas = attributes(*((one, "") for one in LIST_ATTRIBUTES))
-    return element("globalVars", *held, pragmas, documentation([title]), name=name, constant="true")
+def _list(name: str, variables: list[Element], title: str) -> Element:
+    pragmas = attributes(*((pragma, "") for pragma in LIST_ATTRIBUTES))
+    return element("globalVars", *variables, pragmas, documentation([title]), name=name, constant="true")
 
 
 __all__ = ["constants_list", "documentation", "function", "sizes_function", "texts_list"]

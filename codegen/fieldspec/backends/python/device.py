@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -41,36 +40,11 @@ class MessageView:
     frames: list[ExchangeView]
 
 
-# Where each private name of a module comes from: what is not used is not imported.
-_IMPORTS = {
-    "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
-    "_choices": "Choice",
-    "_codes": "by_number by_printed_name",
-    "_conversions": (
-        "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each f32_bytes f32_of members new packing"
-        " text texts turned"
-    ),
-    "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
-    "_flags": "BITS_OF Flags",
-    "_framers": "CodeFramer LengthFramer MarkFramer",
-    "_frames": "ErrorReply Frames Request RequestOf Response",
-    "_parameters": "Parameter ParameterSet ParameterSpace Subindex selected single",
-    "_part_frames": "CountFramer PartFrames",
-    "_quantities": "Conversion",
-    "_record": "Record",
-    "_refusals": (
-        "refused_bytes refused_flags refused_float refused_list refused_number refused_record refused_text unfit"
-    ),
-    "_registers": "Register RegisterArray Table found only replies spans unreachable writable",
-    "_values": "Boolean Bytes Closed Constant Float Number Open Setting Text Trigger Word",
-}
-
-
 def device_view(layout: DeviceLayout) -> dict[str, Any]:
-    """What the template of a version's module prints, but for its imports."""
+    """The data of the template of a version's module, without its imports."""
     device, scope = layout.device, module_scope()
     enums = {name: enum_view(enum, scope) for name, enum in device.enums.items()}
-    flags = {name: flags_view(held, enums, scope) for name, held in device.flags.items()}
+    flags = {name: flags_view(word, enums, scope) for name, word in device.flags.items()}
     names = {name: _class(name, "Record", scope) for name in layout.records}
     words = Words(enums, {name: view.name for name, view in flags.items()}, names)
     records = [_record(layout, name, words) for name in layout.records]
@@ -78,16 +52,19 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
     links = [
         link_view(link, exchanges, layout.records, words, scope)
         for link in layout.links.values()
-        if any(carries(link, one.message) for one in exchanges)
+        if any(carries(link, exchange.message) for exchange in exchanges)
     ]
-    messages = [view for one in exchanges for view in _messages(one, links, layout)]
+    messages = [view for exchange in exchanges for view in _messages(exchange, links, layout)]
     order = device.byte_order
     accesses = space_accesses(device, exchanges)
 
     def space(name: str) -> str:
         return device.space_name(name) if device.several_spaces else ""
 
-    sets = [parameter_set_view(held, layout, words, exchanges, scope) for held in device.parameters.values()]
+    sets = [
+        parameter_set_view(parameter_set, layout, words, exchanges, scope)
+        for parameter_set in device.parameters.values()
+    ]
     view: dict[str, Any] = {
         "doc": docstring(_doc(layout)),
         "identity": layout.identity,
@@ -98,46 +75,40 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         "records": records,
         "messages": messages,
         "links": links,
-        "conversions": [conversion_view(held, device, scope) for held in device.conversions.values()],
+        "conversions": [conversion_view(conversion, device, scope) for conversion in device.conversions.values()],
         "registers": [
-            register_view(laid, words, order, scope, space(laid.register.space)) for laid in layout.registers
+            register_view(register_layout, words, order, scope, space(register_layout.register.space))
+            for register_layout in layout.registers
         ],
-        "tables": [table_view(laid, words, order, scope, space(laid.table.space)) for laid in layout.tables.values()],
+        "tables": [
+            table_view(table_layout, words, order, scope, space(table_layout.table.space))
+            for table_layout in layout.tables.values()
+        ],
         "accesses": accesses,
-        "spaces_of_words": [one.space for one in accesses if one.space],
-        "read": next((one.read for one in accesses if one.read), None),
-        "single": next((one.single for one in accesses if one.single), None),
-        "block": next((one.block for one in accesses if one.block), None),
-        "read_requests": union(one.read.request for one in accesses if one.read),
-        "read_responses": union(one.read.response for one in accesses if one.read),
+        "spaces_of_words": [access.space for access in accesses if access.space],
+        "read": next((access.read for access in accesses if access.read), None),
+        "single": next((access.single for access in accesses if access.single), None),
+        "block": next((access.block for access in accesses if access.block), None),
+        "read_requests": union(access.read.request for access in accesses if access.read),
+        "read_responses": union(access.read.response for access in accesses if access.read),
         "write_requests": union(
-            held.request
-            for held in (*(one.single for one in accesses), *(one.block for one in accesses))
-            if held is not None
+            access.request
+            for access in (*(access.single for access in accesses), *(access.block for access in accesses))
+            if access is not None
         ),
         "parameters": sets,
         "spaces": space_views(layout, sets, words, exchanges, scope),
     }
-    made = ["DEVICE", "IDENTITY", "REGISTERS", "TABLES", "VERSION"]
-    made += ["read_request", "read_requests", "read_value"] * (view["read"] is not None)
-    made += ["write_request", "write_requests"] * bool(view["write_requests"])
-    made += ["register_at"] * bool(view["registers"] or view["tables"])
-    return {**view, "names": [*made, *scope.names]}
+    public = ["DEVICE", "IDENTITY", "REGISTERS", "TABLES", "VERSION"]
+    public += ["read_request", "read_requests", "read_value"] * (view["read"] is not None)
+    public += ["write_request", "write_requests"] * bool(view["write_requests"])
+    public += ["register_at"] * bool(view["registers"] or view["tables"])
+    return {**view, "names": [*public, *scope.names]}
 
 
 def union(names: Iterable[str]) -> str:
-    """The type that is one of some classes."""
+    """The union type of some classes."""
     return " | ".join(dict.fromkeys(names))
-
-
-def imports(body: str) -> list[str]:
-    """The import lines of the private names that a module's text uses."""
-    used = set(re.findall(r"\b_[A-Za-z0-9]\w*", body))
-    lines = []
-    for module, names in _IMPORTS.items():
-        wanted = [name for name in names.split() if f"_{name}" in used]
-        lines += [f"from ..{module} import {name} as _{name}" for name in sorted(wanted)]
-    return lines
 
 
 def _class(name: str, kind: str, scope: Scope) -> str:
@@ -165,9 +136,9 @@ def _exchange(message: MessageLayout, words: Words, scope: Scope) -> Exchange:
     )
 
 
-def _messages(one: Exchange, links: list[LinkView], layout: DeviceLayout) -> list[MessageView]:
-    """The response comes first, as the request refers to it."""
-    message = one.message.message
+def _messages(exchange: Exchange, links: list[LinkView], layout: DeviceLayout) -> list[MessageView]:
+    """The response comes first, because the class of the request refers to it."""
+    message = exchange.message.message
     title = message.title or Name.of(message.name).title()
     group = f"Group {Name.of(message.group).title().lower()}." if message.group else ""
     code = "" if message.code is None else f"Code {message.code:#04x}."
@@ -178,20 +149,20 @@ def _messages(one: Exchange, links: list[LinkView], layout: DeviceLayout) -> lis
     beside = f"It is sent beside {' or '.join(message.supplements)}." if message.supplements else ""
     views = []
     for direction in ("response", "request"):
-        shaped, name = one.side(direction)
+        shaped, name = exchange.side(direction)
         names = {link.direction_name(direction) for link in carrying} - {direction}
         named = f"the {direction} ({', '.join(sorted(names))})" if names else f"the {direction}"
         more = " ".join(text for text in (code, number, group, beside, sentence(message.doc)) if text)
         doc = record_doc(shaped.record, shaped.stored, f"{title}: {named}", more)
-        sides = [link.request if direction == "request" else link.response for link in links]
-        frames = [view for side in sides for view in side.exchanges if view.message == name]
+        directions = [link.request if direction == "request" else link.response for link in links]
+        frames = [view for side in directions for view in side.exchanges if view.message == name]
         views.append(
             MessageView(
                 record=_viewed(shaped, name, doc),
                 code=code_literal(message.code),
                 number="" if message.number is None else str(message.number),
                 supplements=tuple_of(map(literal, message.supplements)) if message.supplements else "",
-                response=one.response_name if direction == "request" else "",
+                response=exchange.response_name if direction == "request" else "",
                 frames=frames,
             )
         )

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from fieldspec.backends.python.naming import FLAGS, STATES, TYPES, Scope
-from fieldspec.backends.python.text import described, docstring, filled, literal, one_item_per_line, sentence
+from fieldspec.backends.python.text import described, docstring, filled, item_lines, literal, sentence
 from fieldspec.classes import dataclass, field, replace
 from fieldspec.model.enums import Bit, Enum, Flags, Member, State
 from fieldspec.names import Name
 
 LEAST = 3
-"""Single bits of one byte from which on the table is faster than a test of each."""
+"""The number of named single bits of a byte from which a table is faster than a test of each bit."""
 
 
 def from_tables(named: Sequence[tuple[Bit, str]]) -> tuple[list[str], frozenset[str]]:
@@ -49,8 +49,8 @@ class MemberView:
 class EnumView:
     """An IntEnum. The names of its tables have a `prefix`; `table` is the one from its values to its members, if any.
 
-    `printed_names` and `numbers` are the lines of the dicts that give these by the values of members; they are empty
-    where nobody would look for them.
+    `printed_names` and `numbers` are the lines of the dicts with these by the values of members, empty where the enum
+    has none.
     """
 
     name: str
@@ -88,10 +88,10 @@ class BitView:
 
 @dataclass(frozen=True, slots=True)
 class FlagsView:
-    """A word of flags: the table of its bits, the constructor as type checkers see it, and the states that they show.
+    """A word of flags: the table of its bits, the constructor for type checkers, and the states of the bits.
 
-    Of each state `fitting` has the bits that decide it, their value in it, and the member. `taken` are the lines of a
-    snapshot that take the bits of a byte at once.
+    `fitting` has the mask, the value and the member of each state. `taken` are the lines of a snapshot that read the
+    bits of a byte at once.
     """
 
     name: str
@@ -129,15 +129,13 @@ def enum_view(enum: Enum, scope: Scope) -> EnumView:
         members=[
             MemberView(members.take(Name.of(m.name).upper()), str(m.value), docstring(_member(m), 4)) for m in available
         ],
-        printed_names=one_item_per_line(f"_{upper}_PRINTED_NAMES: dict[int, str] = {{", printed, "}", 0)
-        if printed
-        else [],
+        printed_names=item_lines(f"_{upper}_PRINTED_NAMES: dict[int, str] = {{", printed, "}", 0) if printed else [],
         numbers=filled(f"_{upper}_NUMBERS: dict[int, int] = {{", numbers, "}", 0) if numbers else [],
     )
 
 
 def _has_displayed_names(enum: Enum) -> bool:
-    """Whether the printed names of members are what a display, or a list of codes, shows."""
+    """Whether a display, or a list of codes, shows the printed names of the members."""
     return bool(enum.printed_as) or enum.kind in CODES
 
 
@@ -163,10 +161,8 @@ def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> Fla
     return FlagsView(
         name=name,
         bits=bits,
-        table=one_item_per_line("_BITS = {", table, "}", 4),
-        init=one_item_per_line(
-            "def __init__(", ["self", "raw: int = 0", "*", *map(_argument, bits)], ") -> None: ...", 8
-        ),
+        table=item_lines("_BITS = {", table, "}", 4),
+        init=item_lines("def __init__(", ["self", "raw: int = 0", "*", *map(_argument, bits)], ") -> None: ...", 8),
         states=states,
         fitting=[_fitting(flags, state, number, states) for number, state in enumerate(flags.states)] if states else [],
         taken=lines,
@@ -179,7 +175,7 @@ def _argument(bit: BitView) -> str:
 
 
 def _states(flags: Flags, name: str, scope: Scope) -> EnumView:
-    """The states that some bits show together, numbered from 1 so that none of them is false."""
+    """The states that several bits form together, numbered from 1 so that each is true."""
     members = Scope(frozenset({"mro"}))
     return EnumView(
         name=scope.take(f"{name}State", f"{name}StateCode"),
@@ -187,7 +183,7 @@ def _states(flags: Flags, name: str, scope: Scope) -> EnumView:
         table="",
         title=f"{flags.name}_state",
         open=False,
-        doc=docstring([f"What the bits of {name} show together."], 4),
+        doc=docstring([f"The states that the bits of {name} form together."], 4),
         members=[
             MemberView(members.take(Name.of(state.name).upper()), str(number), docstring(_state(state), 4))
             for number, state in enumerate(flags.states, 1)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.backends.python.frames import constant, greatest_part, is_simple, letter, number, variable
+from fieldspec.backends.python.frames import greatest_part, is_simple, letter, number, variable
 from fieldspec.backends.python.reading import local, targets
 from fieldspec.backends.python.records import RecordShape, condition, constant_tests, construction_lines, writing_lines
 from fieldspec.backends.python.slots import Slots
@@ -21,7 +21,7 @@ _APPENDED = {
     "lrc": " + _BYTES[-sum(data) & 255]",
     "sum8": " + _BYTES[sum(data) & 255]",
 }
-# The letters that take the check when a frame is read, what they are unpacked into, and when the check is wrong.
+# The letters of the checksum in a received frame, their targets, and the condition of a wrong checksum.
 _TAKEN = {
     "": ("", [], []),
     "crc16_modbus": ("2x", [], ["_crc16_modbus(data)"]),
@@ -38,8 +38,8 @@ _BIG = (
 class FixedFrame:
     """The code of one message on one link in one direction.
 
-    `declared` makes what packs and unpacks. Written: `bind` locals; where `tests` hold, `steps` return the frame. Read:
-    `unpack`, which may raise `unread`; unless something is `wrong`, `lines` make the message.
+    `declared` defines `pack` and `unpack`. To write, `bind` locals; where `tests` hold, `steps` return the frame. To
+    read, `unpack`, which may raise `unread`; unless the condition `wrong` holds, `lines` create the message.
     """
 
     declared: list[str]
@@ -53,7 +53,7 @@ class FixedFrame:
 
 
 def has_fixed_length(shaped: RecordShape, frame: FrameLayout) -> bool:
-    """Whether a message's frames are packed and unpacked at once."""
+    """Whether the frames of a message are packed and unpacked in one call."""
     lists = sum(field.is_list and not field.skipped for field in shaped.fields)
     if shaped.tail is not None or shaped.selector is not None or lists > 1:
         return False
@@ -75,17 +75,17 @@ def fixed_frame(
     tests: list[str],
     reads: bool,
 ) -> FixedFrame:
-    """The code for one message, which `reads` frames or only writes them.
+    """The code of one message; it writes frames, and reads them where `reads` is set.
 
-    `name` ends the names of what packs and unpacks, `frames` is that of the link's `Frames`, `tests` are the head's
-    conditions.
+    `name` is the suffix of `_PACK` and `_UNPACK`, `frames` the name of the link's `Frames`, `tests` are the conditions
+    of the header.
     """
     frame = link.frame(direction)
     order = next((part.order for part in frame.head if part.size > 1), shaped.order)
     size = frame.head_size + (shaped.record.size or 0)
     known = {"code": code, "length": size + frame.tail_size}
-    constants = {part.name: held for part in frame.head if (held := known.get(part.role)) is not None}
-    always = {part.name: held for part in frame.head if (held := constant(part)) is not None}
+    constants = {part.name: number for part in frame.head if (number := known.get(part.role)) is not None}
+    always = {part.name: number for part in frame.head if (number := part.constant) is not None}
     constants |= always
     algorithm = frame.checksum.algorithm if frame.checksum else ""
     looked_up = algorithm == _WORDS and size <= TABLES and all(map(_single, shaped.fields))
@@ -100,20 +100,22 @@ def fixed_frame(
     unread = "_StructError"
     declared: list[str] = []
     if looked_up:
-        written, read = (list(_crc_terms(shaped, link, frame, constants, order, size, raw)) for raw in (".raw", ""))
+        encoding_terms, read = (
+            list(_crc_terms(shaped, link, frame, constants, order, size, raw)) for raw in (".raw", "")
+        )
         station = frame.role("unit_address")
         if station is not None and station.size == 1:
             most, table = greatest_part(link, station), f"_STATIONS{name}"
-            declared = [_begun(table, written, most)]
-            written, read = ([f"{table}[station]", *_others(terms)] for terms in (written, read))
-            # Greater stations are not in the table, and lesser ones are not packed.
+            declared = [_begun(table, encoding_terms, most)]
+            encoding_terms, read = ([f"{table}[station]", *_others(terms)] for terms in (encoding_terms, read))
+            # The table has no greater addresses, and `pack` refuses negative ones.
             tests = [test for test in tests if test != f"station <= {most}"]
         letters += "H"
         packed.append("check")
-        check = chained("check = ", written, "^", "", 16)
+        check = chained("check = ", encoding_terms, "^", "", 16)
         compared = chained("expected = ", read, "^", "", 12)
         unread = "_UNREAD"
-        # The tables hold the shares of what must be received, so that each of it is compared with what is received.
+        # The tables have the terms of the expected constants, so each received constant is compared as well.
         wrong = ["check != expected", *constant_tests(shaped)]
         appended, taken, checked = "", "", ["check"]
     else:
@@ -135,7 +137,7 @@ def fixed_frame(
 
 
 def _declared(name: str, letters: str, read: str, reads: bool) -> list[str]:
-    """The statements that make what packs, and what unpacks where frames are read."""
+    """The statements that define `_PACK`, and `_UNPACK` where frames are read."""
     if reads and read == letters:
         return filled(f"_PACK{name}, _UNPACK{name} = _packing(", [literal(letters)], ")", 0)
     lines = [f"_PACK{name} = _Struct({literal(letters)}).pack"]
@@ -146,18 +148,18 @@ _STATION = "[station]"
 
 
 def _begun(table: str, terms: list[str], most: int) -> str:
-    """The statement that makes the table which begins a CRC: the constant, with the share of each station."""
-    shares = next(term for term in terms if term.endswith(_STATION)).removesuffix(_STATION)
-    return f"{table} = tuple({terms[0]} ^ share for share in {shares}[:{most + 1}])"
+    """The statement of the table that begins a CRC: the constant, combined with the term of each unit address."""
+    station_terms = next(term for term in terms if term.endswith(_STATION)).removesuffix(_STATION)
+    return f"{table} = tuple({terms[0]} ^ term for term in {station_terms}[:{most + 1}])"
 
 
 def _others(terms: list[str]) -> list[str]:
-    """The terms of a CRC behind those that its table has."""
+    """The terms of a CRC that are not in its table."""
     return [term for term in terms[1:] if not term.endswith(_STATION)]
 
 
 def _packing(call: str, packed: list[str], marked: str, appended: str, indent: int) -> list[str]:
-    """Lines that return the frame: the packed values, what is appended to them, and the marks around."""
+    """Lines that return the frame: the packed values, the bytes appended to them, and the delimiters around."""
     if not marked and not appended:
         return filled(f"return {call}", packed, ")", indent)
     whole = f"{marked}(data{appended})" if marked else f"data{appended}"
@@ -165,16 +167,16 @@ def _packing(call: str, packed: list[str], marked: str, appended: str, indent: i
 
 
 def _slot(part: PartLayout, constants: dict[str, int]) -> str:
-    """What fills the slot of a part of the head."""
+    """The expression of the slot of a header part."""
     if part.name not in constants:
         return number(part)
     return f"{constants[part.name]:#04x}" if part.role == "code" else str(constants[part.name])
 
 
 def _single(field: Slots) -> bool:
-    """Whether a field is one number in one slot, so that its bytes can be had from the number.
+    """Whether a field is one number in one slot, so that its bytes can be computed from the number.
 
-    Whatever is received in a reserved field counts for the check, so that there must be none.
+    A received reserved field may have any value and still counts for the checksum, so it is excluded.
     """
     if field.field.record is not None or field.is_list or field.field.field.measures or field.field.field.reserved:
         return False
@@ -182,7 +184,7 @@ def _single(field: Slots) -> bool:
 
 
 def _target(part: PartLayout) -> str:
-    """What a part of the head is unpacked into. The code has been looked at before."""
+    """The target of a header part. The code has been read before."""
     return "_" if part.role == "code" else variable(part)
 
 
@@ -197,9 +199,9 @@ def _crc_terms(
 ) -> Iterator[str]:
     """The terms whose exclusive or is the CRC: one constant, and a look-up for each byte that varies.
 
-    The bytes that are 0 in all numbers that may be sent take none. The look-up of the byte below them then raises
-    IndexError for greater numbers, and such a frame is read step by step. `raw` is what makes a number of a word of
-    flags.
+    Bytes that are 0 in all valid numbers need no look-up. The look-up of the byte below them then raises IndexError
+    for greater numbers, and such a frame is read step by step. `raw` is the suffix that turns a word of flags into a
+    number.
     """
     base = bytearray(size)
     varying: list[tuple[int, int, bool, int, str]] = []
@@ -221,12 +223,12 @@ def _crc_terms(
     constant, same = CHECKSUMS[_WORDS](bytes(base)), frame.checksum is not None and frame.checksum.order == order
     yield str(constant if same else (constant & 0xFF) << 8 | constant >> 8)
     table = "_C" if same else "_X"
-    for at, width, signed, most, held in varying:
+    for at, width, signed, most, expression in varying:
         for place in range(width):
             shift = 8 * (place if order == "little" else width - 1 - place)
             if shift and not signed and not most >> shift:
                 continue
-            byte = f"{held} >> {shift}" if shift else held
+            byte = f"{expression} >> {shift}" if shift else expression
             if signed or most >> shift > 255:
                 byte += " & 255"
             yield f"{table}{size - 1 - at - place}[{byte}]"

@@ -16,7 +16,7 @@ from fieldspec.model.value import Ranges
 
 @dataclass(frozen=True, slots=True)
 class PartView:
-    """A plain part of the head: its attribute, its variable, its type, and the lines that make it from `head`."""
+    """A header part that the caller passes: its attribute, variable and type, and the expressions that read it."""
 
     name: str
     variable: str
@@ -26,31 +26,31 @@ class PartView:
 
 
 def variable(part: PartLayout) -> str:
-    """The variable of a part of the head."""
+    """The variable of a header part."""
     return "station" if part.role == "unit_address" else f"part_{part.name}"
 
 
 def number(part: PartLayout) -> str:
-    """The expression of the number that fills the slot of a part of the head."""
+    """The expression of the number in the slot of a header part."""
     return f"{variable(part)}.raw" if part.value is not None and part.value.flags else variable(part)
 
 
 def letter(part: PartLayout) -> str:
-    """The letter of a part of the head."""
+    """The letter of a header part in its Struct."""
     assert part.value is not None
     return part.value.type.letter
 
 
 def _argument_view(part: PartLayout, place: int, words: Words) -> PartView:
     flags = part.value.flags if part.value else ""
-    made = f"{words.flags[flags]}({{}})" if flags else "{}"
+    construction = f"{words.flags[flags]}({{}})" if flags else "{}"
     name = Scope(frozenset({"station", "message", "self", "frame", "request"})).take(part.name)
     return PartView(
         name=name,
         variable=variable(part),
         type=words.flags[flags] if flags else "int",
-        expression=made.format(f"head[{place}]"),
-        quickly=made.format(variable(part)),
+        expression=construction.format(f"head[{place}]"),
+        quickly=construction.format(variable(part)),
     )
 
 
@@ -60,15 +60,15 @@ def code_literal(code: int | None) -> str:
 
 
 def head_value(part: PartLayout, code: str) -> str:
-    """What a part of the head holds before its length is known."""
+    """The expression of a header part before the length of the frame is known."""
     if part.role in ("length", "checksum"):
         return "0"
-    held = constant(part)
-    return code if part.role == "code" else number(part) if held is None else str(held)
+    fixed_number = part.constant
+    return code if part.role == "code" else number(part) if fixed_number is None else str(fixed_number)
 
 
 def _allowed(link: LinkLayout, part: PartLayout) -> tuple[tuple[tuple[int, int], ...], tuple[int, ...]]:
-    """The intervals of a part of the head, and values beside them."""
+    """The intervals of a header part, and single values besides."""
     assert part.value is not None
     stations = link.link.unit_addresses if part.role == "unit_address" else None
     if stations is not None and stations.ranges is not None:
@@ -77,15 +77,10 @@ def _allowed(link: LinkLayout, part: PartLayout) -> tuple[tuple[tuple[int, int],
     return (part.value.ranges.intervals if part.value.ranges else ()), ()
 
 
-def constant(part: PartLayout) -> int | None:
-    """The one value that a plain part has when it is sent."""
-    return part.constant
-
-
 def is_simple(frame: FrameLayout) -> bool:
-    """Whether a head of one byte order is followed by the body and, at most, a check of all before it.
+    """Whether a header of one byte order precedes the body and, at most, a checksum over everything before it.
 
-    A length is then that of all parts. Any other frame takes the slower way, part by part.
+    A length then counts all parts. Any other frame is read and written part by part, which is slower.
     """
     check, length = frame.checksum, frame.role("length")
     return (
@@ -98,7 +93,7 @@ def is_simple(frame: FrameLayout) -> bool:
 
 
 def part_rows(parts: tuple[PartLayout, ...]) -> str:
-    """Parts as the rows of a tuple: name, size, order, sign, what is always sent, and whether it is compared."""
+    """Parts as the rows of a tuple: name, size, order, sign, constant, and whether a received constant is compared."""
     rows = [
         f"({literal(part.name)}, {part.size}, {literal(part.order)}, {_signed(part)}, {part.constant},"
         f" {part.constant is not None and not part.reserved})"
@@ -112,28 +107,69 @@ def _signed(part: PartLayout) -> bool:
 
 
 def head_arguments(frame: FrameLayout) -> list[PartLayout]:
-    """The parts of the head that the caller gives."""
+    """The header parts that the caller passes."""
     return [part for part in frame.head if part.is_argument]
 
 
 def argument_views(frame: FrameLayout, words: Words) -> list[PartView]:
-    """The parts beside the station that the caller gives."""
+    """The header parts besides the unit address that the caller passes."""
     return [
         _argument_view(part, frame.head.index(part), words) for part in head_arguments(frame) if part.role == "plain"
     ]
 
 
 def constants(frame: FrameLayout) -> list[str]:
-    """The parts that are always the same: place, name, value and offset of each."""
+    """The constant header parts: place, name, value and offset of each."""
     return [
-        f"({place}, {literal(part.name)}, {held}, {part.offset})"
+        f"({place}, {literal(part.name)}, {number}, {part.offset})"
         for place, part in enumerate(frame.head)
-        if (held := constant(part)) is not None
+        if (number := part.constant) is not None
     ]
 
 
+def frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
+    """The arguments of the `_Frames` or `_PartFrames` of a link in one direction."""
+    arguments = _simple_arguments(frame) if is_simple(frame) else _part_arguments(frame)
+    for role in ("code", "length"):
+        part = frame.role(role)
+        if part is not None:
+            arguments += [f"{role}={frame.head.index(part)}", f"{role}_offset={part.offset}"]
+            if role == "length":
+                arguments += [f"length_name={literal(part.name)}", f"longest={256**part.size - 1}"]
+    for name, mark in (("start", link.link.start), ("end", link.link.end)):
+        if mark:
+            arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
+    if link.link.encoding == "hex_ascii":
+        arguments.append("hexadecimal=True")
+    if is_simple(frame) and constants(frame):
+        arguments.append(f"constants=({', '.join(constants(frame))},)")
+    return arguments
+
+
+def _simple_arguments(frame: FrameLayout) -> list[str]:
+    """The arguments of `_Frames` for the header and the checksum."""
+    order = next((part.order for part in frame.head if part.size > 1), "big")
+    letters = "".join(map(letter, frame.head))
+    arguments = [literal(f"{'<' if order == 'little' else '>'}{letters}")]
+    arguments.append(literal(frame.checksum.algorithm if frame.checksum else ""))
+    if frame.checksum and frame.checksum.order == "big":
+        arguments.append('check_order="big"')
+    return arguments
+
+
+def _part_arguments(frame: FrameLayout) -> list[str]:
+    """The arguments of `_PartFrames` for the parts."""
+    check, length = frame.checksum, frame.role("length")
+    arguments = [part_rows(frame.head), part_rows(frame.tail), literal(check.algorithm if check else "")]
+    if check is not None:
+        arguments += [f"check={frame.parts.index(check)}", f"covers=({check.start}, {check.stop})"]
+    if length is not None:
+        arguments += [f"unit={length.unit_size}", f"base={length.base}"]
+    return arguments
+
+
 def head_tests(link: LinkLayout, frame: FrameLayout) -> list[str]:
-    """What must hold of the parts that the caller gives."""
+    """The conditions on the header parts that the caller passes."""
     tests = []
     for part in head_arguments(frame):
         intervals, beside = _allowed(link, part)
@@ -144,15 +180,15 @@ def head_tests(link: LinkLayout, frame: FrameLayout) -> list[str]:
 
 
 def greatest_part(link: LinkLayout, part: PartLayout) -> int:
-    """The greatest number that the conditions of a part of the head let pass, of a number without sign."""
+    """The greatest number that the conditions of an unsigned header part accept."""
     assert part.value is not None
     intervals, beside = _allowed(link, part)
     return max((*(high for _, high in intervals), *beside), default=packed(part.value.type)[1])
 
 
 def head_refusals(link: LinkLayout, frame: FrameLayout) -> list[str]:
-    """The expressions that say what is wrong with them."""
-    found = []
+    """The expressions of the refusals of the header parts that the caller passes."""
+    refusals = []
     for part in head_arguments(frame):
         assert part.value is not None
         intervals, beside = _allowed(link, part)
@@ -160,12 +196,12 @@ def head_refusals(link: LinkLayout, frame: FrameLayout) -> list[str]:
         if intervals:
             limits.append(pairs(Ranges(intervals)))
         if part.value.flags:
-            found.append(f"_refused_flags({literal(part.name)}, {variable(part)}, {', '.join(limits[1:])})")
+            refusals.append(f"_refused_flags({literal(part.name)}, {variable(part)}, {', '.join(limits[1:])})")
             continue
         if beside:
             limits.append(tuple_of(beside))
-        found.append(f"_refused_number({literal(part.name)}, {variable(part)}, {', '.join(limits)})")
-    return found
+        refusals.append(f"_refused_number({literal(part.name)}, {variable(part)}, {', '.join(limits)})")
+    return refusals
 
 
 Carried = Sequence[tuple[str, int | None, RecordLayout]]
@@ -174,9 +210,9 @@ Carried = Sequence[tuple[str, int | None, RecordLayout]]
 def framer(
     link: LinkLayout, direction: str, carried: Carried, refusal: RecordLayout | None, frames: str
 ) -> tuple[str, list[str], list[str]]:
-    """The class of a framer, its arguments and its docstring; an empty class where no frame shows its end.
+    """The class of a framer, its arguments and its docstring; an empty class where no frame marks its end.
 
-    `carried` are the messages: name, code and data. `refusal` is the data of an error reply.
+    `carried` are the messages: name, code and data. `refusal` is the data of an exception response.
     """
     frame = link.frame(direction)
     bodies = [record for _, _, record in carried] + ([refusal] if refusal else [])
@@ -185,13 +221,13 @@ def framer(
     arguments = [frames, *_bounds(link, frame, bodies), *_stations(link, frame, direction)]
     about = [f"Finds the {direction}s in a stream."]
     if link.link.start and link.link.end and link.link.encoding == "hex_ascii":
-        about.append("A start mark within a frame begins another one.")
+        about.append("A start delimiter within a frame begins another frame.")
         return "_MarkFramer", arguments, docstring(about, 8)
     length, code = frame.role("length"), frame.role("code")
     if not _ordered(frame):
         return "", [], []
     if length is not None:
-        about.append("The length says where a frame ends; one that fits no message is taken for garbage.")
+        about.append("The length determines where a frame ends; a length that fits no message is garbage.")
         kind = "_LengthFramer" if is_simple(frame) else "_CountFramer"
         return kind, [*arguments, f"length_size={length.size}"], docstring(about, 8)
     if code is None or link.link.encoding != "binary":
@@ -203,16 +239,14 @@ def framer(
     if refusal is not None and link.link.exception_response is not None:
         arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_extent(link, frame, refusal)}"]
     open_ended = [name for name, code, _ in carried if code is not None and extents[code][2] < 0]
-    about.append(
-        "The code, and what counts the repeated part, say where a frame ends; an unknown code is taken for garbage."
-    )
+    about.append("Code and count of the repeated part determine where a frame ends; an unknown code is garbage.")
     if open_ended:
-        about.append(f"No part of {', '.join(open_ended)} says how long it is: only `idle` ends such a frame.")
+        about.append(f"No part of {', '.join(open_ended)} determines its length: only `idle` ends such a frame.")
     return "_CodeFramer", arguments, docstring(about, 8)
 
 
 def _ordered(frame: FrameLayout) -> bool:
-    """Whether all numbers by which a framer finds frames lie in the order of the head."""
+    """Whether all numbers by which a framer finds frames have the byte order of the header."""
     order = next((part.order for part in frame.head if part.size > 1), "big")
     numbers = (frame.role(role) for role in ("unit_address", "code", "length"))
     return all(part is None or part.size == 1 or part.order == order for part in numbers)
@@ -250,13 +284,13 @@ def _span(interval: tuple[int, int]) -> str:
 
 
 def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple[int, int, int, int]:
-    """The length without the repeated part, and where the number of bytes, or of elements, of that part stands."""
+    """The length without the repeated part; then offset and size of its count, and the bytes of each unit."""
     around = len(link.link.start) + frame.head_size + frame.tail_size + len(link.link.end)
     if record.size is not None:
         return around + record.size, 0, 0, 0
     tail = record.fields[-1]
     measures = [field for field in record.fields if _measures(field, tail, frame)]
-    # One byte is had quicker than two.
+    # One byte is read faster than two.
     measure = min(measures, key=lambda field: field.size, default=None)
     if measure is None or measure.field.measures is None or tail.cases:
         return 0, 0, -1, 0

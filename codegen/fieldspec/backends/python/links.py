@@ -9,22 +9,20 @@ from fieldspec.backends.python.frames import (
     PartView,
     argument_views,
     code_literal,
-    constants,
     framer,
+    frames_arguments,
     head_refusals,
     head_tests,
     head_value,
     is_simple,
-    letter,
-    part_rows,
 )
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Words
-from fieldspec.backends.python.text import chained, described, docstring, literal, one_item_per_line, union
+from fieldspec.backends.python.text import chained, described, docstring, item_lines, literal, union
 from fieldspec.backends.python.writing import pairs
 from fieldspec.classes import dataclass
-from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.names import Name
 
@@ -33,7 +31,7 @@ from fieldspec.names import Name
 class ExchangeView:
     """One message on one link in one direction.
 
-    `fused` is None where the frame is not packed at once, and `reader` empty where it is not read at once.
+    `fixed` is None where the frame is not packed in one call, and `reader` is empty where it is not unpacked in one.
     """
 
     writer: str
@@ -41,7 +39,7 @@ class ExchangeView:
     message: str
     key: str
     known: list[str]
-    fused: FixedFrame | None
+    fixed: FixedFrame | None
     parameters: str
     frames: str
     head: str
@@ -80,7 +78,7 @@ class DirectionView:
 
 @dataclass(frozen=True, slots=True)
 class ErrorView:
-    """The refusals of a link: the flag in the code, the record, and how such a frame is made."""
+    """The exception responses of a link: the flag in the code, the record, and the parts of such a frame."""
 
     wrapper: str
     flag: str
@@ -93,7 +91,7 @@ class ErrorView:
 
 @dataclass(frozen=True, slots=True)
 class WrapperView:
-    """A class for what frames of a link carry, where their heads have more parts than the station."""
+    """A class for the frames of a link whose headers have more parts than the unit address."""
 
     name: str
     base: str
@@ -143,7 +141,7 @@ def link_view(
     name = scope.take(link.name)
     pascal = Name.of(link.name).pascal()
     coded = any(part.role == "code" for part in link.request.head)
-    carried = [one for one in exchanges if carries(link, one.message)]
+    carried = [exchange for exchange in exchanges if carries(link, exchange.message)]
     stations = link.link.unit_addresses
     views = {
         direction: _direction(link, direction, carried, records, words, pascal, scope)
@@ -177,31 +175,31 @@ def link_view(
 
 
 _KINDS = {
-    "request": ("_Request", "A request on this link, with all parts of its head."),
-    "response": ("_Response", "A response on this link, with all parts of its head."),
-    "error_reply": ("_ErrorReply", "A refusal on this link, with all parts of its head."),
+    "request": ("_Request", "A request on this link, with all parts of its header."),
+    "response": ("_Response", "A response on this link, with all parts of its header."),
+    "error_reply": ("_ErrorReply", "An exception response on this link, with all parts of its header."),
 }
 
 
-def _wrapper(name: str, kind: str, held: list[str], plain: list[PartView]) -> WrapperView:
-    """The class for one kind of frame; `held` are what every frame of its kind has behind the station."""
+def _wrapper(name: str, kind: str, attributes: list[str], arguments: list[PartView]) -> WrapperView:
+    """The class for one kind of frame; `attributes` follow the unit address in every frame of its kind."""
     base, text = _KINDS[kind]
-    names = [one.partition(":")[0] for one in held]
-    quoted = "".join(f'"{part.name}", ' for part in plain).rstrip()
+    names = [attribute.partition(":")[0] for attribute in attributes]
+    quoted = "".join(f'"{part.name}", ' for part in arguments).rstrip()
     return WrapperView(
         name=name,
         base=base,
         doc=docstring([text], 4),
         slots=quoted,
         match_args=", ".join(["station", *names]).replace(", ", '", "'),
-        init=one_item_per_line(
+        init=item_lines(
             "def __init__(",
-            ["self", "station: int", *held, *(f"{part.name}: {part.type}" for part in plain)],
+            ["self", "station: int", *attributes, *(f"{part.name}: {part.type}" for part in arguments)],
             ") -> None:",
             4,
         ),
         parameters=", ".join(["station", *names]),
-        head_parts=plain,
+        head_parts=arguments,
     )
 
 
@@ -229,24 +227,27 @@ def _direction(
     upper = Name.of(link.name).upper()
     frames = f"_{upper}_{direction.upper()}S"
     code = frame.role("code")
-    plain = argument_views(frame, words)
+    parts = argument_views(frame, words)
     station = frame.role("unit_address")
-    wrapper = scope.take(f"{pascal}{direction.capitalize()}") if plain else f"_{direction.capitalize()}"
+    wrapper = scope.take(f"{pascal}{direction.capitalize()}") if parts else f"_{direction.capitalize()}"
     alias = scope.take(f"Any{pascal}{direction.capitalize()}")
-    views = [_exchange(link, direction, one, frames, wrapper, plain) for one in carried]
-    messages = [(one.message.name, one.message.message.code, one.side(direction)[0].record) for one in carried]
+    views = [_exchange(link, direction, exchange, frames, wrapper, parts) for exchange in carried]
+    messages = [
+        (exchange.message.name, exchange.message.message.code, exchange.side(direction)[0].record)
+        for exchange in carried
+    ]
     refusal = (
         records[link.link.exception_response.record]
         if link.link.exception_response and direction == "response"
         else None
     )
     framing, arguments, doc = framer(link, direction, messages, refusal, frames)
-    held = f"head[{frame.head.index(station)}]" if station else "0"
+    station_expression = f"head[{frame.head.index(station)}]" if station else "0"
     return DirectionView(
         direction=direction,
         frames=frames,
         kind="_Frames" if is_simple(frame) else "_PartFrames",
-        arguments=_frames_arguments(link, frame),
+        arguments=frames_arguments(link, frame),
         quick=f"_{upper}_QUICK_{direction.upper()}S",
         quickly=_quick_key(code),
         classes=f"_{upper}_{direction.upper()}_CLASSES",
@@ -254,11 +255,11 @@ def _direction(
         union=union(alias, [view.message for view in views]),
         exchanges=views,
         wrapper=wrapper,
-        head_parts=plain,
+        head_parts=parts,
         before="station: int, " if station else "",
-        after="".join(f", {part.name}: {part.type}" for part in plain).replace(", ", ", *, ", 1),
-        call=", ".join(["station"] * bool(station) + [part.name for part in plain]),
-        construction=", ".join([held, "{}", *(part.expression for part in plain)]),
+        after="".join(f", {part.name}: {part.type}" for part in parts).replace(", ", ", *, ", 1),
+        call=", ".join(["station"] * bool(station) + [part.name for part in parts]),
+        construction=", ".join([station_expression, "{}", *(part.expression for part in parts)]),
         code=f"head[{frame.head.index(code)}]" if code else "",
         framer=framing,
         framer_arguments=arguments,
@@ -272,62 +273,22 @@ def _quick_key(code: PartLayout | None) -> str:
 
 
 def _known(message: MessageLayout) -> list[str]:
-    """By what people know a message whose frames have no code: its number and its name."""
+    """The names of a message whose frames have no code: its number and its name."""
     number = message.message.number
     return ([] if number is None else [str(number)]) + [literal(message.name)]
 
 
-def _frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
-    arguments = _simple_arguments(frame) if is_simple(frame) else _part_arguments(frame)
-    for role in ("code", "length"):
-        part = frame.role(role)
-        if part is not None:
-            arguments += [f"{role}={frame.head.index(part)}", f"{role}_offset={part.offset}"]
-            if role == "length":
-                arguments += [f"length_name={literal(part.name)}", f"longest={256**part.size - 1}"]
-    for name, mark in (("start", link.link.start), ("end", link.link.end)):
-        if mark:
-            arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
-    if link.link.encoding == "hex_ascii":
-        arguments.append("hexadecimal=True")
-    if is_simple(frame) and constants(frame):
-        arguments.append(f"constants=({', '.join(constants(frame))},)")
-    return arguments
-
-
-def _simple_arguments(frame: FrameLayout) -> list[str]:
-    """The arguments of `_Frames` that say what the head and the check are."""
-    order = next((part.order for part in frame.head if part.size > 1), "big")
-    letters = "".join(map(letter, frame.head))
-    arguments = [literal(f"{'<' if order == 'little' else '>'}{letters}")]
-    arguments.append(literal(frame.checksum.algorithm if frame.checksum else ""))
-    if frame.checksum and frame.checksum.order == "big":
-        arguments.append('check_order="big"')
-    return arguments
-
-
-def _part_arguments(frame: FrameLayout) -> list[str]:
-    """The arguments of `_PartFrames` that say what the parts are."""
-    check, length = frame.checksum, frame.role("length")
-    arguments = [part_rows(frame.head), part_rows(frame.tail), literal(check.algorithm if check else "")]
-    if check is not None:
-        arguments += [f"check={frame.parts.index(check)}", f"covers=({check.start}, {check.stop})"]
-    if length is not None:
-        arguments += [f"unit={length.unit_size}", f"base={length.base}"]
-    return arguments
-
-
 def _exchange(
-    link: LinkLayout, direction: str, one: Exchange, frames: str, wrapper: str, plain: list[PartView]
+    link: LinkLayout, direction: str, exchange: Exchange, frames: str, wrapper: str, arguments: list[PartView]
 ) -> ExchangeView:
-    shaped, name = one.side(direction)
+    shaped, name = exchange.side(direction)
     frame = link.frame(direction)
-    code = one.message.message.code
-    upper = f"_{Name.of(one.message.name).upper()}_{Name.of(link.name).upper()}_{direction.upper()}"
+    code = exchange.message.message.code
+    upper = f"_{Name.of(exchange.message.name).upper()}_{Name.of(link.name).upper()}_{direction.upper()}"
     part, station = frame.role("code"), frame.role("unit_address")
     flag = link.link.exception_response.flag if link.link.exception_response and direction == "response" else 0
     together = has_fixed_length(shaped, frame)
-    # A code with the flag of refusals in it never names a message; and only a code of one byte is quickly had.
+    # A code with the flag of exception responses names no message, and only a code of one byte is a key of the table.
     reads = together and (part is None or (part.size == 1 and not (code or 0) & flag))
     tests, refusals = head_tests(link, frame), head_refusals(link, frame)
     unfit = f"_unfit({literal(shaped.record.name)})"
@@ -336,18 +297,19 @@ def _exchange(
         reader=f"_from_{link.name}" if reads else "",
         message=name,
         key=code_literal(code) if part is not None else name,
-        known=_known(one.message) if part is None else [],
-        fused=fixed_frame(shaped, link, direction, code, upper, frames, tests, reads) if together else None,
+        known=_known(exchange.message) if part is None else [],
+        fixed=fixed_frame(shaped, link, direction, code, upper, frames, tests, reads) if together else None,
         parameters="".join(
-            [", station: int"] * (station is not None) + [f", {held.variable}: {held.type}" for held in plain]
+            [", station: int"] * (station is not None)
+            + [f", {argument.variable}: {argument.type}" for argument in arguments]
         ),
         frames=frames,
-        head=f"[{', '.join(head_value(held, code_literal(code)) for held in frame.head)}]",
+        head=f"[{', '.join(head_value(part, code_literal(code)) for part in frame.head)}]",
         refusals=chained("error = ", refusals, "or", "None", 8) if refusals else [],
         refuse=chained("raise ", ["self._refused()", *refusals, unfit], "or", "", 8),
         wrapper=wrapper,
         station="station" if station is not None else "0",
-        head_parts=plain,
+        head_parts=arguments,
     )
 
 
@@ -358,13 +320,13 @@ def _error(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> ErrorVi
         return None
     head = [head_value(part, f"code | {error.flag:#x}") for part in frame.head]
     limit = f"_refused_number({literal(code.name)}, code, {code.value.type.low}, {code.value.type.high})"
-    plain = argument_views(frame, words)
+    arguments = argument_views(frame, words)
     return ErrorView(
-        wrapper=scope.take(f"{pascal}ErrorReply") if plain else "_ErrorReply",
+        wrapper=scope.take(f"{pascal}ErrorReply") if arguments else "_ErrorReply",
         flag=f"{error.flag:#x}",
         mask=f"{~error.flag & code.value.type.high:#x}",
         record=words.records[error.record],
         head=f"[{', '.join(head)}]",
-        bind=[f"{part.variable} = {part.name}" for part in plain],
+        bind=[f"{part.variable} = {part.name}" for part in arguments],
         refusals=chained("error = ", [*head_refusals(link, frame), limit], "or", "", 8),
     )

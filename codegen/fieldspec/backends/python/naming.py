@@ -37,24 +37,24 @@ FLAGS = _words("_ flags raw self")
 STATES = _words("state")
 PARAMETERS = _words(
     "base from_raws name numbers printed_as read_request read_value read_values self space title to_raws write_request"
-    " write_values_request written"
+    " write_values_request number_text"
 )
 
 
 class Scope:
-    """The names of one scope. A name that is taken, or that Python or the generated code needs, gets another form."""
+    """The names of one scope. A name that is taken, or reserved by Python or the generated code, gets another form."""
 
     def __init__(self, *reserved: frozenset[str]) -> None:
         self._taken = set(KEYWORDS).union(*reserved)
-        self._given: list[str] = []
+        self._taken_in_order: list[str] = []
 
     @property
     def names(self) -> list[str]:
-        """The names that were taken here, in order."""
-        return list(self._given)
+        """The names taken in this scope, in order."""
+        return list(self._taken_in_order)
 
     def take(self, name: str, *others: str) -> str:
-        """The first free one of some names; where none is free, the last one with underscores behind it."""
+        """The first free name of several; where none is free, the last one with underscores appended."""
         for candidate in (name, *others):
             if candidate not in self._taken:
                 break
@@ -62,7 +62,7 @@ class Scope:
             while candidate in self._taken:
                 candidate += "_"
         self._taken.add(candidate)
-        self._given.append(candidate)
+        self._taken_in_order.append(candidate)
         return candidate
 
 

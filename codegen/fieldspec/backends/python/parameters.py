@@ -40,7 +40,7 @@ class NumberView:
 
 @dataclass(frozen=True, slots=True)
 class ParameterSetView:
-    """A set of parameters; `rows` is the function that makes them. `numbers` are empty for one that shares them."""
+    """A set of parameters; `make` is the function that creates its rows. `numbers` are empty where sets share them."""
 
     name: str
     type: str
@@ -70,30 +70,30 @@ class SpaceView:
 
 
 def parameter_set_view(
-    held: ParameterSet, layout: DeviceLayout, words: Words, exchanges: Sequence[Exchange], scope: Scope
+    parameter_set: ParameterSet, layout: DeviceLayout, words: Words, exchanges: Sequence[Exchange], scope: Scope
 ) -> ParameterSetView:
     """The view of a set of parameters."""
-    carrier = _carrier(layout, held)
+    carrier = _carrier(layout, parameter_set)
     names = Scope(PARAMETERS, TYPES)
-    taken, pascal = scope.take(held.name), Name.of(held.name).pascal()
-    alone = _alone(held, layout)
-    arguments = [literal(held.name), f"_{held.name}_rows"]
-    arguments += [f"title={literal(held.title)}"] if held.title else []
-    arguments += [] if alone else [f"space={literal(held.space)}"]
-    arguments += [f"base=0x{held.base:X}"] if held.base else []
-    arguments += [f"numbers={pairs(held.numbers)}"] if held.numbers else []
-    arguments += [f"printed_as={literal(held.printed_as)}"] if held.printed_as else []
-    read, write = parameter_messages(exchanges, held.name, layout, words)
+    taken, pascal = scope.take(parameter_set.name), Name.of(parameter_set.name).pascal()
+    alone = _alone(parameter_set, layout)
+    arguments = [literal(parameter_set.name), f"_{parameter_set.name}_rows"]
+    arguments += [f"title={literal(parameter_set.title)}"] if parameter_set.title else []
+    arguments += [] if alone else [f"space={literal(parameter_set.space)}"]
+    arguments += [f"base=0x{parameter_set.base:X}"] if parameter_set.base else []
+    arguments += [f"numbers={pairs(parameter_set.numbers)}"] if parameter_set.numbers else []
+    arguments += [f"printed_as={literal(parameter_set.printed_as)}"] if parameter_set.printed_as else []
+    read, write = parameter_messages(exchanges, parameter_set.name, layout, words)
     kind = scope.take(f"{pascal}Set", f"{pascal}ParameterSet")
     return ParameterSetView(
         name=taken,
         type=kind,
-        make=f"_{held.name}_rows",
-        doc=docstring(described(held.title or Name.of(held.name).title(), held), 4),
+        make=f"_{parameter_set.name}_rows",
+        doc=docstring(described(parameter_set.title or Name.of(parameter_set.name).title(), parameter_set), 4),
         construction=filled(f"{taken}: _Final = {kind}(", arguments, ")", 0),
-        rows=[_row(row, held, carrier, layout, words, names) for row in held.parameters],
+        rows=[_row(row, parameter_set, carrier, layout, words, names) for row in parameter_set.parameters],
         constants=scope.take(f"{pascal}Number", f"{pascal}ParameterNumber") if alone else "",
-        numbers=_numbers([held]) if alone else [],
+        numbers=_numbers([parameter_set]) if alone else [],
         read=read,
         write=write,
     )
@@ -102,25 +102,29 @@ def parameter_set_view(
 def space_views(
     layout: DeviceLayout, sets: Sequence[ParameterSetView], words: Words, exchanges: Sequence[Exchange], scope: Scope
 ) -> list[SpaceView]:
-    """The views of the spaces that are more than one set of the same name."""
+    """The views of the spaces that several sets share, or that have another name than their set."""
     views = []
     device = layout.device
-    names = {held.name: view.name for held, view in zip(device.parameters.values(), sets, strict=True)}
-    shared = dict.fromkeys(held.space for held in device.parameters.values() if not _alone(held, layout))
+    names = {
+        parameter_set.name: view.name for parameter_set, view in zip(device.parameters.values(), sets, strict=True)
+    }
+    shared = dict.fromkeys(
+        parameter_set.space for parameter_set in device.parameters.values() if not _alone(parameter_set, layout)
+    )
     for space in shared:
-        members = [held for held in device.parameters.values() if held.space == space]
+        members = [parameter_set for parameter_set in device.parameters.values() if parameter_set.space == space]
         read, write = (None, None)
         if space not in device.parameters:
             read, write = parameter_messages(exchanges, space, layout, words)
         pascal = Name.of(space).pascal()
-        listed = ", ".join(names[held.name] for held in members)
+        set_names = ", ".join(names[parameter_set.name] for parameter_set in members)
         views.append(
             SpaceView(
                 name=scope.take(space, f"{space}_space"),
                 title=space,
                 type=scope.take(f"{pascal}Space", f"{pascal}ParameterSpace"),
-                doc=docstring([f"The parameters of {listed}, by the numbers on the wire."], 4),
-                sets=listed,
+                doc=docstring([f"The parameters of {set_names}, by the numbers on the wire."], 4),
+                sets=set_names,
                 constants=scope.take(f"{pascal}Number", f"{pascal}ParameterNumber"),
                 numbers=_numbers(members),
                 read=read,
@@ -130,85 +134,102 @@ def space_views(
     return views
 
 
-def _alone(held: ParameterSet, layout: DeviceLayout) -> bool:
-    """Whether a set is all of its space, and has its name."""
-    sharing = [other for other in layout.device.parameters.values() if other.space == held.space]
-    return held.name == held.space and len(sharing) == 1
+def _alone(parameter_set: ParameterSet, layout: DeviceLayout) -> bool:
+    """Whether a set fills its space alone, and has its name."""
+    sharing = [other for other in layout.device.parameters.values() if other.space == parameter_set.space]
+    return parameter_set.name == parameter_set.space and len(sharing) == 1
 
 
 def _numbers(sets: Sequence[ParameterSet]) -> list[NumberView]:
     scope = Scope(frozenset({"mro"}))
     return [
         NumberView(
-            scope.take(Name.of(row.name).upper(), f"{Name.of(held.name).upper()}_{Name.of(row.name).upper()}"),
-            _digits(held.base + row.number, held),
-            docstring([f"{row.printed_name or held.number_text(row.number)} of `{held.name}`."], 4),
+            scope.take(Name.of(row.name).upper(), f"{Name.of(parameter_set.name).upper()}_{Name.of(row.name).upper()}"),
+            _digits(parameter_set.base + row.number, parameter_set),
+            docstring([f"{row.printed_name or parameter_set.number_text(row.number)} of `{parameter_set.name}`."], 4),
         )
-        for held in sets
-        for row in held.parameters
+        for parameter_set in sets
+        for row in parameter_set.parameters
     ]
 
 
-def _digits(number: int, held: ParameterSet) -> str:
+def _digits(number: int, parameter_set: ParameterSet) -> str:
     """A number in the base in which the manual writes those of its set."""
-    return f"0x{number:X}" if "x}" in held.printed_as.lower() or (held.base and not held.printed_as) else str(number)
+    return (
+        f"0x{number:X}"
+        if "x}" in parameter_set.printed_as.lower() or (parameter_set.base and not parameter_set.printed_as)
+        else str(number)
+    )
 
 
-def _carrier(layout: DeviceLayout, held: ParameterSet) -> FieldLayout | None:
-    """A field of a message that carries values of a set in one and the same type."""
+def _carrier(layout: DeviceLayout, parameter_set: ParameterSet) -> FieldLayout | None:
+    """The field of a message that carries the values of a set, all in one type."""
     for message in layout.messages.values():
         for record in (message.request, message.response):
             for field in record.fields:
                 part = field.value.parameter if field.value else None
-                if part is not None and part.set in (held.name, held.space) and part.part in ("value", "values"):
+                if (
+                    part is not None
+                    and part.set in (parameter_set.name, parameter_set.space)
+                    and part.part in ("value", "values")
+                ):
                     return field
     return None
 
 
 def _row(
-    row: Parameter, held: ParameterSet, carrier: FieldLayout | None, layout: DeviceLayout, words: Words, names: Scope
+    row: Parameter,
+    parameter_set: ParameterSet,
+    carrier: FieldLayout | None,
+    layout: DeviceLayout,
+    words: Words,
+    names: Scope,
 ) -> RowView:
     value, run = row.value, row.count > 1
     order = carrier.order if carrier else layout.device.byte_order
-    number, name = _digits(row.number, held), literal(row.name)
-    printed_name = literal(row.printed_name or held.number_text(row.number))
+    number, name = _digits(row.number, parameter_set), literal(row.name)
+    printed_name = literal(row.printed_name or parameter_set.number_text(row.number))
     if run:
         number, name = f"{number} + place", f'f"{row.name}[{{place}}]"'
-        printed_name = f"{literal(held.printed_as)}.format(number={number})" if held.printed_as else f"str({number})"
+        printed_name = (
+            f"{literal(parameter_set.printed_as)}.format(number={number})"
+            if parameter_set.printed_as
+            else f"str({number})"
+        )
     more = {
         "type": literal(value.type.name),
         "carrier": literal(_letters(row, carrier, order)),
-        "printed_name": printed_name if run or row.printed_name or held.printed_as else "",
+        "printed_name": printed_name if run or row.printed_name or parameter_set.printed_as else "",
         "default": _default(row),
         "elements": "" if row.elements is None else str(row.elements),
-        "subindices": tuple_of(_subindex(one, order, words, row.trigger) for one in row.subindices),
+        "subindices": tuple_of(_subindex(subindex, order, words, row.trigger) for subindex in row.subindices),
         "restart": "" if row.restart is None else str(row.restart),
         "applies_to": tuple_of(map(literal, row.applies_to)),
         "messages": tuple_of(map(literal, row.messages)),
         "only": tuple_of(map(literal, row.only)),
         "reserved": "True" if row.reserved else "",
         "source": literal(places(row.sources)) if row.sources else "",
-        "set": literal(held.name),
-        "base": f"0x{held.base:X}" if held.base else "",
+        "set": literal(parameter_set.name),
+        "base": f"0x{parameter_set.base:X}" if parameter_set.base else "",
     }
-    kept = [f"{key}={text}" for key, text in more.items() if text not in ("", "()", '""')]
+    keywords = [f"{key}={text}" for key, text in more.items() if text not in ("", "()", '""')]
     arguments = [
         name,
         number,
         register_value(value, value.size, order, False, words, row.trigger),
         literal(row.access),
-        *kept,
+        *keywords,
     ]
     call = filled("_Parameter(", arguments, ")", 16 if run else 12)
     lines = ["tuple(", *(f"    {line}" for line in call), f"    for place in range({row.count})", ")"] if run else call
     kind = f"_Parameter[{_type(row, words)}]"
     return RowView(
-        names.take(Name.of(row.name).upper()), f"tuple[{kind}, ...]" if run else kind, lines, _doc(row, held)
+        names.take(Name.of(row.name).upper()), f"tuple[{kind}, ...]" if run else kind, lines, _doc(row, parameter_set)
     )
 
 
 def _letters(row: Parameter, carrier: FieldLayout | None, order: str) -> str:
-    """The Struct that makes, of a value's bytes, what a message carries; empty where that is the value's own type."""
+    """The Struct that converts the bytes of a value to the number in a message; empty where the type is the same."""
     if carrier is None or carrier.value is None:
         return ""
     letter = carrier.value.type.letter if carrier.size == row.value.size else row.value.type.letter
@@ -222,32 +243,35 @@ def _default(row: Parameter) -> str:
     return "" if default is None else literal(default) if isinstance(default, str) else str(default)
 
 
-def _subindex(one: Subindex, order: str, words: Words, trigger: bool) -> str:
-    value = register_value(one.value, one.value.size, order, False, words, trigger)
-    more = [f"type={literal(one.value.type.name)}"]
-    more += ["reserved=True"] if one.reserved else []
-    more += [f"source={literal(places(one.sources))}"] if one.sources else []
-    return f"_Subindex({', '.join([literal(one.name), pairs(one.indices), value, *more])})"
+def _subindex(subindex: Subindex, order: str, words: Words, trigger: bool) -> str:
+    value = register_value(subindex.value, subindex.value.size, order, False, words, trigger)
+    more = [f"type={literal(subindex.value.type.name)}"]
+    more += ["reserved=True"] if subindex.reserved else []
+    more += [f"source={literal(places(subindex.sources))}"] if subindex.sources else []
+    return f"_Subindex({', '.join([literal(subindex.name), pairs(subindex.indices), value, *more])})"
 
 
 def _type(row: Parameter, words: Words) -> str:
     """The type of the values of a parameter and of all its elements."""
-    every = [row.value, *(one.value for one in row.subindices)]
+    every = [row.value, *(subindex.value for subindex in row.subindices)]
     return " | ".join(dict.fromkeys(_answered(value, words, row.trigger) for value in every))
 
 
 def _answered(value: Value, words: Words, trigger: bool) -> str:
-    """The type of what is read of a parameter, which takes more than a closed enum lists where that is a trigger."""
+    """The type of a parameter that is read: of a trigger, any number beside the members of a closed enum."""
     more = " | int" if value.as_answer(trigger).enum != value.enum and not value.sentinels else ""
     return value_type(value, words) + more
 
 
-def _doc(row: Parameter, held: ParameterSet) -> list[str]:
+def _doc(row: Parameter, parameter_set: ParameterSet) -> list[str]:
     last = row.number + row.count - 1
-    facts = [f"Number {_digits(row.number, held)}" + (f" to {_digits(last, held)}" if row.count > 1 else "")]
-    if held.base:
-        further = f" to 0x{held.base + last:X}" if row.count > 1 else ""
-        facts.append(f"0x{held.base + row.number:X}{further} on the wire")
+    facts = [
+        f"Number {_digits(row.number, parameter_set)}"
+        + (f" to {_digits(last, parameter_set)}" if row.count > 1 else "")
+    ]
+    if parameter_set.base:
+        further = f" to 0x{parameter_set.base + last:X}" if row.count > 1 else ""
+        facts.append(f"0x{parameter_set.base + row.number:X}{further} on the wire")
     facts += [row.value.type.name, *value_facts(row.value)]
     if row.elements is not None:
         facts.append(f"{row.elements} elements")
@@ -258,11 +282,18 @@ def _doc(row: Parameter, held: ParameterSet) -> list[str]:
     facts += [f"for {', '.join(row.applies_to)}"] if row.applies_to else []
     facts += [f"with {', '.join(row.messages)}"] if row.messages else []
     facts += ["reserved"] if row.reserved else []
-    elements = [f" {one.indices.text()} {one.name}: {', '.join(_element(one))}." for one in row.subindices]
+    elements = [
+        f" {subindex.indices.text()} {subindex.name}: {', '.join(_element(subindex))}." for subindex in row.subindices
+    ]
     head = described(Name.of(row.name).title(), row, f"{', '.join(facts)}.", *elements)
     return docstring(head, 8)
 
 
-def _element(one: Subindex) -> list[str]:
-    const = [] if one.value.const is None else [f"always {one.value.const}"]
-    return [one.value.type.name, *value_facts(one.value), *const, *(["reserved"] if one.reserved else [])]
+def _element(subindex: Subindex) -> list[str]:
+    const = [] if subindex.value.const is None else [f"always {subindex.value.const}"]
+    return [
+        subindex.value.type.name,
+        *value_facts(subindex.value),
+        *const,
+        *(["reserved"] if subindex.reserved else []),
+    ]

@@ -20,7 +20,7 @@ _WORDS = {"%": "percent", "0.1%": "tenths_of_percent", "°C": "celsius"}
 
 
 def unit_word(unit: str) -> str:
-    """What a property of a scaled value is called after: `mm`, `percent`, `per_s`; `scaled` where there is no unit."""
+    """The suffix of a scaled property: `mm`, `percent`, `per_s`; `scaled` where there is no unit."""
     above, _, below = _WORDS.get(unit, unit.lower() or "scaled").partition("/")
     words = f"{above if above != '1' else ''}_per_{below}".strip("_") if below else above
     return re.sub(r"[^a-z0-9]+", "_", words)
@@ -33,9 +33,9 @@ def ratio(value: Value) -> tuple[int, int, int]:
     return int(scale * below), int(offset * below), below
 
 
-def in_unit(count: str, held: tuple[int, int, int]) -> str:
-    """The expression that gives a count in the unit as a float, rounded once."""
-    a, b, c = held
+def in_unit(count: str, scale: tuple[int, int, int]) -> str:
+    """The expression of a count in its unit as a float, rounded once."""
+    a, b, c = scale
     above = count if a == 1 else f"{count} * {a}"
     if b:
         above = f"({above} {'+' if b > 0 else '-'} {abs(b)})" if c != 1 else f"{above} {'+' if b > 0 else '-'} {abs(b)}"
@@ -49,7 +49,7 @@ def decimal_text(number: Decimal) -> str:
 
 
 def quantity(value: Value) -> str:
-    """How a count relates to its unit: `in 0.01 mm`, `in %`, `in 0.5 V from -40 V`, or nothing."""
+    """The scale and unit of a count: `in 0.01 mm`, `in %`, `in 0.5 V from -40 V`, or an empty text."""
     if not value.scaled:
         return f"in {value.unit}" if value.unit else ""
     unit = f" {value.unit}" if value.unit else ""
@@ -62,7 +62,7 @@ def quantity(value: Value) -> str:
 class ScaledView:
     """A property in the unit: the expressions that read and set it, and its docstring.
 
-    `type` is that of what is read, `accepted` that of what it may be set to.
+    `type` is the type when it is read, `accepted` the type that it can be set to.
     """
 
     name: str
@@ -99,7 +99,7 @@ def sentinel_views(stored: list[Slots]) -> list[ConstantView]:
 
 
 def _of_float(field: Slots, scope: Scope) -> ScaledView:
-    """The property of a floating-point number, which counts in its unit, but may be absent."""
+    """The property of a floating-point number, which is in its unit already, but may stand for an absent value."""
     name = scope.take(f"{field.title}_{unit_word(field.value.unit) if field.value.unit else 'value'}")
     raw = "item" if field.is_list else f"self.{field.name}"
     tests = [f"{raw} == {number}" for number in field.sentinels] + [f"{raw} != {raw}"] * field.value.absent_nan
@@ -117,56 +117,56 @@ def _of_float(field: Slots, scope: Scope) -> ScaledView:
 
 
 def quantities(value: Value) -> list[tuple[int, int]]:
-    """The counts that are quantities: those in range that stand for nothing else."""
-    found = list(value.ranges.intervals) if value.ranges is not None else [(value.type.low, value.type.high)]
+    """The counts that are quantities: those in range that are no special value."""
+    intervals = list(value.ranges.intervals) if value.ranges is not None else [(value.type.low, value.type.high)]
     for sentinel in value.sentinels:
-        found = [
+        intervals = [
             part
-            for low, high in found
+            for low, high in intervals
             for part in ((low, min(high, sentinel.value - 1)), (max(low, sentinel.value + 1), high))
             if part[0] <= part[1]
         ]
-    return found
+    return intervals
 
 
 def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
-    """The properties of those fields that count in parts of a unit."""
-    found = []
+    """The properties of all fields with a scale."""
+    views = []
     for field in stored:
         if field.kind is Kind.FLOAT and field.value.sentinels:
-            found.append(_of_float(field, scope))
+            views.append(_of_float(field, scope))
         if not field.whole or not field.value.scaled or field.value.enum or field.value.flags:
             continue
-        held = ratio(field.value)
+        scale = ratio(field.value)
         name = scope.take(f"{field.title}_{unit_word(field.value.unit)}")
         limits = pairs(Ranges(tuple(quantities(field.value))))
-        write = f'_counts("{field.title}", {"item" if field.is_list else "value"}, {held}, {limits})'
+        write = f'_counts("{field.title}", {"item" if field.is_list else "value"}, {scale}, {limits})'
         raw = "item" if field.is_list else f"self.{field.name}"
-        read = in_unit(raw, held)
+        read = in_unit(raw, scale)
         kind = "float"
         if field.sentinels:
             absent = within(raw, Ranges(tuple((count, count) for count in field.sentinels)))
             read, kind = f"None if {absent} else {read}", "float | None"
         unit = f" in {field.value.unit}" if field.value.unit else ""
         ends = "It is None where the count stands for an absent value. " if field.sentinels else ""
-        ends += "Setting it takes the nearest count, of two the even one, and refuses what is out of range."
-        found.append(
+        ends += "Setting it stores the nearest count, of two the even one. Raises CodecError out of range."
+        views.append(
             ScaledView(
                 name,
                 f"list[{kind}]" if field.is_list else kind,
-                "list[float]" if field.is_list else "float",
+                "_Sequence[_Quantity]" if field.is_list else "_Quantity",
                 f"[{read} for item in self.{field.name}]" if field.is_list else read,
                 f"[{write} for item in value]" if field.is_list else write,
                 field.name,
                 docstring([f"`{field.name}`{unit}. {ends}"], 8),
             )
         )
-    return found
+    return views
 
 
 @dataclass(frozen=True, slots=True)
 class ConversionView:
-    """The names of the two functions, the constant that they use, the call that makes it, and their docstrings."""
+    """The names of the two functions, the constant that they use, the call that creates it, and their docstrings."""
 
     name: str
     inverse: str
@@ -183,8 +183,8 @@ def conversion_view(conversion: Conversion, device: Device, scope: Scope) -> Con
     arguments += ["complement=True"] if conversion.complement else []
     formula = f"reference * {f'(1 - raw / {full_scale})' if conversion.complement else f'raw / {full_scale}'}"
     printed = f"Printed: {sentence(conversion.printed)}" if conversion.printed else ""
-    held = ", ".join(f"`{name}`" for name in conversion.signals)
-    of = f"The count is that of {held}." if held else f"The count is of type {conversion.type.name}."
+    signal_names = ", ".join(f"`{name}`" for name in conversion.signals)
+    of = f"The count is that of {signal_names}." if signal_names else f"The count is of type {conversion.type.name}."
     references = " or ".join(_reference(path, device) for path in conversion.references)
     where = f" The device holds it in {references}." if references else ""
     about = [of, f"The quantity is in the unit of the reference.{where}", printed]
@@ -205,18 +205,22 @@ def conversion_view(conversion: Conversion, device: Device, scope: Scope) -> Con
 
 
 def _ranges(conversion: Conversion, device: Device) -> Ranges:
-    """The counts that the signals may have where all may have the same ones, else those of the type."""
-    found = {device.signals[name].value.ranges for name in conversion.signals}
-    ranges = found.pop() if len(found) == 1 else None
+    """The ranges of the signals where all have the same ones, else the range of the type."""
+    signal_ranges = {device.signals[name].value.ranges for name in conversion.signals}
+    ranges = signal_ranges.pop() if len(signal_ranges) == 1 else None
     return ranges or Ranges(((conversion.type.low, conversion.type.high),))
 
 
 def _reference(path: str, device: Device) -> str:
-    """What holds a reference: `Pt317 (reference_speed, in rpm)`, or the name of another fact."""
+    """Where a reference value is: `Pt317 (reference_speed, in rpm)`, or the name of another fact."""
     *_, owner, name = path.split("/")
-    held = device.parameters.get(owner)
-    row = next((one for one in held.parameters if one.name == name), None) if held is not None else None
-    if held is None or row is None:
+    parameter_set = device.parameters.get(owner)
+    row = (
+        next((parameter for parameter in parameter_set.parameters if parameter.name == name), None)
+        if parameter_set is not None
+        else None
+    )
+    if parameter_set is None or row is None:
         return f"`{name}`"
     unit = f", in {row.value.unit}" if row.value.unit else ""
-    return f"{row.printed_name or held.number_text(row.number)} (`{name}`{unit})"
+    return f"{row.printed_name or parameter_set.number_text(row.number)} (`{name}`{unit})"

@@ -1,4 +1,4 @@
-"""Code that reads a field from the raw values of its slots, and the choices between field types."""
+"""The code that reads a field from the raw values of its slots, and the choices between field types."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from fieldspec.model.value import Kind
 
 
 def local(field: Slots) -> str:
-    """The variable of a raw value. Two underscores part it from those of its words: no name of a spec has two."""
+    """The variable of a raw value. The variables of its words have two underscores, which no name of a spec has."""
     return f"raw_{field.title}"
 
 
 def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
-    """What the slots of a field are unpacked into: an attribute, or locals, always locals where it is to be `bound`."""
+    """The targets that the slots of a field are unpacked into: an attribute or locals; locals where it is `bound`."""
     if field.skipped:
         return []
     star = "*" if field.is_list or field.decided else ""
@@ -47,13 +47,13 @@ def indexed(field: Slots, owner: str, at: int) -> list[str]:
     if field.parted:
         return [f"{local(field)}__{part} = raws[{at + part}]" for part in range(field.parted)]
     if (field.is_raw or field.deferred) and field.stored:
-        held = sources(field, at)
-        return [f"{owner}.{field.slot} = {f'list({held})' if field.is_list else held}"]
+        source = sources(field, at)
+        return [f"{owner}.{field.slot} = {f'list({source})' if field.is_list else source}"]
     return [f"{local(field)} = {sources(field, at)}"]
 
 
 def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
-    """Lines that make the value of a field from its raw value, and refuse what is not allowed.
+    """Lines that convert the raw value of a field, and refuse an invalid one.
 
     `at` is the field's offset from the start of the bytes; `bound` says that the raw value is in a local in any
     case. Measures are tested when all fields are read.
@@ -95,8 +95,8 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
         return [f"{owner}.{field.name} = {call}"]
     if field.value.flags:
         flags = field.element_type
-        made = f"[{flags}(raw) for raw in {raw}]" if field.is_list else f"{flags}({raw})"
-        return [*lines, f"{owner}.{field.name} = {made}"]
+        construction = f"[{flags}(raw) for raw in {raw}]" if field.is_list else f"{flags}({raw})"
+        return [*lines, f"{owner}.{field.name} = {construction}"]
     if field.enum is not None:
         return [*lines, *_member(field, owner, raw, at)]
     if field.is_list:
@@ -105,23 +105,23 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
 
 
 def deferred_value_lines(field: Slots) -> list[str]:
-    """Lines that give what a deferred field stands for; a word of flags is kept, once it is made."""
+    """The lines of the getter of a deferred field; it stores the object of a word of bits on first access."""
     if not field.deferred:
         return []
-    held = f"self.{field.slot}"
+    slot = f"self.{field.slot}"
     if field.enum is not None:
-        found = f"{field.enum.table}.get(held, held)"
-        return [f"held = {held}", f"return {found} if isinstance(held, int) else held"]
+        member = f"{field.enum.table}.get(word, word)"
+        return [f"word = {slot}", f"return {member} if isinstance(word, int) else word"]
     return [
-        f"held = {held}",
-        "if isinstance(held, int):",
-        f"    held = {held} = {field.type}(held)",
-        "return held",
+        f"word = {slot}",
+        "if isinstance(word, int):",
+        f"    word = {slot} = {field.type}(word)",
+        "return word",
     ]
 
 
 def _number(field: Slots) -> tuple[list[str], str]:
-    """Lines that put the number of a field together, and the expression that then holds it."""
+    """Lines that assemble the number of a field from its slots, and the expression of the number."""
     raw = local(field)
     if field.parted:
         parts = [f"{raw}__{part}" for part in range(field.parted)]
@@ -131,8 +131,8 @@ def _number(field: Slots) -> tuple[list[str], str]:
         return [f"{raw} = {joined}"], raw
     if not field.foreign:
         return [], raw
-    held = _from_bytes(field, "item" if field.is_list else raw)
-    return [f"{raw} = [{held} for item in {raw}]" if field.is_list else f"{raw} = {held}"], raw
+    converted = _from_bytes(field, "item" if field.is_list else raw)
+    return [f"{raw} = [{converted} for item in {raw}]" if field.is_list else f"{raw} = {converted}"], raw
 
 
 def _from_bytes(field: Slots, raw: str) -> str:
@@ -147,22 +147,24 @@ def _from_bytes(field: Slots, raw: str) -> str:
 def _member(field: Slots, owner: str, raw: str, at: int) -> list[str]:
     enum = field.enum
     assert enum is not None
-    title, name, held = literal(field.title), literal(enum.title), f"{owner}.{field.name}"
+    title, name, attribute = literal(field.title), literal(enum.title), f"{owner}.{field.name}"
     if enum.open:
-        made = f"[{enum.table}.get(raw, raw) for raw in {raw}]" if field.is_list else f"{enum.table}.get({raw}, {raw})"
-        return [f"{held} = {made}"]
+        construction = (
+            f"[{enum.table}.get(raw, raw) for raw in {raw}]" if field.is_list else f"{enum.table}.get({raw}, {raw})"
+        )
+        return [f"{attribute} = {construction}"]
     table = enum.table
     if field.sentinels:
         others = ", ".join(f"{value}: {value}" for value in field.sentinels)
         table = f"{{**{enum.table}, {others}}}"
     if field.is_list:
-        return [f"{held} = _members({title}, {raw}, {table}, {name}, {at}, {field.field.size})"]
+        return [f"{attribute} = _members({title}, {raw}, {table}, {name}, {at}, {field.field.size})"]
     wrong = f"raise _unknown_member({title}, {raw}, {name}, {at}) from None"
-    lines = ["try:", f"    {held} = {enum.table}[{raw}]", "except KeyError:"]
+    lines = ["try:", f"    {attribute} = {enum.table}[{raw}]", "except KeyError:"]
     if not field.sentinels:
         return [*lines, f"    {wrong}"]
     others = ", ".join(map(str, field.sentinels)) + ","
-    return [*lines, f"    if {raw} not in ({others}):", f"        {wrong}", f"    {held} = {raw}"]
+    return [*lines, f"    if {raw} not in ({others}):", f"        {wrong}", f"    {attribute} = {raw}"]
 
 
 CASE = "case"
@@ -170,7 +172,7 @@ CASE = "case"
 
 
 def choice_lines(variable: str, record: RecordLayout, fields: Sequence[Slots], letters: str, order: str) -> list[str]:
-    """The statement that makes the `Choice` of a record; `letters` are those of the fields before the decided one."""
+    """The statement that defines the `Choice` of a record; `letters` are those of the fields before the decided one."""
     by, decided = record.selector, fields[-1]
     assert by is not None
     repeat = decided.field.field.repeat
@@ -195,13 +197,13 @@ def _case(case: CaseLayout, order: str, decided: Slots) -> str:
 
 
 def decided_read(decided: Slots, owner: str, at: int) -> list[str]:
-    """Lines that make the value of the decided field."""
+    """Lines that read the decided field."""
     first = "" if decided.is_list else "[0]"
-    held = f"{CASE}.values({literal(decided.title)}, {local(decided)}, {at}){first}"
-    return [f"{owner}.{decided.name} = {held}"]
+    values = f"{CASE}.values({literal(decided.title)}, {local(decided)}, {at}){first}"
+    return [f"{owner}.{decided.name} = {values}"]
 
 
-def decided_values(decided: Slots, held: str) -> str:
-    """What fills the slots of the decided field."""
-    values = held if decided.is_list else f"({held},)"
+def decided_values(decided: Slots, expression: str) -> str:
+    """The expression of the slots of the decided field."""
+    values = expression if decided.is_list else f"({expression},)"
     return f"*{CASE}.raws({literal(decided.title)}, {values})"

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.backends.python.quantities import quantity, ratio
+from fieldspec.backends.python.quantities import ratio
 from fieldspec.backends.python.records import RecordShape
+from fieldspec.backends.python.registers import value_facts
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import availability, described, literal, printed, sentence
 from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.value import Kind, Ranges, merged
-from fieldspec.names import Name
 
 
 def column_lines(shaped: RecordShape) -> list[str]:
-    """An expression a field; none for records whose length varies or whose fields are all reserved."""
+    """One expression for each field; none for records of variable length or with reserved fields only."""
     if shaped.record.size is None or shaped.selector is not None:
         return []
     return [
@@ -26,7 +26,7 @@ def column_lines(shaped: RecordShape) -> list[str]:
 
 
 def _arguments(shaped: RecordShape, field: Slots) -> Iterator[str]:
-    """The letter of an element and its offset, then what is not usual."""
+    """The letter of an element and its offset, then the arguments that differ from their defaults."""
     layout = field.field
     if layout.record is not None:
         yield from (literal(""), str(layout.offset), f"record={field.element_type}", f"size={layout.size}")
@@ -52,10 +52,10 @@ def _arguments(shaped: RecordShape, field: Slots) -> Iterator[str]:
 
 
 def _tests(shaped: RecordShape, field: Slots) -> str:
-    """The intervals outside of which one record alone would be refused when it is decoded."""
+    """The intervals outside of which `decode` refuses the field."""
     measure = field.field.field.measures
     if measure is not None:
-        other = next(one for one in shaped.fields if one.title == measure.field)
+        other = next(candidate for candidate in shaped.fields if candidate.title == measure.field)
         size = max(other.count, 1) * (other.field.size if measure.of == "bytes" else 1)
         return pairs(Ranges(((size, size),)))
     if field.constant is not None:
@@ -69,7 +69,7 @@ def _tests(shaped: RecordShape, field: Slots) -> str:
 
 
 def record_doc(record: RecordLayout, stored: list[Slots], head: str, *more: str) -> list[str]:
-    """The paragraphs of a class's docstring: what it is, how long, and each of its fields."""
+    """The paragraphs of a class's docstring: its title, its size, and each of its fields."""
     if record.size is not None:
         size = f"{record.size} byte{'' if record.size == 1 else 's'}."
     else:
@@ -82,15 +82,7 @@ def _field_doc(field: Slots) -> str:
     fact = field.field.field
     facts = [_type_doc(field)]
     if field.field.value is not None:
-        if quantity(field.value):
-            facts.append(quantity(field.value))
-        if field.value.ranges is not None:
-            facts.append(f"{field.value.ranges.text()}")
-        if field.value.write_ranges is not None:
-            facts.append(f"{field.value.write_ranges.text()} when it is written")
-        facts += [f"{sentinel.text} = {Name.of(sentinel.name).title().lower()}" for sentinel in field.value.sentinels]
-        if field.value.default is not None:
-            facts.append(f"initially {field.value.default}")
+        facts += value_facts(field.value)
     if fact.restart:
         facts.append("takes effect after a restart")
     notes = " ".join(f"Note: {sentence(note)}" for note in fact.notes)
@@ -101,9 +93,9 @@ def _field_doc(field: Slots) -> str:
 
 def _type_doc(field: Slots) -> str:
     named = field.field.record is not None or field.decided or field.value.enum or field.value.flags
-    one = field.element_type if named else field.value.type.name
+    type_text = field.element_type if named else field.value.type.name
     if field.field.field.choice is not None:
-        one += f", as `{field.field.field.choice.by}` says"
+        type_text += f", as `{field.field.field.choice.by}` says"
     if field.repeated and field.field.field.repeat is not None:
-        return f"{field.field.field.repeat.text()} times {one}"
-    return f"{field.count} times {one}" if field.is_list else one
+        return f"{field.field.field.repeat.text()} times {type_text}"
+    return f"{field.count} times {type_text}" if field.is_list else type_text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.python.constructors import ConstructorView, constructor_view
 from fieldspec.backends.python.naming import MESSAGE, TYPES, Scope
 from fieldspec.backends.python.quantities import ConstantView, ScaledView, scaled_views, sentinel_views
 from fieldspec.backends.python.reading import (
@@ -16,7 +17,7 @@ from fieldspec.backends.python.reading import (
     targets,
 )
 from fieldspec.backends.python.slots import Slots, Words, native_order, slots
-from fieldspec.backends.python.text import chained, docstring, filled, literal, one_item_per_line, unpacked
+from fieldspec.backends.python.text import chained, docstring, filled, literal, unpacked
 from fieldspec.backends.python.writing import conditions, fixed, measured, pairs, refusal, values, within
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.record import RecordLayout
@@ -24,9 +25,9 @@ from fieldspec.layout.record import RecordLayout
 
 @dataclass(frozen=True, slots=True)
 class FieldView:
-    """An attribute: its name and type, what it may be set to, and the slot that is filled from the wire.
+    """An attribute: its name, its type, the type that it accepts, and the slot that is filled from the wire.
 
-    `get` are the lines that make what a slot of its own stands for; empty where the slot is the attribute.
+    `get` are the lines of its getter, empty where the slot is the attribute itself.
     """
 
     name: str
@@ -38,7 +39,7 @@ class FieldView:
 
 @dataclass(frozen=True, slots=True)
 class RecordShape:
-    """A record's fields in a Struct of one byte order, before any name of the module is given."""
+    """The fields of a record in a Struct of one byte order. It does not depend on the names of the module."""
 
     record: RecordLayout
     order: str
@@ -74,7 +75,7 @@ class RecordShape:
 
 @dataclass(frozen=True, slots=True)
 class RecordView:
-    """A class: all lines of its methods are computed. `declared` makes its Struct, or what stands for one."""
+    """A class with all lines of its methods. `declared` defines its Struct, `_Repeated` or `_Choice`."""
 
     name: str
     declared: list[str]
@@ -91,13 +92,13 @@ class RecordView:
     refusals: list[str]
     slots: list[str]
     match_args: list[str]
-    init: list[str]
+    constructor: ConstructorView
     size: int | None
     columns: tuple[str, ...] = ()
 
 
 def shape(record: RecordLayout, words: Words, reserved: frozenset[str]) -> RecordShape:
-    """The shape of a record; its attributes stay clear of some names."""
+    """The shape of a record; none of its attributes has a reserved name."""
     scope = Scope(reserved, TYPES)
     order = native_order(record.fields)
     fields = [slots(field, scope.take(field.name), words, order) for field in record.fields]
@@ -112,6 +113,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
     upper = "_" + "".join(f"_{char}" if char.isupper() else char for char in name).strip("_").upper()
     binding = writing_lines(shaped, frozenset(), f"{upper}_STRUCT")
     names = [field.name for field in stored]
+    scaled = scaled_views(stored, Scope(MESSAGE, TYPES, frozenset(names)))
     read, taken = _read(shaped, upper)
     return RecordView(
         name=name,
@@ -123,7 +125,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
             for field in stored
         ],
         constants=sentinel_views(stored),
-        scaled=scaled_views(stored, Scope(MESSAGE, TYPES, frozenset(field.name for field in stored))),
+        scaled=scaled,
         read=read,
         make=[*taken, *construction_lines(shaped, "record", 0)],
         bind=binding.bind,
@@ -132,9 +134,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         refusals=chained("return ", binding.refusals, "or", "None", 8),
         slots=_quoted("__slots__", [field.slot for field in stored]),
         match_args=_quoted("__match_args__", names),
-        init=one_item_per_line(
-            "def __init__(", ["self", *(f"{field.name}: {field.accepted}" for field in stored)], ") -> None:", 4
-        ),
+        constructor=constructor_view(stored, scaled),
         size=record.size,
     )
 
@@ -149,7 +149,7 @@ def _declared(shaped: RecordShape, upper: str) -> list[str]:
 
 
 def _pack(shaped: RecordShape, upper: str) -> str:
-    """What packs as many elements as there are."""
+    """The `pack` for the number of elements."""
     last = shaped.fields[-1] if shaped.fields else None
     number = f"len({local(last)})" if last is not None and last.is_list else "1"
     if shaped.selector is not None:
@@ -158,21 +158,21 @@ def _pack(shaped: RecordShape, upper: str) -> str:
 
 
 def _read(shaped: RecordShape, upper: str) -> tuple[list[str], list[str]]:
-    """Lines that make an empty `record` and unpack the bytes, and those that take the raw values from a tuple."""
+    """Lines that create an empty `record` and unpack the bytes, and lines that take the raw values from a tuple."""
     record, tail, struct = shaped.record, shaped.tail, f"{upper}_STRUCT"
-    made, bounds = "record = _new(cls)", f"{record.least}, {record.most}"
+    new_record, bounds = "record = _new(cls)", f"{record.least}, {record.most}"
     wrong = f"    raise _wrong_length({literal(record.name)}, len(data), {bounds}"
     if shaped.selector is not None:
         lines, taken = unpacking_lines(shaped, "record", f"{struct}.unpack(data)", 8)
-        return [made, *lines], taken
+        return [new_record, *lines], taken
     if tail is None:
         lines, taken = unpacking_lines(shaped, "record", f"{upper}_UNPACK(data)", 12)
         tried = [f"    {line}" for line in lines]
-        return [made, "try:", *tried, "except _StructError:", f"{wrong}) from None"], taken
+        return [new_record, "try:", *tried, "except _StructError:", f"{wrong}) from None"], taken
     fixed_size, unit = sum(field.field.size * field.count for field in shaped.fields), tail.field.size
     lines, taken = unpacking_lines(shaped, "record", _unpacked(struct, fixed_size, unit), 8)
     test = f"if {_length_test(record, fixed_size, unit)}:"
-    return [test, f"{wrong}, {fixed_size}, {unit})", made, *lines], taken
+    return [test, f"{wrong}, {fixed_size}, {unit})", new_record, *lines], taken
 
 
 def _quoted(variable: str, names: list[str]) -> list[str]:
@@ -201,7 +201,7 @@ def _unpacked(struct: str, fixed_size: int, unit: int) -> str:
 
 
 def unpacking_lines(shaped: RecordShape, owner: str, source: str, indent: int) -> tuple[list[str], list[str]]:
-    """The statement that unpacks all fields, and the lines that take the raw values where it gives one tuple."""
+    """The statement that unpacks all fields, and the lines that take the raw values where it returns one tuple."""
     case = f"{CASE}, " if shaped.selector is not None else ""
     if sum((field.is_list or field.decided) and not field.skipped for field in shaped.fields) < 2:
         names = [target for field in shaped.fields for target in targets(field, owner)]
@@ -217,7 +217,7 @@ def unpacking_lines(shaped: RecordShape, owner: str, source: str, indent: int) -
 
 
 def construction_lines(shaped: RecordShape, owner: str, at: int, bound: bool = False) -> list[str]:
-    """Lines that make the values of all fields.
+    """Lines that convert the raw values of all fields.
 
     `bound` says that all raw values are in locals, and that the constants among them have been compared.
     """
@@ -241,7 +241,7 @@ def _measure_test(shaped: RecordShape, field: Slots, owner: str, at: int) -> lis
     measure = field.field.field.measures
     if measure is None:
         return []
-    other = next(one for one in shaped.fields if one.title == measure.field)
+    other = next(candidate for candidate in shaped.fields if candidate.title == measure.field)
     size = measured(field, other, f"{owner}.{other.name}", f"{CASE}.size")
     return [
         f"if {local(field)} != {size}:",
@@ -251,7 +251,7 @@ def _measure_test(shaped: RecordShape, field: Slots, owner: str, at: int) -> lis
 
 @dataclass(frozen=True, slots=True)
 class Writing:
-    """Lines that bind locals, the conditions of all fields, what fills the slots, and what says what is wrong."""
+    """Lines that bind locals, the conditions of all fields, the values of the slots, and the refusals."""
 
     bind: list[str]
     tests: list[str]
@@ -260,62 +260,62 @@ class Writing:
 
 
 def writing_lines(shaped: RecordShape, bound: frozenset[str], struct: str) -> Writing:
-    """How a record is written; the fields in `bound` get a local whether or not the tests need one."""
-    held = {field.title: f"self.{field.slot}" for field in shaped.stored}
+    """The code that writes a record; the fields in `bound` get a local even where no test needs one."""
+    expressions = {field.title: f"self.{field.slot}" for field in shaped.stored}
     bind: list[str] = []
     tests: dict[str, list[str]] = {}
     selector = shaped.selector
-    needed = bound | {one.field.field.measures.field for one in shaped.fields if one.field.field.measures}
+    needed = bound | {field.field.field.measures.field for field in shaped.fields if field.field.field.measures}
     for field in shaped.stored:
         wanted = conditions(field, local(field))
         if wanted or field.title in needed or field.parted or field is selector:
-            found = held[field.title]
-            bind.append(f"{local(field)} = {f'_index({found})' if field.deferred else found}")
-            held[field.title] = local(field)
+            attribute = expressions[field.title]
+            bind.append(f"{local(field)} = {f'_index({attribute})' if field.deferred else attribute}")
+            expressions[field.title] = local(field)
         tests[field.title] = wanted
     if selector is not None:
-        bind.append(f"{CASE} = {struct}.case({held[selector.title]})")
-    written: list[str] = []
+        bind.append(f"{CASE} = {struct}.case({expressions[selector.title]})")
+    slot_values: list[str] = []
     more: list[str] = []
     for field in shaped.fields:
         if field.field.field.measures is not None:
-            size = _size(shaped, field, held, f"{CASE}.size")
+            size = _size(shaped, field, expressions, f"{CASE}.size")
             if field.ranges is not None:
                 more.append(within(size, field.ranges))
-            written.append(size)
+            slot_values.append(size)
         elif field.decided:
-            written.append(decided_values(field, held[field.title]))
+            slot_values.append(decided_values(field, expressions[field.title]))
         else:
-            written += values(field, held[field.title]) if field.stored else fixed(field)
-    every = [test for found in tests.values() for test in found] + more
-    return Writing(bind, every, written, _refusals(shaped, struct))
+            slot_values += values(field, expressions[field.title]) if field.stored else fixed(field)
+    every = [test for field_tests in tests.values() for test in field_tests] + more
+    return Writing(bind, every, slot_values, _refusals(shaped, struct))
 
 
-def _size(shaped: RecordShape, field: Slots, held: dict[str, str], decided: str) -> str:
-    """What a field holds that measures another one; `decided` is the size of an element that has several types."""
+def _size(shaped: RecordShape, field: Slots, expressions: dict[str, str], decided: str) -> str:
+    """The value of a field that measures another one; `decided` is the size of an element with several types."""
     measure = field.field.field.measures
     assert measure is not None
-    other = next(one for one in shaped.fields if one.title == measure.field)
-    return measured(field, other, held[other.title], decided)
+    other = next(candidate for candidate in shaped.fields if candidate.title == measure.field)
+    return measured(field, other, expressions[other.title], decided)
 
 
 def _refusals(shaped: RecordShape, struct: str) -> list[str]:
-    """The expressions that say what is wrong with the fields: first with what decides another one."""
-    found = []
+    """The expressions of the refusals of all fields: first of the selector, which decides another type."""
+    refusals = []
     selector = shaped.selector
     if selector is not None:
-        found += [refusal(selector), f"{struct}.refused_by(self.{selector.name})"]
+        refusals += [refusal(selector), f"{struct}.refused_by(self.{selector.name})"]
     for field in shaped.stored:
         if field.decided and selector is not None:
-            function = "refused" if field.is_list else "refused_one"
-            found.append(f"{struct}.{function}({literal(field.title)}, self.{selector.name}, self.{field.name})")
+            function = "refused" if field.is_list else "refused_element"
+            refusals.append(f"{struct}.{function}({literal(field.title)}, self.{selector.name}, self.{field.name})")
         elif field is not selector:
-            found.append(refusal(field))
-    held = {one.title: f"self.{one.name}" for one in shaped.stored}
+            refusals.append(refusal(field))
+    expressions = {field.title: f"self.{field.name}" for field in shaped.stored}
     for field in shaped.fields:
         if field.field.field.measures is not None:
             decided = f"{struct}.cases[self.{selector.name}].size" if selector is not None else ""
-            limits = [_size(shaped, field, held, decided), str(field.value.type.low), str(field.value.type.high)]
+            limits = [_size(shaped, field, expressions, decided), str(field.value.type.low), str(field.value.type.high)]
             limits += [pairs(field.ranges)] if field.ranges is not None else []
-            found.append(f"_refused_number({literal(field.title)}, {', '.join(limits)})")
-    return found
+            refusals.append(f"_refused_number({literal(field.title)}, {', '.join(limits)})")
+    return refusals

@@ -15,15 +15,15 @@ from fieldspec.names import Name
 
 
 def register_value(value: Value, size: int, order: str, swapped: bool, words: Words, trigger: bool) -> str:
-    """The `Value` of a register or a parameter, in `size` bytes: what the device answers is read, whatever it is.
+    """The `Value` of a register or a parameter, in `size` bytes: every answer of the device is read.
 
-    Only what is written is bound to a constant, and, where it starts something, to a closed enum.
+    Only writing is limited to a constant, or, where it starts an action, to the members of a closed enum.
     """
     return _value(value, size, order, swapped, words, value.as_answer(trigger) != value)
 
 
 def value_expression(value: Value, size: int, order: str, swapped: bool, words: Words) -> str:
-    """The `Value` of a value in a frame that lies in `size` bytes, which may be more than its own."""
+    """The `Value` of a value in a frame; it has `size` bytes, which may be more than its type has."""
     return _value(value, size, order, swapped, words, False)
 
 
@@ -40,8 +40,8 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
         return _call("_Boolean", letters, more)
     if value.type.kind is Kind.FLOAT:
         more += [f"ranges={pairs(value.ranges)}"] if value.ranges is not None else []
-        others = [repr(float("nan")) if one.is_nan else str(one.value) for one in value.sentinels]
-        others = ['float("nan")' if one == "nan" else one for one in others]
+        others = [repr(float("nan")) if sentinel.is_nan else str(sentinel.value) for sentinel in value.sentinels]
+        others = ['float("nan")' if text == "nan" else text for text in others]
         more += [f"others={tuple_of(others)}"] if others else []
         more += [f"unit={literal(value.unit)}"] if value.unit and (others or value.ranges is not None) else []
         return _call("_Float", letters, more)
@@ -85,7 +85,7 @@ def _ranges(value: Value) -> Ranges | None:
 
 
 def value_facts(value: Value) -> list[str]:
-    """What a docstring says of a value: how it counts, its range, its sentinels, its initial value."""
+    """The facts of a value in a docstring: scale and unit, ranges, special values, initial value."""
     facts = [quantity(value)] if quantity(value) else []
     if value.ranges is not None:
         facts.append(value.ranges.text())
@@ -101,8 +101,8 @@ ACCESS = {"ro": "read only", "rw": "read and write", "wo": "write only"}
 
 
 @dataclass(frozen=True, slots=True)
-class ConstantView:
-    """A constant: its name, the call that makes it, and its docstring."""
+class RegisterView:
+    """A register, or an array of them: its constant, the call that creates it, and its docstring."""
 
     name: str
     call: str
@@ -120,18 +120,20 @@ class TableView:
     doc: list[str]
 
 
-def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope, space: str = "") -> ConstantView:
+def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope, space: str = "") -> RegisterView:
     """The view of a register, or of an array of registers.
 
     `order` is the byte order of the device, `space` the address space where the device has several.
     """
-    register = laid.register
-    name = scope.take(Name.of(laid.name).upper())
-    value = register_value(register.value, 2 * laid.words, laid.order, laid.swapped, words, register.trigger)
-    arguments = [literal(laid.name), f"0x{laid.address:04X}", str(laid.words), value, literal(register.access)]
-    if laid.count > 1:
-        arguments += [f"count={laid.count}", f"first={register.index_from}", f"stride={laid.stride}"]
-    arguments += [f"{key}=True" for key, held in (("atomic", register.atomic), ("trigger", register.trigger)) if held]
+    register = layout.register
+    name = scope.take(Name.of(layout.name).upper())
+    value = register_value(register.value, 2 * layout.words, layout.order, layout.swapped, words, register.trigger)
+    arguments = [literal(layout.name), f"0x{layout.address:04X}", str(layout.words), value, literal(register.access)]
+    if layout.count > 1:
+        arguments += [f"count={layout.count}", f"first={register.index_from}", f"stride={layout.stride}"]
+    arguments += [
+        f"{key}=True" for key, is_set in (("atomic", register.atomic), ("trigger", register.trigger)) if is_set
+    ]
     arguments += [f"number={register.number}"] if register.number is not None else []
     arguments += [f"copy_of={literal(register.copy_of)}"] if register.copy_of else []
     if order == "little":
@@ -139,9 +141,9 @@ def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope, 
     if space:
         arguments.append(f"space={literal(space)}")
     facts = [
-        f"0x{laid.address:04X}",
+        f"0x{layout.address:04X}",
         *([f"in {space}"] if space else []),
-        f"{laid.words} word{'s' if laid.words > 1 else ''}",
+        f"{layout.words} word{'s' if layout.words > 1 else ''}",
     ]
     if register.access:
         facts.append(ACCESS[register.access])
@@ -159,43 +161,43 @@ def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope, 
         facts.append(f"a copy of {Name.of(register.copy_of).upper()}")
     if register.same_as:
         facts.append(f"the same as {Name.of(register.same_as).upper()}")
-    if laid.count > 1:
-        last = register.index_from + laid.count - 1
-        facts.append(f"{laid.count} of them, {register.index_from} to {last}")
-    doc = docstring(described(Name.of(laid.name).title(), register, f"{', '.join(facts)}."))
-    return ConstantView(name, f"{'_RegisterArray' if laid.count > 1 else '_Register'}({', '.join(arguments)})", doc)
+    if layout.count > 1:
+        last = register.index_from + layout.count - 1
+        facts.append(f"{layout.count} of them, {register.index_from} to {last}")
+    doc = docstring(described(Name.of(layout.name).title(), register, f"{', '.join(facts)}."))
+    return RegisterView(name, f"{'_RegisterArray' if layout.count > 1 else '_Register'}({', '.join(arguments)})", doc)
 
 
-def table_view(laid: TableLayout, words: Words, order: str, scope: Scope, space: str = "") -> TableView:
+def table_view(layout: TableLayout, words: Words, order: str, scope: Scope, space: str = "") -> TableView:
     """The view of a table of records."""
-    table = laid.table
+    table = layout.table
     record = words.records[table.record]
     arguments = [
-        literal(laid.name),
+        literal(layout.name),
         record,
         f"base=0x{table.base:04X}",
-        f"words={laid.words}",
+        f"words={layout.words}",
         f"stride={table.stride}",
         f"count={table.count}",
         f"first={table.index_from}",
     ]
     if table.access:
-        arguments.append(f"access={literal(table.access if laid.writable else 'ro')}")
+        arguments.append(f"access={literal(table.access if layout.writable else 'ro')}")
     if order == "little":
         arguments.append('order="<"')
     if space:
         arguments.append(f"space={literal(space)}")
     last = table.index_from + table.count - 1
     facts = [
-        f"{table.count} records of {laid.words} words, {table.index_from} to {last}",
+        f"{table.count} records of {layout.words} words, {table.index_from} to {last}",
         f"the first at 0x{table.base:04X}, each {table.stride} words behind the one before",
     ]
     if space:
         facts.append(f"in {space}")
     if table.access:
         facts.append(ACCESS[table.access])
-    if laid.read_only:
-        facts.append(f"none as a whole, as these fields are read only: {', '.join(laid.read_only)}")
+    if layout.read_only:
+        facts.append(f"none as a whole, as these fields are read only: {', '.join(layout.read_only)}")
     doc = docstring(described(table.title or Name.of(table.name).title(), table, f"{', '.join(facts)}."), 4)
-    name = scope.take(laid.name)
-    return TableView(name, scope.take(f"{Name.of(laid.name).pascal()}Table"), record, ", ".join(arguments), doc)
+    name = scope.take(layout.name)
+    return TableView(name, scope.take(f"{Name.of(layout.name).pascal()}Table"), record, ", ".join(arguments), doc)

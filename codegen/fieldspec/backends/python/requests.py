@@ -8,7 +8,7 @@ from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Slots, Words
-from fieldspec.backends.python.text import filled, one_item_per_line
+from fieldspec.backends.python.text import filled, item_lines
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import CaseLayout
@@ -19,7 +19,7 @@ from fieldspec.model.value import PRIMITIVES, Kind, Primitive
 
 @dataclass(frozen=True, slots=True)
 class AccessView:
-    """A message that reads or writes `most` words: its classes, and how a request is made and a response read."""
+    """A message that reads or writes `most` words: its classes, and the expressions of request and response values."""
 
     request: str
     response: str
@@ -42,16 +42,16 @@ class SpaceAccess:
 def space_accesses(device: Device, exchanges: list[Exchange]) -> list[SpaceAccess]:
     """The messages that access each space of words, in the order of the spec."""
     names = [name for name, space in device.spaces.items() if space.unit == WORD] if device.several_spaces else [""]
-    found = []
+    accesses = []
     for name in names:
         own = [
-            one
-            for one in exchanges
-            if (access := device.register_access(one.message.message)) is not None
+            exchange
+            for exchange in exchanges
+            if (access := device.register_access(exchange.message.message)) is not None
             and (not name or device.space_name(access.space) == name)
         ]
-        found.append(SpaceAccess(name, read_access(own), *write_accesses(own)))
-    return found
+        accesses.append(SpaceAccess(name, read_access(own), *write_accesses(own)))
+    return accesses
 
 
 def _field(shaped: RecordShape, title: str) -> Slots | None:
@@ -71,22 +71,22 @@ def _most(*fields: Slots | None) -> int:
 
 def read_access(exchanges: list[Exchange]) -> AccessView | None:
     """The first message that reads registers."""
-    for one in exchanges:
-        access = one.message.message.accesses
+    for exchange in exchanges:
+        access = exchange.message.message.accesses
         if access is None or access.operation != "read":
             continue
-        start, count = _field(one.request, access.start), _field(one.request, access.count)
-        values = _field(one.response, access.values)
-        if start is None or values is None or not _settable(one.request, {access.start, access.count}):
+        start, count = _field(exchange.request, access.start), _field(exchange.request, access.count)
+        values = _field(exchange.response, access.values)
+        if start is None or values is None or not _settable(exchange.request, {access.start, access.count}):
             continue
-        counted = f", {count.name}=count" if count is not None and count.stored else ""
-        held = f"response.{values.name}"
+        count_argument = f", {count.name}=count" if count is not None and count.stored else ""
+        values_expression = f"response.{values.name}"
         return AccessView(
-            request=one.request_name,
-            response=one.response_name,
+            request=exchange.request_name,
+            response=exchange.response_name,
             most=_most(values, count) if values.is_list else 1,
-            make=f"{one.request_name}({start.name}=start{counted})",
-            values=held if values.is_list else f"[{held}]",
+            make=f"{exchange.request_name}({start.name}=start{count_argument})",
+            values=values_expression if values.is_list else f"[{values_expression}]",
             single=not values.is_list,
         )
     return None
@@ -96,29 +96,29 @@ def write_accesses(exchanges: list[Exchange]) -> tuple[AccessView | None, Access
     """The first message that writes one register, and the first one that writes several."""
     single: AccessView | None = None
     block: AccessView | None = None
-    for one in exchanges:
-        access = one.message.message.accesses
+    for exchange in exchanges:
+        access = exchange.message.message.accesses
         if access is None or access.operation != "write":
             continue
-        start, count = _field(one.request, access.start), _field(one.request, access.count)
-        values = _field(one.request, access.values)
+        start, count = _field(exchange.request, access.start), _field(exchange.request, access.count)
+        values = _field(exchange.request, access.values)
         if start is None or values is None:
             continue
-        if not _settable(one.request, {access.start, access.count, access.values}):
+        if not _settable(exchange.request, {access.start, access.count, access.values}):
             continue
-        counted = f", {count.name}=count" if count is not None and count.stored else ""
+        count_argument = f", {count.name}=count" if count is not None and count.stored else ""
         if values.is_list:
-            make = f"{one.request_name}({start.name}=start{counted}, {values.name}=words[at : at + count])"
+            make = f"{exchange.request_name}({start.name}=start{count_argument}, {values.name}=words[at : at + count])"
             most = _most(values, count)
-            block = block or AccessView(one.request_name, one.response_name, most, make, "", False)
+            block = block or AccessView(exchange.request_name, exchange.response_name, most, make, "", False)
         else:
-            make = f"{one.request_name}({start.name}=start, {values.name}=words[at])"
-            single = single or AccessView(one.request_name, one.response_name, 1, make, "", True)
+            make = f"{exchange.request_name}({start.name}=start, {values.name}=words[at])"
+            single = single or AccessView(exchange.request_name, exchange.response_name, 1, make, "", True)
     return single, block
 
 
 def _settable(shaped: RecordShape, titles: set[str]) -> bool:
-    """Whether these fields are all that must be given."""
+    """Whether a request needs no other fields than these."""
     return all(field.title in titles for field in shaped.stored)
 
 
@@ -129,9 +129,9 @@ _ARGUMENTS = frozenset({"parameter", "response", "self", "value", "values"})
 class ParameterMessageView:
     """A message that reads or writes a parameter.
 
-    `head` begins the function that makes its request, and `made` ends it; `head_of_one` begins the one that passes on
-    one value where there may be `several`, and `passed` is what it passes on beside. `field` carries the values.
-    `table` makes the values of the selector by the types of parameters; it is empty where there is no selector.
+    `head` begins the method that creates the request, and `construction` ends it. `single_head` begins the method for
+    one value where a request takes `several`; it passes on the arguments `passed`. `field` carries the values. `table`
+    has the values of the selector by the types of parameters; it is empty where there is no selector.
     """
 
     request: str
@@ -148,19 +148,19 @@ class ParameterMessageView:
 def parameter_messages(
     exchanges: Sequence[Exchange], name: str, layout: DeviceLayout, words: Words
 ) -> tuple[ParameterMessageView | None, ParameterMessageView | None]:
-    """The messages that read and that write one parameter of a set, or of a space; those that need the least beside."""
+    """The messages that read and write one parameter of a set or a space: those with the fewest other fields."""
     reads, writes = [], []
-    for one in exchanges:
-        request, response = _parts(one.request, name), _parts(one.response, name)
+    for exchange in exchanges:
+        request, response = _parts(exchange.request, name), _parts(exchange.response, name)
         if "number" not in request:
             continue
-        extra = [field for field in one.request.stored if field not in request.values()]
+        extra = [field for field in exchange.request.stored if field not in request.values()]
         if "value" in request:
-            writes.append((len(extra), one, request, request["value"]))
+            writes.append((len(extra), exchange, request, request["value"]))
         elif "value" in response:
-            reads.append((len(extra), one, request, response["value"]))
-    read = min(reads, key=lambda found: found[0], default=None)
-    write = min(writes, key=lambda found: found[0], default=None)
+            reads.append((len(extra), exchange, request, response["value"]))
+    read = min(reads, key=lambda candidate: candidate[0], default=None)
+    write = min(writes, key=lambda candidate: candidate[0], default=None)
     return (
         _view(read[1], read[2], read[3], layout, words, name) if read else None,
         _view(write[1], write[2], write[3], layout, words, name) if write else None,
@@ -169,59 +169,57 @@ def parameter_messages(
 
 def _parts(shaped: RecordShape, name: str) -> dict[str, Slots]:
     """The fields that hold number, sub-index and value of a parameter of a set or a space."""
-    found: dict[str, Slots] = {}
+    parts: dict[str, Slots] = {}
     for field in shaped.stored:
         for value in (field.field.value, *(case.value for case in field.field.cases)):
             if value is not None and value.parameter is not None and value.parameter.set == name:
-                found.setdefault(value.parameter.part, field)
-    return found
+                parts.setdefault(value.parameter.part, field)
+    return parts
 
 
 def _view(
-    one: Exchange, request: dict[str, Slots], value: Slots, layout: DeviceLayout, words: Words, name: str
+    exchange: Exchange, request: dict[str, Slots], value: Slots, layout: DeviceLayout, words: Words, name: str
 ) -> ParameterMessageView:
-    selector = one.request.selector if "value" in request else None
+    selector = exchange.request.selector if "value" in request else None
     table = f"_{name.upper()}_FORMATS" if selector is not None else ""
     scope = Scope(_ARGUMENTS)
     subindex = request.get("subindex")
     start = scope.take("subindex") if subindex is not None else "0"
-    held = {request["number"].title: "parameter.wire_number"}
+    expressions = {request["number"].title: "parameter.wire_number"}
     keywords = []
     if subindex is not None:
-        held[subindex.title] = start
+        expressions[subindex.title] = start
         keywords.append(f"{start}: int = 0")
     if "value" in request:
-        held[value.title] = _carried(value, start)
-    for field in one.request.stored:
-        if field.title in held:
+        expressions[value.title] = _carried(value, start)
+    for field in exchange.request.stored:
+        if field.title in expressions:
             continue
         key = scope.take(field.title)
-        held[field.title] = f"_selected(parameter, {table}, {key})" if field is selector else key
+        expressions[field.title] = f"_selected(parameter, {table}, {key})" if field is selector else key
         keywords.append(f"{key}: {field.type} | None = None" if field is selector else f"{key}: {_kind(field)}")
     keywords.sort(key=lambda text: "=" in text)
     arguments = ["self", "parameter: _Parameter[_T]", "values: _Sequence[_T]", *(["*"] if keywords else []), *keywords]
-    writes, ends = "value" in request, f") -> {one.request_name}:"
-    of_one = [text if text != "values: _Sequence[_T]" else "value: _T" for text in arguments]
+    writes, ends = "value" in request, f") -> {exchange.request_name}:"
+    value_arguments = [text if text != "values: _Sequence[_T]" else "value: _T" for text in arguments]
     if not writes:
-        arguments, of_one = [text for text in arguments if "values" not in text], []
+        arguments, value_arguments = [text for text in arguments if "values" not in text], []
         arguments[1] = "parameter: _Parameter[_Any]"
     elif not value.is_list:
-        arguments, of_one = of_one, []
+        arguments, value_arguments = value_arguments, []
     name_of = "write_values_request" if writes and value.is_list else "write_request" if writes else "read_request"
-    made = [f"{field.name}={held[field.title]}" for field in one.request.stored]
-    rows = _formats(one.request, selector, layout, words) if selector is not None else []
+    construction = [f"{field.name}={expressions[field.title]}" for field in exchange.request.stored]
+    rows = _formats(exchange.request, selector, layout, words) if selector is not None else []
     return ParameterMessageView(
-        request=one.request_name,
-        response=one.response_name,
-        head=one_item_per_line(f"def {name_of}(", arguments, ends, 4),
-        single_head=one_item_per_line("def write_request(", of_one, ends, 4) if of_one else [],
+        request=exchange.request_name,
+        response=exchange.response_name,
+        head=item_lines(f"def {name_of}(", arguments, ends, 4),
+        single_head=item_lines("def write_request(", value_arguments, ends, 4) if value_arguments else [],
         passed="".join(f", {key}={key}" for key in (text.partition(":")[0] for text in keywords)),
-        construction=filled(f"return {one.request_name}(", made, ")", 8),
+        construction=filled(f"return {exchange.request_name}(", construction, ")", 8),
         field=value.name,
         several=value.is_list,
-        table=one_item_per_line(f"{table}: dict[str, {selector.type}] = {{", rows, "}", 0)
-        if selector is not None
-        else [],
+        table=item_lines(f"{table}: dict[str, {selector.type}] = {{", rows, "}", 0) if selector is not None else [],
     )
 
 
@@ -232,7 +230,7 @@ def _kind(field: Slots) -> str:
 
 
 def _carried(field: Slots, start: str) -> str:
-    """What the field of values carries: of one `value`, or of several `values` from the element `start` on."""
+    """The expression of the field of values: of one `value`, or of several `values` from the element `start` on."""
     if not field.is_list:
         return f"parameter.to_raw(value, {start})"
     raws = f"parameter.to_raws(values, {start})"
@@ -240,7 +238,7 @@ def _carried(field: Slots, start: str) -> str:
 
 
 def _formats(shaped: RecordShape, selector: Slots, layout: DeviceLayout, words: Words) -> list[str]:
-    """The rows of the table that gives the value of the selector by the type of a parameter."""
+    """The rows of the table from types of parameters to values of the selector."""
     enum, view = layout.device.enums[selector.value.enum], words.enums[selector.value.enum]
     members = {int(member.value): f"{view.name}.{member.name}" for member in view.members}
     rows = []

@@ -1,8 +1,8 @@
-"""How the value of one field lies in a Struct: its letters, and the code that reads, tests and writes it.
+"""The slots of one field in a Struct: their letters, and the properties that reading and writing depend on.
 
 A field takes one slot of its Struct for each element, and two or four for a number whose words are exchanged.
-A number in another byte order than its Struct is a slot of bytes. The slots of a field that another one decides
-are not known before that one is.
+A number in another byte order than its Struct is a slot of bytes. Where another field decides the type of a field,
+its slots are known only when that other field has been read.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ class Words:
 class Slots:
     """A field in a Struct: the letters of one element, and how many there are, 0 where it is repeated to the end.
 
-    `name` is that of its attribute, `title` that of the spec. `big` says that the Struct's order is big. `deferred`
-    says that the word is kept as it came, and made what it stands for when it is asked for.
+    `name` is the name of its attribute, `title` its name in the spec. `big`: the byte order of the Struct is big.
+    `deferred`: the record stores the raw word, and converts it when the attribute is read.
     """
 
     field: FieldLayout
@@ -45,7 +45,7 @@ class Slots:
     @property
     def slot(self) -> str:
         """The attribute that is filled from the wire."""
-        return f"_held_{self.name}" if self.deferred else self.name
+        return f"_word_{self.name}" if self.deferred else self.name
 
     @property
     def decided(self) -> bool:
@@ -60,7 +60,7 @@ class Slots:
 
     @property
     def kind(self) -> Kind | None:
-        """What it holds, None for a record and for what another field decides."""
+        """The kind of its value; None for a record, and where another field decides the type."""
         return self.field.value.type.kind if self.field.value else None
 
     @property
@@ -70,17 +70,17 @@ class Slots:
 
     @property
     def repeated(self) -> bool:
-        """Whether it goes on to the end of the data."""
+        """Whether it is repeated to the end of the data."""
         return self.field.count is None
 
     @property
     def constant(self) -> int | None:
-        """The one value that it may have."""
+        """Its only valid raw value."""
         return self.value.const if self.whole else None
 
     @property
     def stored(self) -> bool:
-        """Whether an attribute holds it: constants, measures and reserved fields have none."""
+        """Whether it has an attribute: constants, measures and reserved fields have none."""
         return not (self.field.field.reserved or self.field.field.measures or self.constant is not None)
 
     @property
@@ -90,12 +90,12 @@ class Slots:
 
     @property
     def parted(self) -> int:
-        """In how many slots of 16-bit words a number with exchanged words lies; 0 where it lies in one slot."""
+        """The number of 16-bit slots of a number with exchanged words; 0 where it has one slot."""
         return len(self.letters) if self.whole and len(self.letters) > 1 and not self.letters.endswith("s") else 0
 
     @property
     def foreign(self) -> bool:
-        """Whether it is a number that its Struct takes as bytes."""
+        """Whether it is a number that its Struct packs as bytes."""
         return self.kind in (Kind.INTEGER, Kind.BOOLEAN, Kind.FLOAT) and self.letters.endswith("s")
 
     @property
@@ -113,7 +113,7 @@ class Slots:
 
     @property
     def skipped(self) -> bool:
-        """Whether it is reserved and zero: its bytes are passed over."""
+        """Whether it is reserved and zero, so that its bytes are skipped."""
         return self.letters.endswith("x")
 
     @property
@@ -135,9 +135,9 @@ class Slots:
 
     @property
     def deferrable(self) -> bool:
-        """Whether it is one word that stands for bits, or for a member where others are allowed, too.
+        """Whether it is one word of bits, or one member of an open enum.
 
-        No such word is refused when it is read, and its class can be made from it at any time.
+        Every such word is valid when it is read, so it can be converted later.
         """
         if self.field.value is None or self.is_list or not self.stored or self.parted or self.foreign:
             return False
@@ -161,12 +161,12 @@ class Slots:
 
     @property
     def accepted(self) -> str:
-        """The type of what the attribute may be set to: words may be given as numbers."""
+        """The type that the attribute accepts: a word of bits also as a number."""
         return f"{self.type} | int" if self.deferred and self.value.flags else self.type
 
     @property
     def ranges(self) -> Ranges | None:
-        """The ranges of what may be written, where they are narrower than the type."""
+        """The ranges for writing, where they are narrower than the type."""
         ranges = self.field.value.writable_ranges if self.field.value is not None else None
         if ranges is None or self.kind is Kind.FLOAT:
             return ranges
@@ -175,7 +175,7 @@ class Slots:
 
 
 def value_type(value: Value, words: Words) -> str:
-    """The type of the attribute that holds a value."""
+    """The type of the attribute for a value."""
     if value.flags:
         return words.flags[value.flags]
     if value.enum and value.const is None:
@@ -219,6 +219,6 @@ def _letters(field: FieldLayout, order: str) -> str:
     if field.order == order and not field.is_list and value.type.kind is Kind.INTEGER:
         parts = field.size // 2 - 1
         last = "h" if value.type.signed else "H"
-        # The least significant word lies first where bytes lie the most significant first, and the other way round.
+        # The words are in the other order than the bytes: the least significant word first where bytes are big endian.
         return "H" * parts + last if order == "big" else last + "H" * parts
     return f"{field.size}s"

@@ -10,7 +10,7 @@ from functools import lru_cache
 from fieldspec.model.fact import Citation, Fact
 
 WIDTH = 110
-# Characters that are not shown, or that change how the rest of a line is shown.
+# Characters that are invisible, or that change how the rest of a line is displayed.
 _HIDDEN = (
     *((code, code) for code in (0xAD, 0x61C, 0xFEFF)),
     (0x00, 0x1F),
@@ -27,10 +27,10 @@ _HIDDEN = (
 _ESCAPED = re.compile("[" + "".join(f"{chr(low)}-{chr(high)}" for low, high in _HIDDEN) + r"\\]")
 
 
-def _escape(found: re.Match[str]) -> str:
-    if found[0] == "\\":
+def _escape(match: re.Match[str]) -> str:
+    if match[0] == "\\":
         return "\\\\"
-    code = ord(found[0])
+    code = ord(match[0])
     return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
 
 
@@ -42,7 +42,7 @@ def literal(text: str) -> str:
 def docstring(paragraphs: Iterable[str], indent: int = 0) -> list[str]:
     """The lines of a docstring of some paragraphs; those that begin with a blank are kept as one line each.
 
-    An empty list where there is nothing to say.
+    An empty list where all paragraphs are blank.
     """
     texts = [paragraph for paragraph in paragraphs if paragraph.strip()]
     if not texts:
@@ -69,13 +69,13 @@ def _within_quotes(line: str) -> str:
 
 @lru_cache(maxsize=20_000)  # versions of a device have most texts in common
 def _wrapped(text: str, width: int) -> tuple[str, ...]:
-    """A text in lines; a leading blank stands for an indented line, whose continuation is indented more."""
-    listed = text.startswith(" ")
+    """A text in lines; a leading blank marks an indented line, whose continuation is indented further."""
+    is_item = text.startswith(" ")
     filled = textwrap.wrap(
         " ".join(text.split()),
         width - 8,
-        initial_indent="    " if listed else "",
-        subsequent_indent="        " if listed else "",
+        initial_indent="    " if is_item else "",
+        subsequent_indent="        " if is_item else "",
         break_long_words=False,
         break_on_hyphens=False,
     )
@@ -99,9 +99,9 @@ def cited(sources: Iterable[Citation]) -> str:
 
 
 def printed(fact: Fact) -> str:
-    """What the manual calls a fact, in parentheses: `(SrvCmd, 伺服ON/OFF)`, or nothing."""
-    shown = [text for text in (fact.printed_name, fact.label) if text]
-    return f"({', '.join(shown)})" if shown else ""
+    """The names of a fact in the manual, in parentheses: `(SrvCmd, 伺服ON/OFF)`, or an empty text."""
+    names = [text for text in (fact.printed_name, fact.label) if text]
+    return f"({', '.join(names)})" if names else ""
 
 
 def availability(fact: Fact) -> str:
@@ -121,9 +121,9 @@ def described(head: str, fact: Fact, *more: str) -> list[str]:
 
 
 def filled(start: str, items: Sequence[str], end: str, indent: int) -> list[str]:
-    """`start`, items with commas, `end` on one line where it fits; else as many items a line as fit, each row indented.
+    """`start`, items with commas, and `end` on one line where they fit; else indented rows of as many items as fit.
 
-    `indent` is how far the statement stands to the right; the lines do not have that margin.
+    `indent` is the indentation of the statement, which the lines do not include.
     """
     line = f"{start}{', '.join(items)}{end}"
     if len(line) + indent <= WIDTH or not items:
@@ -145,8 +145,8 @@ def unpacked(names: Sequence[str], source: str, indent: int) -> list[str]:
     return [line] if len(line) + indent <= WIDTH else filled("(", names, f") = {source}", indent + WIDTH)
 
 
-def one_item_per_line(start: str, items: Sequence[str], end: str, indent: int) -> list[str]:
-    """The same as `filled`, but one item a line where not all fit one."""
+def item_lines(start: str, items: Sequence[str], end: str, indent: int) -> list[str]:
+    """The same as `filled`, but one item a line where they do not all fit on one."""
     line = f"{start}{', '.join(items)}{end}"
     if len(line) + indent <= WIDTH or not items:
         return [line]
@@ -154,7 +154,7 @@ def one_item_per_line(start: str, items: Sequence[str], end: str, indent: int) -
 
 
 def chained(start: str, items: Sequence[str], joint: str, empty: str, indent: int) -> list[str]:
-    """Expressions joined by `and` or `or`, one a line in parentheses where they do not fit one line."""
+    """Expressions joined by a `joint` such as `and`; in parentheses, one a line, where they do not fit on one line."""
     line = f"{start}{f' {joint} '.join(items) or empty}"
     if len(line) + indent <= WIDTH or len(items) < 2:
         return [line]

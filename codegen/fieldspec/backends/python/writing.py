@@ -1,4 +1,4 @@
-"""The code that tests a field and writes it into its slots, and that says why it cannot."""
+"""The code that tests a field, writes it into its slots, and explains a refusal."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from fieldspec.backends.python.text import literal
 from fieldspec.model.value import Kind, Primitive, Ranges, merged
 
 FEW = 3
-"""Comparisons up to which a test is written out."""
+"""The largest number of comparisons that a test writes out; above it, a table is faster."""
 
 
 def within(
-    held: str, ranges: Ranges, others: tuple[int, ...] = (), packed: tuple[int | None, int | None] = (None, None)
+    number: str, ranges: Ranges, others: tuple[int, ...] = (), packed: tuple[int | None, int | None] = (None, None)
 ) -> str:
-    """The condition that a number lies in one of several intervals, or is one of some others.
+    """The condition that a number is in one of several intervals, or equals one of some others.
 
-    What lies outside of `packed`, the least and the greatest number, is refused when it is packed: the condition
-    leaves these limits out, and is empty where nothing else is left.
+    `packed` are the least and the greatest number that `pack` accepts: the condition does not repeat these limits,
+    and is empty where nothing else remains to be tested.
     """
     least, most = packed
     parts = []
@@ -25,16 +25,16 @@ def within(
         if low == least and high == most:
             return ""
         if low == high:
-            parts.append(f"{held} == {low}")
+            parts.append(f"{number} == {low}")
         elif low == least:
-            parts.append(f"{held} <= {high}")
+            parts.append(f"{number} <= {high}")
         else:
-            parts.append(f"{held} >= {low}" if high == most else f"{low} <= {held} <= {high}")
+            parts.append(f"{number} >= {low}" if high == most else f"{low} <= {number} <= {high}")
     return parts[0] if len(parts) == 1 else f"({' or '.join(parts)})"
 
 
 def fixed(field: Slots) -> list[str]:
-    """What the slots of a constant hold, or of a reserved field that is not zero; of those alone."""
+    """The values of the slots of a constant, or of a reserved field that is not zero."""
     if field.skipped:
         return []
     number = field.constant if field.constant is not None else field.value.default
@@ -57,62 +57,62 @@ def _bytes_literal(data: bytes) -> str:
     return 'b"' + "".join(f"\\x{byte:02x}" for byte in data) + '"'
 
 
-def conditions(field: Slots, held: str) -> list[str]:
-    """What must hold of the value `held` of a field beyond what `pack` itself refuses."""
-    found: list[str] = []
+def conditions(field: Slots, value: str) -> list[str]:
+    """The conditions on the value of a field, except those that `pack` tests itself."""
+    tests: list[str] = []
     if field.repeated and field.field.field.repeat is not None:
         lengths = field.field.field.repeat
-        found.append(within(f"len({held})", lengths))
+        tests.append(within(f"len({value})", lengths))
     elif field.is_list:
-        found.append(f"len({held}) == {field.count}")
+        tests.append(f"len({value}) == {field.count}")
     if field.decided:
-        return found
-    item = "item" if field.is_list else held
+        return tests
+    item = "item" if field.is_list else value
     each = _element_lines(field, item)
     if field.is_list:
-        return found + [f"all({condition} for item in {held})" for condition in each]
+        return tests + [f"all({condition} for item in {value})" for condition in each]
     return each
 
 
-def _element_lines(field: Slots, held: str) -> list[str]:
+def _element_lines(field: Slots, value: str) -> list[str]:
     if field.field.record is not None:
         return []
     size = field.field.size
     if field.kind is Kind.TEXT:
-        return [f"len({held}) <= {size}"]
+        return [f"len({value}) <= {size}"]
     if field.kind is Kind.BYTES:
-        return [f"len({held}) == {size}"]
+        return [f"len({value}) == {size}"]
     if field.kind is Kind.FLOAT:
-        return _float_tests(field, held)
-    found: list[str] = []
-    raw = f"{held}.raw" if field.value.flags and not field.deferred else held
+        return _float_tests(field, value)
+    tests: list[str] = []
+    raw = f"{value}.raw" if field.value.flags and not field.deferred else value
     enum = field.enum
     if enum is not None and not enum.open:
-        found.append(_member_test(enum, field, held))
+        tests.append(_member_test(enum, field, value))
     elif field.kind is Kind.BOOLEAN:
-        found.append(f"{held} <= 1")
+        tests.append(f"{value} <= 1")
     elif field.ranges is not None:
-        found.append(within(raw, field.ranges, field.sentinels, packed(field.value.type)))
-    return [test for test in found if test]
+        tests.append(within(raw, field.ranges, field.sentinels, packed(field.value.type)))
+    return [test for test in tests if test]
 
 
-def _float_tests(field: Slots, held: str) -> list[str]:
-    """What must hold of a floating-point number: no comparison holds of a NaN."""
+def _float_tests(field: Slots, value: str) -> list[str]:
+    """The conditions on a floating-point number. Every comparison with a NaN is false."""
     if field.ranges is None:
         return []
-    parts = [f"{low} <= {held} <= {high}" for low, high in field.ranges.intervals]
-    parts += [f"{held} == {number}" for number in field.sentinels]
-    parts += [f"{held} != {held}"] * field.value.absent_nan
+    parts = [f"{low} <= {value} <= {high}" for low, high in field.ranges.intervals]
+    parts += [f"{value} == {number}" for number in field.sentinels]
+    parts += [f"{value} != {value}"] * field.value.absent_nan
     return [parts[0] if len(parts) == 1 else f"({' or '.join(parts)})"]
 
 
 def packed(type: Primitive) -> tuple[int, int]:
-    """The least and the greatest number that can be packed as a type; as a boolean more than the two that it has."""
+    """The least and the greatest number that `pack` accepts for a type; for a boolean these are more than 0 and 1."""
     return type.low, (1 << (8 * type.size - type.signed)) - 1
 
 
 def greatest(field: Slots) -> int:
-    """The greatest number that the conditions of a field let pass, of a whole number without sign."""
+    """The greatest number that the conditions of an unsigned field accept."""
     if field.kind is Kind.BOOLEAN:
         return 1
     if field.enum is not None and not field.enum.open:
@@ -123,44 +123,46 @@ def greatest(field: Slots) -> int:
     return max([high for _, high in field.ranges.intervals] + [*field.sentinels])
 
 
-def _member_test(enum: EnumView, field: Slots, held: str) -> str:
+def _member_test(enum: EnumView, field: Slots, number: str) -> str:
     """The condition that a number is one of the members that the ranges allow, or a sentinel.
 
-    Two comparisons are faster than a look-up, so it is one only where the members lie apart.
+    Two comparisons are faster than a look-up, so a table is used only where the members are far apart.
     """
     members = [value for value in enum.values if field.ranges is None or value in field.ranges]
     limits = packed(field.value.type)
-    test = within(held, Ranges(tuple((value, value) for value in members)), field.sentinels, limits) if members else ""
+    test = (
+        within(number, Ranges(tuple((value, value) for value in members)), field.sentinels, limits) if members else ""
+    )
     if members and sum(map(test.count, ("<=", ">=", "=="))) <= FEW:
         return test
-    known = f"{held} in {enum.table}"
+    known = f"{number} in {enum.table}"
     if field.sentinels:
-        known = f"({known} or {within(held, Ranges(tuple((value, value) for value in field.sentinels)))})"
+        known = f"({known} or {within(number, Ranges(tuple((value, value) for value in field.sentinels)))})"
     if field.ranges is None or len(members) == len(enum.values):
         return known
-    allowed = within(held, field.ranges, field.sentinels, limits)
+    allowed = within(number, field.ranges, field.sentinels, limits)
     return f"{known} and {allowed}" if allowed else known
 
 
-def values(field: Slots, held: str) -> list[str]:
+def values(field: Slots, expression: str) -> list[str]:
     """The expressions that fill the slots of a field."""
     if field.parted:
-        raw = f"{held}.raw" if field.value.flags and not field.deferred else held
+        raw = f"{expression}.raw" if field.value.flags and not field.deferred else expression
         parts = [f"{raw} & 65535", *(f"{raw} >> {16 * part} & 65535" for part in range(1, field.parted - 1))]
         parts.append(f"{raw} >> {16 * (field.parted - 1)}")
         return parts if field.big else parts[::-1]
     if not field.is_list:
-        return [_item(field, held)]
+        return [_item(field, expression)]
     item = _item(field, "item")
-    return [f"*{held}" if item == "item" else f"*[{item} for item in {held}]"]
+    return [f"*{expression}" if item == "item" else f"*[{item} for item in {expression}]"]
 
 
-def _item(field: Slots, held: str) -> str:
+def _item(field: Slots, expression: str) -> str:
     if field.field.record is not None:
-        return f"{held}.encode()"
+        return f"{expression}.encode()"
     if field.kind is Kind.TEXT:
-        return f'{held}.encode("ascii")'
-    raw = f"{held}.raw" if field.value.flags and not field.deferred else held
+        return f'{expression}.encode("ascii")'
+    raw = f"{expression}.raw" if field.value.flags and not field.deferred else expression
     if not field.foreign:
         return raw
     turned = field.field.swapped
@@ -172,30 +174,30 @@ def _item(field: Slots, held: str) -> str:
     return f"_turned({data})" if turned else data
 
 
-def measured(field: Slots, other: Slots, held: str, decided: str) -> str:
-    """What a field that measures another one holds; `decided` is the size of an element that has several types."""
+def measured(field: Slots, other: Slots, expression: str, decided: str) -> str:
+    """The value of a field that measures another one; `decided` is the size of an element with several types."""
     measure = field.field.field.measures
     assert measure is not None
     size = decided if other.decided else str(other.field.size)
     if not other.is_list:
         return size if measure.of == "bytes" else "1"
-    items = f"len({held})"
+    items = f"len({expression})"
     return f"{items} * {size}" if measure.of == "bytes" and size != "1" else items
 
 
 def refusal(field: Slots) -> str:
-    """The expression that says what is wrong with a field: a CodecError, or None."""
-    title, held = literal(field.title), f"self.{field.name}"
+    """The expression of the refusal of a field: a CodecError, or None."""
+    title, attribute = literal(field.title), f"self.{field.name}"
     function, limits = _refusing(field)
     if not field.is_list:
-        return f"{function}({', '.join([title, held, *limits])})"
+        return f"{function}({', '.join([title, attribute, *limits])})"
     repeat = field.field.field.repeat
     lengths = (repeat.low, repeat.high) if repeat else (field.count, field.count)
-    return f"_refused_list({', '.join([title, held, *map(str, lengths), function, *limits])})"
+    return f"_refused_list({', '.join([title, attribute, *map(str, lengths), function, *limits])})"
 
 
 def _refusing(field: Slots) -> tuple[str, list[str]]:
-    """The function that says what is wrong with one element, and its arguments behind name and value."""
+    """The function that explains the refusal of one element, and its arguments after name and value."""
     if field.field.record is not None:
         return "_refused_record", [field.element_type]
     size, primitive = str(field.field.size), field.value.type

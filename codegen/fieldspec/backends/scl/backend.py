@@ -15,14 +15,14 @@ from fieldspec.spreadsheet import BYTE_ORDER_MARK, Cell, Workbook, csv_text
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
     """Of a device's newest version the sources of types, data blocks and functions, its constants, and its offsets."""
-    held = project(versions[-1])
-    made: dict[str, str | Workbook] = {f"{held.stem}_types.udt": source(held, types(held))}
-    if held.blocks:
-        made[f"{held.stem}_data.db"] = source(held, blocks(held))
-    made[f"{held.stem}_functions.scl"] = source(held, functions(held))
-    made[f"{held.stem}_constants.xlsx"] = tag_tables(held)
-    made[f"{held.stem}_layout.csv"] = BYTE_ORDER_MARK + csv_text(_layout(held))
-    return made
+    tia_project = project(versions[-1])
+    outputs: dict[str, str | Workbook] = {f"{tia_project.stem}_types.udt": source(tia_project, types(tia_project))}
+    if tia_project.blocks:
+        outputs[f"{tia_project.stem}_data.db"] = source(tia_project, blocks(tia_project))
+    outputs[f"{tia_project.stem}_functions.scl"] = source(tia_project, functions(tia_project))
+    outputs[f"{tia_project.stem}_constants.xlsx"] = tag_tables(tia_project)
+    outputs[f"{tia_project.stem}_layout.csv"] = BYTE_ORDER_MARK + csv_text(_layout(tia_project))
+    return outputs
 
 
 def shared() -> dict[str, str | Workbook]:
@@ -32,11 +32,11 @@ def shared() -> dict[str, str | Workbook]:
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """What TIA Portal cannot have of a device: names, sizes and places."""
-    held = project(versions[-1])
-    return [*held.findings, *clashes(held)]
+    tia_project = project(versions[-1])
+    return [*tia_project.findings, *clashes(tia_project)]
 
 
-def _layout(held: Project) -> list[Sequence[Cell]]:
-    declared = held.declared
+def _layout(project: Project) -> list[Sequence[Cell]]:
+    declared = project.declared
     rows = table(declared.placed(struct) for struct in (*declared.images, *declared.structs))
-    return [(*row, "identity" if number == 0 else held.layout.identity) for number, row in enumerate(rows)]
+    return [(*row, "identity" if number == 0 else project.layout.identity) for number, row in enumerate(rows)]

@@ -67,7 +67,7 @@ class Project:
     @property
     def code_type(self) -> Elementary:
         """The type of codes in tables of texts."""
-        codes = [one.code for table in self.declared.texts for one in table.texts]
+        codes = [text.code for table in self.declared.texts for text in table.texts]
         return narrowest(min(0, *codes), max(codes))
 
     @property
@@ -84,20 +84,22 @@ LONGEST_STRING = 254
 def project(layout: DeviceLayout) -> Project:
     """The project of a device that has passed the checks."""
     declared = declarations(layout, SIEMENS)
-    found = [*declared.findings]
-    scope = Scope(SIEMENS, "block", found)
+    findings = [*declared.findings]
+    scope = Scope(SIEMENS, "block", findings)
     device = Name.of(layout.device.id).pascal()
-    made_telegrams = tuple(_telegrams(declared, scope, device))
+    telegram_blocks = tuple(_telegrams(declared, scope, device))
     texts = tuple(
         TextBlock(scope.take(f"{device}{Name.of(table.enum.name).pascal()}Texts", table.enum), table)
         for table in declared.texts
     )
-    made = tuple(routines(declared.world))
-    return Project(layout, declared, made_telegrams, texts, made, SIEMENS.texts.format(device, "Code"), tuple(found))
+    device_routines = tuple(routines(declared.world))
+    return Project(
+        layout, declared, telegram_blocks, texts, device_routines, SIEMENS.texts.format(device, "Code"), tuple(findings)
+    )
 
 
 def _telegrams(declared: Declarations, scope: Scope, device: str) -> Iterator[TelegramBlock]:
-    structs = {one.key: one for one in declared.structs if one.kind == "telegram"}
+    structs = {struct.key: struct for struct in declared.structs if struct.kind == "telegram"}
     for message in telegrams(declared.layout):
         directions = []
         for member, data in (("toDevice", message.request), ("fromDevice", message.response)):

@@ -12,106 +12,111 @@ from fieldspec.plc.routines.printer import comment, comment_text, routine_text, 
 from fieldspec.plc.structs import Struct
 
 
-def source(held: Project, objects: Iterable[list[str]]) -> str:
+def source(project: Project, objects: Iterable[list[str]]) -> str:
     """A source of several objects, each one its lines."""
-    dialect = held.declared.dialect
-    lines = list(head(held))
-    for one in objects:
-        lines += ["", *one]
+    dialect = project.declared.dialect
+    lines = list(head(project))
+    for lines_of_object in objects:
+        lines += ["", *lines_of_object]
     return dialect.byte_order_mark + "".join(line.rstrip() + dialect.line_end for line in lines)
 
 
-def head(held: Project) -> list[str]:
+def head(project: Project) -> list[str]:
     """What the file is, what it was made of, and how it is imported."""
-    device = held.layout.device
+    device = project.layout.device
     manual = f"{device.manual.title} {device.manual.edition}".strip()
     sources = [
-        f"{held.stem}_types.udt",
-        *([f"{held.stem}_data.db"] if held.blocks else []),
-        f"{held.stem}_functions.scl",
+        f"{project.stem}_types.udt",
+        *([f"{project.stem}_data.db"] if project.blocks else []),
+        f"{project.stem}_functions.scl",
     ]
     return [
         *comment(f"{device.name} ({device.vendor}), version {device.version}"),
         *comment(f"Manual: {manual}. A note such as [8.2 L1622] is a section and a line of it."),
-        *comment(f"Identity of the layout: {held.layout.identity}"),
+        *comment(f"Identity of the layout: {project.layout.identity}"),
         *comment("Written by fieldspec. Do not edit: change the spec and build again."),
         "//",
         *comment(
             "Import: in the project tree of the PLC, External source files, Add new external file, then Generate "
             f"blocks from source: {', '.join(sources)}, in this order. A block of the same name is overwritten."
         ),
-        *comment(f"Constants: PLC tags, Show all tags, Import, {held.stem}_constants.xlsx."),
+        *comment(f"Constants: PLC tags, Show all tags, Import, {project.stem}_constants.xlsx."),
     ]
 
 
-def types(held: Project) -> Iterator[list[str]]:
+def types(project: Project) -> Iterator[list[str]]:
     """All types, each behind those that it uses."""
-    declared = held.declared
+    declared = project.declared
     for image in declared.images:
-        yield _image(held, declared.placed(image))
+        yield _image(project, declared.placed(image))
     for struct in declared.structs:
-        yield _values(held, struct)
-    if held.texts:
-        yield _texts(held)
+        yield _values(project, struct)
+    if project.texts:
+        yield _texts(project)
 
 
-def _image(held: Project, placed: Placed) -> list[str]:
+def _image(project: Project, placed: Placed) -> list[str]:
     struct = placed.struct
     about = [
         f"{struct.title}. As on the wire: {placed.size} bytes in a block with standard access.",
         "Each member begins with its byte and bit.",
     ]
     members = []
-    for one in placed.members:
-        swapped = "" if direct(placed, one) else " Bytes are in another order than the PLC reads them."
-        place = f"{one.at}.{one.bit or 0}"
-        members.append((one.member.name, _type(held, one.member.type), f"{place} {one.member.remark}{swapped}"))
-    return _type_lines(held, struct.name, about, members)
+    for member in placed.members:
+        swapped = "" if direct(placed, member) else " Bytes are in another order than the PLC reads them."
+        place = f"{member.at}.{member.bit or 0}"
+        members.append(
+            (member.member.name, _type(project, member.member.type), f"{place} {member.member.remark}{swapped}")
+        )
+    return _type_lines(project, struct.name, about, members)
 
 
-def _values(held: Project, struct: Struct) -> list[str]:
+def _values(project: Project, struct: Struct) -> list[str]:
     about = [f"{struct.title}. Values, for blocks with optimized access; functions convert them from and to the wire."]
     return _type_lines(
-        held, struct.name, about, [(one.name, _type(held, one.type), one.remark) for one in struct.members]
+        project,
+        struct.name,
+        about,
+        [(member.name, _type(project, member.type), member.remark) for member in struct.members],
     )
 
 
-def _texts(held: Project) -> list[str]:
+def _texts(project: Project) -> list[str]:
     members = [
-        ("code", held.code_type.name, "number of the code"),
-        ("text", f"STRING[{held.text_length}]", "what it means"),
+        ("code", project.code_type.name, "number of the code"),
+        ("text", f"STRING[{project.text_length}]", "what it means"),
     ]
-    return _type_lines(held, held.text_type, ["A code and its text."], members)
+    return _type_lines(project, project.text_type, ["A code and its text."], members)
 
 
-def _type(held: Project, kind: object) -> str:
-    return type_text(kind, held.declared.dialect.spelling)  # type: ignore[arg-type]
+def _type(project: Project, kind: object) -> str:
+    return type_text(kind, project.declared.dialect.spelling)  # type: ignore[arg-type]
 
 
-def _type_lines(held: Project, name: str, about: list[str], members: list[tuple[str, str, str]]) -> list[str]:
+def _type_lines(project: Project, name: str, about: list[str], members: list[tuple[str, str, str]]) -> list[str]:
     lines = [line for text in about for line in comment(text)]
     lines += [f'TYPE "{name}"', "VERSION : 0.1", "   STRUCT"]
     for member, kind, remark in members:
-        beside = f"   {held.declared.dialect.comment.format(comment_text(remark))}" if comment_text(remark) else ""
+        beside = f"   {project.declared.dialect.comment.format(comment_text(remark))}" if comment_text(remark) else ""
         lines.append(f"      {member} : {kind};{beside}")
     return [*lines, "   END_STRUCT;", "", "END_TYPE"]
 
 
-def functions(held: Project) -> Iterator[list[str]]:
+def functions(project: Project) -> Iterator[list[str]]:
     """All functions, each behind those that it calls."""
-    for routine in held.routines:
-        yield routine_text(routine, held.declared.dialect.spelling)
+    for routine in project.routines:
+        yield routine_text(routine, project.declared.dialect.spelling)
 
 
-def clashes(held: Project) -> Iterator[Diagnostic]:
+def clashes(project: Project) -> Iterator[Diagnostic]:
     """Functions that have the name of another one."""
     taken: set[str] = set()
-    for routine in held.routines:
+    for routine in project.routines:
         if routine.name.lower() in taken:
             yield Diagnostic(
                 "plc_names_distinct",
-                f"two functions of {held.layout.device.id} are {routine.name} in {held.declared.dialect.title}",
-                held.layout.device.place["id"],
+                f"two functions of {project.layout.device.id} are {routine.name} in {project.declared.dialect.title}",
+                project.layout.device.place["id"],
                 help="give one of the two facts that they are about another name",
             )
         taken.add(routine.name.lower())
@@ -120,13 +125,13 @@ def clashes(held: Project) -> Iterator[Diagnostic]:
 _STANDARD, _OPTIMIZED = "FALSE", "TRUE"
 
 
-def blocks(held: Project) -> Iterator[list[str]]:
+def blocks(project: Project) -> Iterator[list[str]]:
     """All data blocks."""
-    for telegram in held.telegrams:
+    for telegram in project.telegrams:
         yield _images(telegram)
-        yield _block_values(held, telegram)
-    for texts in held.texts:
-        yield _text_block(held, texts)
+        yield _block_values(project, telegram)
+    for texts in project.texts:
+        yield _text_block(project, texts)
 
 
 def _images(telegram: TelegramBlock) -> list[str]:
@@ -148,17 +153,17 @@ def _images(telegram: TelegramBlock) -> list[str]:
 
 def _calls(block: str, telegram: TelegramBlock, before: str) -> list[str]:
     """The calls that exchange process data, what is read before what is written."""
-    made = []
+    calls = []
     for member, _, _ in reversed(telegram.directions):
         name = f"{before}{member[:1].upper()}{member[1:]}" if before else member
         read = member == "fromDevice"
         instruction, arrow = ("DPRD_DAT", "=>") if read else ("DPWR_DAT", ":=")
-        made.append(f'#status := {instruction}(LADDR := #laddr, RECORD {arrow} "{block}".{name});')
-    return made
+        calls.append(f'#status := {instruction}(LADDR := #laddr, RECORD {arrow} "{block}".{name});')
+    return calls
 
 
-def _block_values(held: Project, telegram: TelegramBlock) -> list[str]:
-    world = held.declared.world
+def _block_values(project: Project, telegram: TelegramBlock) -> list[str]:
+    world = project.declared.world
     members, use = [], []
     for member, image, struct in telegram.directions:
         bytes_name = f"bytes{member[:1].upper()}{member[1:]}"
@@ -177,17 +182,17 @@ def _block_values(held: Project, telegram: TelegramBlock) -> list[str]:
     ]
 
 
-def _text_block(held: Project, texts: TextBlock) -> list[str]:
+def _text_block(project: Project, texts: TextBlock) -> list[str]:
     table = texts.table
     count = len(table.texts)
     members = [
         f"      count : INT := {count};",
-        f'      entries : ARRAY[0..{count - 1}] OF "{held.text_type}";',
+        f'      entries : ARRAY[0..{count - 1}] OF "{project.text_type}";',
     ]
     values = []
-    for number, one in enumerate(table.texts):
-        values.append(f"   entries[{number}].code := {one.code};")
-        values.append(f"   entries[{number}].text := {string(one.text, held.text_length)};")
+    for number, text in enumerate(table.texts):
+        values.append(f"   entries[{number}].code := {text.code};")
+        values.append(f"   entries[{number}].text := {string(text.text, project.text_length)};")
     about = comment(f"{table.title}: the texts of its codes, the least code first.")
     return [*about, *_block(texts.name, _OPTIMIZED, members, values)]
 
@@ -211,5 +216,5 @@ def _block(name: str, optimized: str, members: list[str], values: list[str] | No
 
 def string(text: str, most: int = LONGEST_STRING) -> str:
     """A literal of STRING, which has the printable characters of ASCII alone; others become question marks."""
-    plain = "".join(char if " " <= char <= "~" else "?" for char in text)[:most]
-    return "'" + plain.replace("$", "$$").replace("'", "$'") + "'"
+    characters = "".join(char if " " <= char <= "~" else "?" for char in text)[:most]
+    return "'" + characters.replace("$", "$$").replace("'", "$'") + "'"

@@ -34,18 +34,18 @@ _TYPES = {
 """How TIA Portal writes the names of types in its tables."""
 
 
-def tag_tables(held: Project) -> Workbook:
+def tag_tables(project: Project) -> Workbook:
     """The workbook: no tags, a table for each list of constants, and the constants. All cells are texts."""
-    lists = held.declared.constants
+    lists = project.declared.constants
     constants = [
-        (one.name, listed.name, _TYPES[one.type.name], value(one), comment_text(one.remark))
-        for listed in lists
-        for one in listed.constants
+        (constant.name, constant_list.name, _TYPES[constant.type.name], value(constant), comment_text(constant.remark))
+        for constant_list in lists
+        for constant in constant_list.constants
     ]
     return Workbook(
         (
             Worksheet("PLC Tags", (_TAGS,)),
-            Worksheet("TagTable Properties", (_PROPERTIES, *((listed.name, "", "") for listed in lists))),
+            Worksheet("TagTable Properties", (_PROPERTIES, *((constant_list.name, "", "") for constant_list in lists))),
             Worksheet("Constants", (_CONSTANTS, *constants)),
         )
     )

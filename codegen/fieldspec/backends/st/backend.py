@@ -22,8 +22,8 @@ _PARTS = {
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """One text with everything of a device's newest version, and a table of where members of structs lie."""
     layout = newest(versions)
-    made = program(layout)
-    return {f"{stem(layout)}.st": text(made), f"{stem(layout)}_layout.csv": layout_table(made)}
+    st_program = program(layout)
+    return {f"{stem(layout)}.st": text(st_program), f"{stem(layout)}_layout.csv": layout_table(st_program)}
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
@@ -36,11 +36,11 @@ def shared() -> dict[str, str]:
     return {}
 
 
-def text(made: Program) -> str:
+def text(program: Program) -> str:
     """All objects of a program in one text."""
-    lines = [f"// {line}".rstrip() for line in (*made.about(), "", *made.guide())]
+    lines = [f"// {line}".rstrip() for line in (*program.about(), "", *program.guide())]
     part = ""
-    for item in made.items:
+    for item in program.items:
         if item.kind != part:
             part = item.kind
             lines += ["", f"// ==== {_PARTS[part]} ===="]

@@ -40,12 +40,12 @@ FORMS = {
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """The objects of a device's newest version, what includes them in a project, and where members of structs lie."""
     layout = newest(versions)
-    made = program(layout)
+    st_program = program(layout)
     folder = stem(layout)
-    about = made.about()
-    texts = {f"{folder}/{path(item)}": source(item, about) for item in made.items}
-    texts[f"{folder}/project_items.xml"] = inclusion(made.items)
-    texts[f"{folder}/layout.csv"] = layout_table(made)
+    about = st_program.about()
+    texts = {f"{folder}/{path(item)}": source(item, about) for item in st_program.items}
+    texts[f"{folder}/project_items.xml"] = inclusion(st_program.items)
+    texts[f"{folder}/layout.csv"] = layout_table(st_program)
     return texts
 
 

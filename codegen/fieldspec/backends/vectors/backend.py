@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from fieldspec.explain.explanation import explained_example, printed
+from fieldspec.explain.examples import explained_example, printed
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import Raw
 from fieldspec.model.texts import Example
@@ -18,17 +18,20 @@ Vector: TypeAlias = dict[str, Json]
 
 def vectors(layouts: Sequence[DeviceLayout]) -> list[Vector]:
     """The examples of all versions in the order of the manual; equal ones in one, with the versions that have it."""
-    found: list[tuple[tuple[bool, int], Vector, list[Json]]] = []
+    vectors_of_device: list[tuple[tuple[bool, int], Vector, list[Json]]] = []
     for layout in layouts:
         for example in layout.device.examples.values():
-            made = vector(layout, example)
-            same = next((versions for _, other, versions in found if other == made), None)
+            example_vector = vector(layout, example)
+            same = next((versions for _, other, versions in vectors_of_device if other == example_vector), None)
             if same is None:
                 same = []
-                found.append((_order(example), made, same))
+                vectors_of_device.append((_order(example), example_vector, same))
             same.append(layout.device.version)
-    found.sort(key=lambda one: one[0])
-    return [{"id": made.pop("id"), "versions": versions, **made} for _, made, versions in found]
+    vectors_of_device.sort(key=lambda entry: entry[0])
+    return [
+        {"id": example_vector.pop("id"), "versions": versions, **example_vector}
+        for _, example_vector, versions in vectors_of_device
+    ]
 
 
 def _order(example: Example) -> tuple[bool, int]:
@@ -39,7 +42,7 @@ def vector(layout: DeviceLayout, example: Example) -> Vector:
     """One example at one version, without the versions that have it."""
     print_of = printed(layout.device, example)
     source = example.sources[0] if example.sources else None
-    found = explained_example(layout, example)
+    explanation = explained_example(layout, example)
     by_characters = layout.links[example.link].link.encoding != "binary"
     return {
         "id": example.id,
@@ -55,7 +58,7 @@ def vector(layout: DeviceLayout, example: Example) -> Vector:
         "printed_characters": print_of.characters or None,
         "right": example.frame.hex(),
         "characters": example.frame.decode("latin-1") if by_characters else None,
-        "values": None if example.refused else {name: _json_value(raw) for name, raw in found.values.items()},
+        "values": None if example.refused else {name: _json_value(raw) for name, raw in explanation.values.items()},
         "section": source.section or None if source else None,
         "line": source.line() if source else None,
         "verdict": print_of.verdict,

@@ -6,16 +6,17 @@ from collections.abc import Iterator
 
 from fieldspec.changes.attributes import ALL, PYTHON
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.comparing import Comparison, Pair, Values
-from fieldspec.changes.finding import around, change, kind, named, path, span, turned
+from fieldspec.changes.comparison import Comparison, Pair, ValuePair
+from fieldspec.changes.descriptions import around, change, difference_text, kind, named, path, span
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Member
 
 
-def enum_changed(both: Comparison) -> Iterator[Change]:
-    """Values are named by another enum, or have names where they had none, or none where they had some.
+def enum_changed(comparison: Comparison) -> Iterator[Change]:
+    """A value has another enum, has an enum now, or has none any more.
 
-    Why: where the two enums name a value differently, it means something else. Else the types of generated code change.
+    Why: if the two enums give a number different names, it means something else. If not, the types of generated code
+    change.
 
     Example: `enum: mode` that becomes `enum: extended_mode`.
 
@@ -23,23 +24,23 @@ def enum_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for held in both.values:
-        yield from _compared(both, held, held.old.enum, held.new.enum)
-    for pair in both.of(Bit):
-        yield from _compared(both, pair, pair.old.enum, pair.new.enum)
+    for value_pair in comparison.values:
+        yield from _compared(comparison, value_pair, value_pair.old.enum, value_pair.new.enum)
+    for pair in comparison.of(Bit):
+        yield from _compared(comparison, pair, pair.old.enum, pair.new.enum)
 
 
-def _compared(both: Comparison, held: Values | Pair[Bit], old: str, new: str) -> Iterator[Change]:
-    before, after = _names(both.old, old), _names(both.new, new)
-    old = both.renamed_to("enums", old)
+def _compared(comparison: Comparison, differing: ValuePair | Pair[Bit], old: str, new: str) -> Iterator[Change]:
+    before, after = _names(comparison.old, old), _names(comparison.new, new)
+    old = comparison.renamed_to("enums", old)
     if old == new:
         return
     differ = any(after[value] != name for value, name in before.items() if value in after)
     lost = bool(after) and any(value not in after for value in before)
     effect = Effect.WIRE if differ or lost else Effect.SOURCE
-    fact = held.of.new if isinstance(held, Values) else held.new
-    text = f"{named(fact)}: {turned('the enum', old, new)}"
-    yield change("enum_changed", effect, held, "enum", text, old, new, ALL)
+    fact = differing.of.new if isinstance(differing, ValuePair) else differing.new
+    text = f"{named(fact)}: {difference_text('the enum', old, new)}"
+    yield change("enum_changed", effect, differing, "enum", text, old, new, ALL)
 
 
 def _names(device: Device, name: str) -> dict[int, str]:
@@ -47,21 +48,21 @@ def _names(device: Device, name: str) -> dict[int, str]:
     return {member.value: member.name for member in enum.members} if enum else {}
 
 
-def member_added(both: Comparison) -> Iterator[Change]:
-    """An enum has a further member.
+def member_added(comparison: Comparison) -> Iterator[Change]:
+    """An enum has a new member.
 
-    Why: programs that know all members meet one that they do not know; generated code of the old version refuses it, or
-    passes it on as a number where the enum is open.
+    Why: programs receive a value that they do not know. Generated code of the old version refuses it, or passes it on
+    as a number if the enum is open.
 
     Example: an alarm code that the new firmware has.
 
-    Cure: Nothing to do. Where more are to be expected, say `open: true`.
+    Cure: Nothing to do. If the manual announces more, write `open: true`.
     """
 
-    for lone in both.added:
-        if isinstance(lone.item, Member):
-            old, new = lone.holder
-            member = lone.item
+    for unpaired in comparison.added:
+        if isinstance(unpaired.item, Member):
+            old, new = unpaired.containers
+            member = unpaired.item
             text = f"{named(new)}: {member.name} ({member.value}) is new"
             yield Change(
                 "member_added",
@@ -76,21 +77,21 @@ def member_added(both: Comparison) -> Iterator[Change]:
             )
 
 
-def member_removed(both: Comparison) -> Iterator[Change]:
+def member_removed(comparison: Comparison) -> Iterator[Change]:
     """An enum has lost a member.
 
-    Why: the value means nothing any more, or something else, and generated code has no name for it.
+    Why: the value has no meaning any more, or another one, and generated code has no name for it.
 
-    Example: a mode that the new firmware has not.
+    Example: a mode that the new firmware does not have.
 
-    Cure: Where the device still takes the value, keep the member with `unavailable: true`. Where the old spec was
-    wrong, accept the change with that reason; else give the new version a number of its own.
+    Cure: If the device still accepts the value, keep the member with `unavailable: true`. Where the old spec was wrong,
+    accept the change with that reason; else give the new version a number of its own.
     """
 
-    for lone in both.removed:
-        if isinstance(lone.item, Member):
-            old, new = lone.holder
-            member = lone.item
+    for unpaired in comparison.removed:
+        if isinstance(unpaired.item, Member):
+            old, new = unpaired.containers
+            member = unpaired.item
             text = f"{named(new)}: {member.name} ({member.value}) is gone"
             yield Change(
                 "member_removed",
@@ -106,10 +107,10 @@ def member_removed(both: Comparison) -> Iterator[Change]:
             )
 
 
-def member_renumbered(both: Comparison) -> Iterator[Change]:
+def member_renumbered(comparison: Comparison) -> Iterator[Change]:
     """A member of an enum has another value.
 
-    Why: old programs write and understand another member than they mean.
+    Why: existing programs write the wrong member, and misread those that they receive.
 
     Example: `{value: 5, name: blue}` that becomes `{value: 6, name: blue}`.
 
@@ -117,25 +118,25 @@ def member_renumbered(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for pair in both.of(Member):
+    for pair in comparison.of(Member):
         old, new = pair.old.value, pair.new.value
         if old != new:
-            text = f"{named(pair.holder[1])}: {named(pair.new)} is {new}, and was {old}"
+            text = f"{named(pair.containers[1])}: {named(pair.new)} is {new}, and was {old}"
             yield change("member_renumbered", Effect.WIRE, pair, "value", text, old, new)
 
 
-def openness_changed(both: Comparison) -> Iterator[Change]:
-    """An enum takes values that it does not list, or no longer takes them.
+def openness_changed(comparison: Comparison) -> Iterator[Change]:
+    """An enum admits values that it does not list, or no longer admits them.
 
-    Why: where it opens, generated types admit plain numbers that programs must expect. Where it closes, values that it
-    does not list are refused.
+    Why: an open enum has a type that also admits numbers, which programs must expect. With a closed one, generated code
+    refuses values that it does not list.
 
     Example: `open: true` at the enum of alarms.
 
-    Cure: Nothing to do where new codes are to be expected.
+    Cure: Nothing to do if the manual announces more codes.
     """
 
-    for pair in both.of(Enum):
+    for pair in comparison.of(Enum):
         old, new = pair.old.open, pair.new.open
         if old != new:
             text = f"{named(pair.new)} {'passes on' if new else 'refuses'} values that it does not list"

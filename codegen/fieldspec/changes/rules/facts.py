@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from fieldspec.changes.attributes import ALL, MODEL_CLASSES, PYTHON, TEXTS, C
+from fieldspec.changes.attributes import ALL, CONSEQUENCES, PYTHON, TEXTS, C
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.comparing import Comparison, Lone, Pair
+from fieldspec.changes.comparison import Comparison, Pair, Unpaired
+from fieldspec.changes.descriptions import around, change, difference_text, kind, named, path, span, within
 from fieldspec.changes.evidence import enumeration, value_text
-from fieldspec.changes.finding import around, change, kind, named, path, span, turned, within
 from fieldspec.model.device import Device, Version
 from fieldspec.model.enums import Member
 from fieldspec.model.record import Field
@@ -18,114 +18,115 @@ from fieldspec.model.texts import Example
 
 
 def device_added(device: Device) -> Change:
-    """That a device is new."""
+    """The change that a device is new."""
     text = f"the device {device.id} is new"
     return Change("fact_added", Effect.BEHAVIOUR, "device", device.id, text, "", device.name, None, device.place["id"])
 
 
 def device_removed(device: Device) -> Change:
-    """That a device is gone, and with it everything that is generated for it."""
+    """The change that a device is gone, with everything that is generated for it."""
     text = f"the device {device.id} is gone"
     return Change(
         "fact_removed", Effect.SOURCE, "device", device.id, text, device.name, "", device.place["id"], None, ALL
     )
 
 
-def fact_added(both: Comparison) -> Iterator[Change]:
-    """The new version has something that the old one has not.
+def fact_added(comparison: Comparison) -> Iterator[Change]:
+    """The new version has something that the old one does not have.
 
-    Why: nobody who does without it is hurt, as long as it takes no place from anything. A field that makes a record
-    longer, or moves others, breaks every program that knows the old length.
+    Why: programs that do not use it go on working, as long as nothing else moves. A field that makes a record longer,
+    or moves other fields, breaks every program that knows the old length.
 
     Example: a register at an address that was free.
 
-    Cure: Put new fields where reserved ones were. Give the fact a `since`, so that users of the old version know.
+    Cure: Put new fields in the place of reserved ones. Give the fact a `since`, so that users of the old version know.
     """
 
-    for lone in both.added:
-        item, holder = lone.item, lone.holder[1]
+    for unpaired in comparison.added:
+        item, container = unpaired.item, unpaired.containers[1]
         if isinstance(item, Member):
             continue
-        text = f"the {kind(item)} {named(item)}{within(holder)} is new"
-        before, after = around(lone.holder[0], "name"), span(item, "name", holder)
-        yield Change("fact_added", _effect(lone), kind(item), path(item, holder), text, "", named(item), before, after)
+        text = f"the {kind(item)} {named(item)}{within(container)} is new"
+        before, after = around(unpaired.containers[0], "name"), span(item, "name", container)
+        yield Change(
+            "fact_added", _effect(unpaired), kind(item), path(item, container), text, "", named(item), before, after
+        )
 
 
-def _effect(lone: Lone) -> Effect:
-    if lone.fields is not None and not lone.fields.offsets_equal:
+def _effect(unpaired: Unpaired) -> Effect:
+    if unpaired.fields is not None and not unpaired.fields.offsets_equal:
         return Effect.WIRE
-    if getattr(lone.item, "reserved", False):
+    if getattr(unpaired.item, "reserved", False):
         return Effect.DOCS
-    if isinstance(lone.item, Version):
-        return Effect.BEHAVIOUR if lone.holder[1].builds else Effect.DOCS
-    return Effect.BEHAVIOUR if lone.fields is not None else MODEL_CLASSES[type(lone.item)].adding
+    if isinstance(unpaired.item, Version):
+        return Effect.BEHAVIOUR if unpaired.containers[1].builds else Effect.DOCS
+    return Effect.BEHAVIOUR if unpaired.fields is not None else CONSEQUENCES[type(unpaired.item)].adding
 
 
-def fact_removed(both: Comparison) -> Iterator[Change]:
-    """The old version has something that the new one has not, and nothing shows that it only has another name.
+def fact_removed(comparison: Comparison) -> Iterator[Change]:
+    """The old version has something that the new one does not have, and nothing shows that only its name has changed.
 
     Why: programs that use it read or write nothing, or something else, and generated code has no name for it any more.
 
     Example: a register that the new manual does not list.
 
-    Cure: Look whether the new manual has left it out by mistake. Else give it an `until`, and tell users what to use
+    Cure: Find out whether the new manual omits it by mistake. If not, give it an `until`, and tell users what to use
     instead.
     """
 
-    for lone in both.removed:
-        item, holder = lone.item, lone.holder[0]
+    for unpaired in comparison.removed:
+        item, container = unpaired.item, unpaired.containers[0]
         if isinstance(item, Member):
             continue
-        effect, outputs = _removal_effect(lone)
-        text = f"the {kind(item)} {named(item)}{within(holder)} is gone"
-        before, after = span(item, "name", holder), around(lone.holder[1], "name")
+        effect, outputs = _removal_effect(unpaired)
+        text = f"the {kind(item)} {named(item)}{within(container)} is gone"
+        before, after = span(item, "name", container), around(unpaired.containers[1], "name")
         yield Change(
-            "fact_removed", effect, kind(item), path(item, holder), text, named(item), "", before, after, outputs
+            "fact_removed", effect, kind(item), path(item, container), text, named(item), "", before, after, outputs
         )
 
 
-def _removal_effect(lone: Lone) -> tuple[Effect, tuple[str, ...]]:
-    noun = MODEL_CLASSES[type(lone.item)]
-    if isinstance(lone.item, Version):
-        return (Effect.SOURCE, (PYTHON, C)) if lone.holder[0].builds else (Effect.DOCS, ())
-    if getattr(lone.item, "reserved", False) and (lone.fields is None or lone.fields.offsets_equal):
+def _removal_effect(unpaired: Unpaired) -> tuple[Effect, tuple[str, ...]]:
+    consequences = CONSEQUENCES[type(unpaired.item)]
+    if isinstance(unpaired.item, Version):
+        return (Effect.SOURCE, (PYTHON, C)) if unpaired.containers[0].builds else (Effect.DOCS, ())
+    if getattr(unpaired.item, "reserved", False) and (unpaired.fields is None or unpaired.fields.offsets_equal):
         return Effect.DOCS, ()
-    return noun.removing, noun.outputs
+    return consequences.removing, consequences.outputs
 
 
-def renamed(both: Comparison) -> Iterator[Change]:
-    """Something has another name. It is the same thing by the evidence that the message names: nothing else that has
-    come or gone shares it.
+def renamed(comparison: Comparison) -> Iterator[Change]:
+    """Something has another name. The message names the evidence that it is the same: what the two have in common, and
+    nothing else that is new or gone.
 
     Why: generated names follow the names of the spec, so programs that use the old ones no longer compile or run.
 
     Example: a register `servo` at 0x2011 that is called `servo_on` now.
 
-    Cure: Keep the old name, unless the new one is worth the trouble of all users; labels and printed names may change
+    Cure: Keep the old name, unless the new one is worth the work of all users. Labels and printed names can change
     freely.
     """
 
-    for found in both.renamed:
-        old, new = named(found.pair.old), named(found.pair.new)
-        noun = MODEL_CLASSES[type(found.pair.new)]
-        text = (
-            f"the {kind(found.pair.new)} {old}{within(found.pair.holder[1])} is called {new}; it has {found.evidence}"
-        )
-        yield change("renamed", noun.renaming, found.pair, "name", text, old, new, noun.outputs)
+    for renaming in comparison.renamed:
+        old, new = named(renaming.pair.old), named(renaming.pair.new)
+        consequences = CONSEQUENCES[type(renaming.pair.new)]
+        place = within(renaming.pair.containers[1])
+        text = f"the {kind(renaming.pair.new)} {old}{place} is called {new}; it has {renaming.evidence}"
+        yield change("renamed", consequences.renaming, renaming.pair, "name", text, old, new, consequences.outputs)
 
 
-def availability_changed(both: Comparison) -> Iterator[Change]:
-    """A member of an enum has become not available, or available.
+def availability_changed(comparison: Comparison) -> Iterator[Change]:
+    """A member of an enum is not available any more, or is available now.
 
     Why: generated code has no name for a value that is not available, so programs that use the name no longer compile
     or run.
 
     Example: `unavailable: true` at a mode that the old version had.
 
-    Cure: Tell users what to use instead. A member that becomes available hurts nobody.
+    Cure: Tell users what to use instead. A member that becomes available affects nobody.
     """
 
-    for pair in both.of(Member):
+    for pair in comparison.of(Member):
         old, new = pair.old.unavailable, pair.new.unavailable
         if old != new:
             effect, outputs = (Effect.SOURCE, ALL) if new else (Effect.BEHAVIOUR, ())
@@ -133,42 +134,46 @@ def availability_changed(both: Comparison) -> Iterator[Change]:
             yield change("availability_changed", effect, pair, "unavailable", text, not old, not new, outputs)
 
 
-def applicability_changed(both: Comparison) -> Iterator[Change]:
-    """A parameter exists for other kinds of motor, axis or model, or has an effect with other messages.
+def applicability_changed(comparison: Comparison) -> Iterator[Change]:
+    """A parameter applies to other kinds of motor, axis or model, or has an effect with other messages.
 
-    Why: a program that sets it may have to ask first what it is connected to.
+    Why: a program that sets it may have to find out first what it is connected to.
 
     Example: `applies_to: [rotary]` that becomes `applies_to: [rotary, linear]`.
 
-    Cure: Nothing to do where the list grows; else tell users which devices no longer have the parameter.
+    Cure: Nothing to do if the list grows; else tell users which devices no longer have the parameter.
     """
 
-    for pair in both.of(Parameter):
+    for pair in comparison.of(Parameter):
         for key, what in (("applies_to", "what it exists for"), ("messages", "what it has an effect with")):
             old, new = getattr(pair.old, key), getattr(pair.new, key)
             if key == "messages":
-                old = tuple(both.renamed_to(key, name) for name in old)
+                old = tuple(comparison.renamed_to(key, name) for name in old)
             if old != new:
-                text = f"{named(pair.new)}: {turned(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("applicability_changed", Effect.BEHAVIOUR, pair, key, text, old, new)
 
 
-def documentation_changed(both: Comparison) -> Iterator[Change]:
-    """What is read by people has changed: names as printed, labels, texts, notes, sources, and what the manual prints
+def documentation_changed(comparison: Comparison) -> Iterator[Change]:
+    """The documentation of a fact has changed: printed names, labels, texts, notes, sources, or what the manual prints
     twice.
 
-    Why: nobody is hurt. Texts stand in the documentation and in the comments of generated code.
+    Why: nobody is affected. The texts are in the documentation and in the comments of generated code.
 
     Example: a `doc` in other words, or a `source` with another line.
 
     Cure: None is needed.
     """
 
-    for noun, texts in TEXTS.items():
-        for pair in both.any_of(noun):
-            held = [(key, *_followed(both, pair, key, get(pair.old), get(pair.new))) for key, get in texts.items()]
+    for model_class, texts in TEXTS.items():
+        for pair in comparison.any_of(model_class):
+            texts_by_key = [
+                (key, *_followed(comparison, pair, key, get(pair.old), get(pair.new))) for key, get in texts.items()
+            ]
             differ = [
-                (key, old, new) for key, old, new in held if old != new and not _is_told_by_signal(both, pair, key)
+                (key, old, new)
+                for key, old, new in texts_by_key
+                if old != new and not _belongs_to_signal(comparison, pair, key)
             ]
             if differ:
                 keys = [key for key, _, _ in differ]
@@ -184,15 +189,17 @@ _PATHS = ("about", "fact")
 _OF_SIGNAL = ("printed_name", "label", "doc", "scale", "sentinels")
 
 
-def _followed(both: Comparison, pair: Pair[Any], key: str, old: Any, new: Any) -> tuple[Any, Any]:
-    """Two texts: the old one by new names, and both without what other rules tell."""
+def _followed(comparison: Comparison, pair: Pair[Any], key: str, old: Any, new: Any) -> tuple[Any, Any]:
+    """The two texts: the old one with new names, and both without what other rules report."""
     if key in _NAMES:
-        return both.renamed_to(_NAMES[key], old), new
+        return comparison.renamed_to(_NAMES[key], old), new
     if key in _PATHS:
-        return (both.renamed_path(old) if isinstance(old, str) else tuple(map(both.renamed_path, old))), new
+        return (comparison.renamed_path(old) if isinstance(old, str) else tuple(map(comparison.renamed_path, old))), new
     if key == "sentinels":
         shared = old.keys() & new.keys()
-        return {one: old[one] for one in old if one in shared}, {one: new[one] for one in new if one in shared}
+        return {value: old[value] for value in old if value in shared}, {
+            value: new[value] for value in new if value in shared
+        }
     if key == "scale" and not _same_scale(pair):
         return "", ""
     return old, new
@@ -203,12 +210,12 @@ def _same_scale(pair: Pair[Any]) -> bool:
     return old is not None and new is not None and old.scale == new.scale
 
 
-def _is_told_by_signal(both: Comparison, pair: Pair[Any], key: str) -> bool:
-    """Whether a signal tells what has changed at a field that takes its texts from there."""
+def _belongs_to_signal(comparison: Comparison, pair: Pair[Any], key: str) -> bool:
+    """Whether the difference of a field's text is that of its signal."""
     if not isinstance(pair.new, Field) or key not in _OF_SIGNAL:
         return False
     get = TEXTS[Field][key]
-    old, new = both.old.signals.get(pair.old.signal), both.new.signals.get(pair.new.signal)
+    old, new = comparison.old.signals.get(pair.old.signal), comparison.new.signals.get(pair.new.signal)
     return old is not None and new is not None and (get(old), get(new)) == (get(pair.old), get(pair.new))
 
 
@@ -217,8 +224,8 @@ def _old_and_new(differ: list[tuple[str, Any, Any]]) -> tuple[list[tuple[str, An
     return [(key, old) for key, old, _ in differ], [(key, new) for key, _, new in differ]
 
 
-def _key_text(key: str, held: Any) -> str:
-    return f"{key}: {value_text(held)}"
+def _key_text(key: str, value: Any) -> str:
+    return f"{key}: {value_text(value)}"
 
 
 _KEYS = (
@@ -237,21 +244,21 @@ _KEYS = (
 _EXAMPLE_KEYS = {"link": "links", "message": "messages", "reply_to": "examples"}
 
 
-def example_changed(both: Comparison) -> Iterator[Change]:
-    """An example has other bytes, or other values, or stands for something else.
+def example_changed(comparison: Comparison) -> Iterator[Change]:
+    """An example has other bytes or other values, or shows something else.
 
-    Why: nobody is hurt by an example. But where its frame has changed and no fact has, one of the two is wrong.
+    Why: an example affects nobody. But if its frame has changed and no fact has, one of the two is wrong.
 
     Example: a `frame` with another checksum.
 
-    Cure: Look whether the manual or the transcription has changed.
+    Cure: Find out whether the manual or the transcription has changed.
     """
 
-    for pair in both.of(Example):
+    for pair in comparison.of(Example):
         for key in _KEYS:
             old, new = getattr(pair.old, key), getattr(pair.new, key)
-            old = both.renamed_to(_EXAMPLE_KEYS[key], old) if key in _EXAMPLE_KEYS else old
+            old = comparison.renamed_to(_EXAMPLE_KEYS[key], old) if key in _EXAMPLE_KEYS else old
             if old != new:
                 what = f"the {key.replace('_', ' ')}" if isinstance(new, str | bytes) else key
-                text = f"{named(pair.new)}: {turned(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("example_changed", Effect.DOCS, pair, key, text, old, new)

@@ -6,21 +6,21 @@ from collections.abc import Iterator
 
 from fieldspec.changes.attributes import PYTHON, C
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.comparing import Comparison, Pair
+from fieldspec.changes.comparison import Comparison, Pair
+from fieldspec.changes.descriptions import change, difference_text, named
 from fieldspec.changes.evidence import hexadecimal
-from fieldspec.changes.finding import change, named, turned
 from fieldspec.model.device import Device, VersionLine
 from fieldspec.model.link import ExceptionResponse, Link, Part, Serial
 from fieldspec.model.record import Field, Measure, Message
 from fieldspec.model.value import ParameterPart
 
-_KEYS = {"encoding": "the encoding", "start": "the mark at the start", "end": "the mark at the end"}
+_KEYS = {"encoding": "the encoding", "start": "the start delimiter", "end": "the end delimiter"}
 
 
-def framing_changed(both: Comparison) -> Iterator[Change]:
-    """Frames have other marks at their ends, or are written in another way.
+def framing_changed(comparison: Comparison) -> Iterator[Change]:
+    """Frames have other delimiters, or another encoding.
 
-    Why: neither side finds the frames of the other.
+    Why: neither side recognises the frames of the other.
 
     Example: `end: 0D` that becomes `end: 0D 0A`, or `encoding: binary` that becomes `encoding: hex_ascii`.
 
@@ -28,16 +28,16 @@ def framing_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for pair in both.of(Link):
+    for pair in comparison.of(Link):
         for key, what in _KEYS.items():
             old, new = getattr(pair.old, key), getattr(pair.new, key)
             if old != new:
-                text = f"{named(pair.new)}: {turned(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("framing_changed", Effect.WIRE, pair, key, text, old, new)
 
 
-def check_changed(both: Comparison) -> Iterator[Change]:
-    """The check of a frame is computed in another way, or over other parts, or a length counts other parts.
+def check_changed(comparison: Comparison) -> Iterator[Change]:
+    """The checksum of a frame has another algorithm or covers other parts, or a length counts other parts.
 
     Why: each side refuses the frames of the other.
 
@@ -47,35 +47,41 @@ def check_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for pair in both.of(Part):
+    for pair in comparison.of(Part):
         old, new = pair.old.algorithm, pair.new.algorithm
         if old != new:
-            text = f"{named(pair.new)}: {turned('the algorithm', old, new)}"
+            text = f"{named(pair.new)}: {difference_text('the algorithm', old, new)}"
             yield change("check_changed", Effect.WIRE, pair, "algorithm", text, old, new)
-        old, new = _counted(pair.old), _counted(pair.new)
+        old, new = _span_text(pair.old), _span_text(pair.new)
         if old != new:
             check = "checksum" in (pair.old.role, pair.new.role)
             what, key = ("what it covers", "covers") if check else ("what it counts", "counts")
             yield change(
-                "check_changed", Effect.WIRE, pair, key, f"{named(pair.new)}: {turned(what, old, new)}", old, new
+                "check_changed",
+                Effect.WIRE,
+                pair,
+                key,
+                f"{named(pair.new)}: {difference_text(what, old, new)}",
+                old,
+                new,
             )
 
 
-def _counted(part: Part) -> str:
-    """`words from command to body plus 2`, or `from command to body`"""
+def _span_text(part: Part) -> str:
+    """What a length counts, or a checksum covers: `words from command to body plus 2`, `from command to body`."""
     span = part.span
     words = [f"from {span.first}"] if span.first else []
     words += [f"to {span.last}"] if span.last else []
     if part.role == "checksum":
         return " ".join(words) or "all before it"
-    counted = " ".join(["words" if part.unit_size == 2 else "bytes", *(words or ["of the frame"])])
-    return f"{counted} {'plus' if part.plus > 0 else 'minus'} {abs(part.plus)}" if part.plus else counted
+    text = " ".join(["words" if part.unit_size == 2 else "bytes", *(words or ["of the frame"])])
+    return f"{text} {'plus' if part.plus > 0 else 'minus'} {abs(part.plus)}" if part.plus else text
 
 
-def code_changed(both: Comparison) -> Iterator[Change]:
-    """A message has another code, or, where it carries none, another number.
+def code_changed(comparison: Comparison) -> Iterator[Change]:
+    """A message has another code, or another number if it carries no code.
 
-    Why: old programs send, and understand, another message than they mean.
+    Why: existing programs send the wrong message, and misread those that they receive.
 
     Example: `code: 0x2F` that becomes `code: 0x30`.
 
@@ -83,21 +89,21 @@ def code_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for pair in both.of(Message):
+    for pair in comparison.of(Message):
         if pair.old.code != pair.new.code:
             old, new = hexadecimal(pair.old.code), hexadecimal(pair.new.code)
-            text = f"{named(pair.new)}: {turned('the code', old, new)}"
+            text = f"{named(pair.new)}: {difference_text('the code', old, new)}"
             yield change("code_changed", Effect.WIRE, pair, "code", text, old, new)
         if pair.old.number != pair.new.number:
             effect = Effect.WIRE if pair.new.code is None else Effect.DOCS
-            text = f"{named(pair.new)}: {turned('the number', pair.old.number, pair.new.number)}"
+            text = f"{named(pair.new)}: {difference_text('the number', pair.old.number, pair.new.number)}"
             yield change("code_changed", effect, pair, "number", text, pair.old.number, pair.new.number)
 
 
-def error_reply_changed(both: Comparison) -> Iterator[Change]:
-    """A refusal is marked by another bit of the code, or has another record.
+def error_reply_changed(comparison: Comparison) -> Iterator[Change]:
+    """Another bit of the code marks an exception response, or it has another record.
 
-    Why: programs take a refusal for an answer, or misread its reason.
+    Why: programs mistake an exception response for an answer, or misread its reason.
 
     Example: `error: {flag: 0x80}` that becomes `error: {flag: 0x40}`.
 
@@ -105,68 +111,70 @@ def error_reply_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for pair in both.of(Link):
+    for pair in comparison.of(Link):
         old, new = (
-            _error_text(both, pair.old.exception_response, True),
-            _error_text(both, pair.new.exception_response, False),
+            _error_text(comparison, pair.old.exception_response, True),
+            _error_text(comparison, pair.new.exception_response, False),
         )
         if old != new:
-            text = f"{named(pair.new)}: {turned('the reply that refuses', old, new)}"
+            text = f"{named(pair.new)}: {difference_text('the exception response', old, new)}"
             yield change("error_reply_changed", Effect.WIRE, pair, "exception_response", text, old, new)
 
 
-def _error_text(both: Comparison, error: ExceptionResponse | None, before: bool) -> str:
+def _error_text(comparison: Comparison, error: ExceptionResponse | None, before: bool) -> str:
     if error is None:
         return ""
-    record = both.renamed_to("records", error.record) if before else error.record
+    record = comparison.renamed_to("records", error.record) if before else error.record
     return f"bit {hexadecimal(error.flag)} and the record {record or 'without fields'}"
 
 
-def role_changed(both: Comparison) -> Iterator[Change]:
-    """A field, or a part of the frame, has another job: it measures, chooses, repeats, or carries something else.
+def role_changed(comparison: Comparison) -> Iterator[Change]:
+    """A field or a part of the frame has another purpose: it measures, decides, repeats or carries something else.
 
-    Why: the same bytes are read as a length, a code, an address or a plain value.
+    Why: the same bytes are read as a length, a code, an address or an ordinary value.
 
-    Example: `role: plain` that becomes `role: unit_address`, or `measures: {bytes: values}` that becomes
-    `measures: {items: values}`.
+    Example: `role: plain` that becomes `role: unit_address`, or `measures: {bytes: values}` that becomes `measures:
+    {items: values}`.
 
     Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
     own.
     """
 
-    for part in both.of(Part):
+    for part in comparison.of(Part):
         if part.old.role != part.new.role:
             yield _role_text(part, "role", "the role", part.old.role, part.new.role)
-    for field in both.of(Field):
-        yield from _of_field(both, field)
-    for held in both.values:
-        old, new = _parameter(held.old.parameter, both), _parameter(held.new.parameter, None)
+    for field in comparison.of(Field):
+        yield from _of_field(comparison, field)
+    for value_pair in comparison.values:
+        old, new = _parameter(value_pair.old.parameter, comparison), _parameter(value_pair.new.parameter, None)
         if old != new:
-            text = f"{named(held.of.new)}: {turned('the part of a parameter that it is', old, new)}"
-            yield change("role_changed", Effect.WIRE, held, "parameter", text, old, new)
-    for message in both.of(Message):
-        before, after = _access(both, message.old), _access(None, message.new)
+            text = f"{named(value_pair.of.new)}: {difference_text('the part of a parameter that it is', old, new)}"
+            yield change("role_changed", Effect.WIRE, value_pair, "parameter", text, old, new)
+    for message in comparison.of(Message):
+        before, after = _access(comparison, message.old), _access(None, message.new)
         if before != after:
             yield _role_text(message, "accesses", "how it accesses registers", before, after)
 
 
 def _role_text(pair: Pair[Part] | Pair[Field] | Pair[Message], key: str, what: str, old: str, new: str) -> Change:
-    return change("role_changed", Effect.WIRE, pair, key, f"{named(pair.new)}: {turned(what, old, new)}", old, new)
+    return change(
+        "role_changed", Effect.WIRE, pair, key, f"{named(pair.new)}: {difference_text(what, old, new)}", old, new
+    )
 
 
-def _of_field(both: Comparison, pair: Pair[Field]) -> Iterator[Change]:
+def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
     beside = pair.old.place.path.rpartition("/")[0]
     old, new = _measure(pair.old.measures), _measure(pair.new.measures)
     if pair.old.measures is not None:
-        old = _measure(Measure(pair.old.measures.of, both.renamed_to(beside, pair.old.measures.field)))
+        old = _measure(Measure(pair.old.measures.of, comparison.renamed_to(beside, pair.old.measures.field)))
     if old != new:
         yield _role_text(pair, "measures", "what it measures", old, new)
-    by = both.renamed_to(beside, pair.old.choice.by) if pair.old.choice else ""
+    by = comparison.renamed_to(beside, pair.old.choice.by) if pair.old.choice else ""
     if pair.old.choice and pair.new.choice and by != pair.new.choice.by:
         yield _role_text(pair, "choice", "what decides its type", by, pair.new.choice.by)
-    same = both.renamed_to(beside.rpartition("/")[0] + "/request", pair.old.same_as) if pair.old.same_as else ""
+    same = comparison.renamed_to(beside.rpartition("/")[0] + "/request", pair.old.same_as) if pair.old.same_as else ""
     if same != pair.new.same_as:
-        text = f"{named(pair.new)}: {turned('the field that it repeats', same, pair.new.same_as)}"
+        text = f"{named(pair.new)}: {difference_text('the field that it repeats', same, pair.new.same_as)}"
         yield change("role_changed", Effect.BEHAVIOUR, pair, "same_as", text, same, pair.new.same_as)
 
 
@@ -174,54 +182,54 @@ def _measure(measure: Measure | None) -> str:
     return f"the {measure.of} of {measure.field}" if measure else ""
 
 
-def _parameter(part: ParameterPart | None, both: Comparison | None) -> str:
+def _parameter(part: ParameterPart | None, comparison: Comparison | None) -> str:
     if part is None:
         return ""
-    held = both.renamed_to("parameters", part.set) if both else part.set
-    return f"the {part.part} of {held}" + (f" by {part.number}" if part.number else "")
+    name = comparison.renamed_to("parameters", part.set) if comparison else part.set
+    return f"the {part.part} of {name}" + (f" by {part.number}" if part.number else "")
 
 
-def _access(both: Comparison | None, message: Message) -> str:
+def _access(comparison: Comparison | None, message: Message) -> str:
     access = message.accesses
     if access is None:
         return ""
     words = [access.start, access.count, access.values]
-    if both is not None:
-        words = [_renamed(both, message, word) for word in words]
-    said = ", ".join(
+    if comparison is not None:
+        words = [_renamed(comparison, message, word) for word in words]
+    text = ", ".join(
         f"{word} as {part}" for word, part in zip(words, ("start", "count", "values"), strict=True) if word
     )
-    return f"{access.operation} with {said}"
+    return f"{access.operation} with {text}"
 
 
-def _renamed(both: Comparison, message: Message, name: str) -> str:
+def _renamed(comparison: Comparison, message: Message, name: str) -> str:
     """The new name of a field of the request or of the response."""
-    asked = both.renamed_to(f"messages/{message.name}/request", name)
-    return asked if asked != name else both.renamed_to(f"messages/{message.name}/response", name)
+    asked = comparison.renamed_to(f"messages/{message.name}/request", name)
+    return asked if asked != name else comparison.renamed_to(f"messages/{message.name}/response", name)
 
 
-def sending_changed(both: Comparison) -> Iterator[Change]:
-    """A message is sent on other links, or beside other messages.
+def sending_changed(comparison: Comparison) -> Iterator[Change]:
+    """A message is sent on other links, or together with other messages.
 
-    Why: on a link that it has lost, a message is not understood; beside another one it may not be allowed.
+    Why: the device does not understand the message on a link that is gone, and may not accept it with other messages.
 
     Example: `links: [rtu, ascii]` that becomes `links: [rtu]`.
 
-    Cure: Nothing to do where links or companions are added. Where the old spec was wrong, accept the change with that
+    Cure: Nothing to do if links or messages are added. Where the old spec was wrong, accept the change with that
     reason; else give the new version a number of its own.
     """
 
-    for pair in both.of(Message):
-        links = tuple(both.renamed_to("links", name) for name in _links(both.old, pair.old))
-        beside = tuple(both.renamed_to("messages", name) for name in pair.old.supplements)
-        for key, what, old, new, kept in (
-            ("links", "where it is sent", links, _links(both.new, pair.new), pair.new.links),
-            ("supplements", "what it is sent beside", beside, pair.new.supplements, pair.new.supplements),
+    for pair in comparison.of(Message):
+        links = tuple(comparison.renamed_to("links", name) for name in _links(comparison.old, pair.old))
+        beside = tuple(comparison.renamed_to("messages", name) for name in pair.old.supplements)
+        for key, what, old, new, fallback in (
+            ("links", "where it is sent", links, _links(comparison.new, pair.new), pair.new.links),
+            ("supplements", "what it is sent with", beside, pair.new.supplements, pair.new.supplements),
         ):
-            stated = getattr(pair.old, key) or kept
+            stated = getattr(pair.old, key) or fallback
             if stated and sorted(old) != sorted(new):
                 lost = key == "links" and bool(set(old) - set(new))
-                text = f"{named(pair.new)}: {turned(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("sending_changed", Effect.WIRE if lost else Effect.BEHAVIOUR, pair, key, text, old, new)
 
 
@@ -233,47 +241,47 @@ _NONE = Serial((), None, (), (), (), None, ())
 _SERIAL_KEYS = ("baud", "default_baud", "data_bits", "parity", "stop_bits", "start_bits")
 
 
-def serial_changed(both: Comparison) -> Iterator[Change]:
-    """A serial line has other settings, or another one of them at first.
+def serial_changed(comparison: Comparison) -> Iterator[Change]:
+    """A serial line has other settings, or another default.
 
-    Why: two sides with different settings do not hear each other.
+    Why: two sides with different settings do not understand each other.
 
     Example: `default_baud: 9600` that becomes `default_baud: 19200`.
 
-    Cure: Tell users what to set their side to.
+    Cure: Tell users the settings for their side.
     """
 
-    for pair in both.of(Link):
+    for pair in comparison.of(Link):
         before, after = pair.old.serial or _NONE, pair.new.serial or _NONE
         for key in _SERIAL_KEYS:
             old, new = getattr(before, key), getattr(after, key)
             if old != new:
-                text = f"{named(pair.new)}: {turned(key.replace('_', ' '), old, new)}"
+                text = f"{named(pair.new)}: {difference_text(key.replace('_', ' '), old, new)}"
                 yield change("serial_changed", Effect.BEHAVIOUR, pair, "serial", text, old, new)
 
 
-def timing_changed(both: Comparison) -> Iterator[Change]:
-    """Frames are separated by another silence.
+def timing_changed(comparison: Comparison) -> Iterator[Change]:
+    """The silence between frames is another one.
 
-    Why: a program that waits for too short a time sends two frames that the device takes for one.
+    Why: if a program waits too short, the device takes two frames for one.
 
     Example: `silence: {characters: 3.5}` that becomes `silence: {milliseconds: 50}`.
 
     Cure: Tell users how long to wait.
     """
 
-    for pair in both.of(Link):
+    for pair in comparison.of(Link):
         for key, unit in (("silence_characters", "characters"), ("silence_milliseconds", "milliseconds")):
             old, new = getattr(pair.old, key), getattr(pair.new, key)
             if old != new:
-                text = f"{named(pair.new)}: {turned('the silence between frames in ' + unit, old, new)}"
+                text = f"{named(pair.new)}: {difference_text('the silence between frames in ' + unit, old, new)}"
                 yield change("timing_changed", Effect.BEHAVIOUR, pair, "silence", text, old, new)
 
 
-def broadcast_changed(both: Comparison) -> Iterator[Change]:
-    """Another address means all stations, or a message can be sent to all stations now, or no longer.
+def broadcast_changed(comparison: Comparison) -> Iterator[Change]:
+    """Another unit address means all stations, or a message can be sent to all stations now, or no longer.
 
-    Why: a request that was for one device is carried out by all of them, or by none.
+    Why: all devices carry out a request that was for one of them, or none does.
 
     Example: `broadcast: 0` that becomes `broadcast: 255` at the `unit_addresses` of a link.
 
@@ -281,12 +289,12 @@ def broadcast_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for link in both.of(Link):
+    for link in comparison.of(Link):
         old, new = (side.unit_addresses.broadcast if side.unit_addresses else None for side in (link.old, link.new))
         if old != new:
-            text = f"{named(link.new)}: {turned('the address of all stations', old, new)}"
+            text = f"{named(link.new)}: {difference_text('the address of all stations', old, new)}"
             yield change("broadcast_changed", Effect.WIRE, link, "unit_addresses", text, old, new)
-    for message in both.of(Message):
+    for message in comparison.of(Message):
         if message.old.broadcast != message.new.broadcast:
             text = "can be sent to all stations" if message.new.broadcast else "can no longer be sent to all stations"
             yield change(
@@ -300,17 +308,17 @@ def broadcast_changed(both: Comparison) -> Iterator[Change]:
             )
 
 
-def building_changed(both: Comparison) -> Iterator[Change]:
+def building_changed(comparison: Comparison) -> Iterator[Change]:
     """Another line of versions gets outputs of its own.
 
-    Why: generated modules and headers are named after versions, so programs no longer find those that they use.
+    Why: generated modules and headers have the names of versions, so programs no longer find those that they use.
 
     Example: `builds: true` that moves from the line `firmware` to the line `hardware`.
 
-    Cure: Keep the line that is built, or tell users the new names.
+    Cure: Keep the line that has the outputs, or tell users the new names.
     """
 
-    for pair in both.of(VersionLine):
+    for pair in comparison.of(VersionLine):
         old, new = pair.old.builds, pair.new.builds
         if old != new:
             text = f"the versions of {named(pair.new)} {'have' if new else 'no longer have'} outputs of their own"

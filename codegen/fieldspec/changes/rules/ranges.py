@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.changes.bounds import bounds_pairs, text, without
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.comparing import Comparison
-from fieldspec.changes.finding import change, named, turned
-from fieldspec.changes.intervals import bounded, text, without
+from fieldspec.changes.comparison import Comparison
+from fieldspec.changes.descriptions import change, difference_text, named
 from fieldspec.classes import attributes
 from fieldspec.model.enums import Bit
 from fieldspec.model.record import Field, Message
@@ -16,45 +16,50 @@ from fieldspec.model.texts import Limit
 from fieldspec.model.value import Handling
 
 
-def range_narrowed(both: Comparison) -> Iterator[Change]:
-    """A value may be fewer numbers than before, a text may be shorter, or fewer records may follow each other.
+def range_narrowed(comparison: Comparison) -> Iterator[Change]:
+    """Fewer values are permitted than before, only a shorter text, or fewer elements.
 
-    Why: what was accepted is refused, by the device or by generated code.
+    Why: the device or the generated code refuses what it accepted.
 
     Example: `range: 0..100` that becomes `range: 1..100`.
 
     Cure: Tell users of the lost values.
     """
 
-    for held in bounded(both):
-        lost = without(held.old, held.new)
+    for bounds in bounds_pairs(comparison):
+        lost = without(bounds.old, bounds.new)
         if lost.intervals:
-            said = f"{held.name}: {held.what} is {text(held.new)}; {text(lost)} is not allowed any more"
-            yield change("range_narrowed", Effect.BEHAVIOUR, held.pair, held.key, said, text(held.old), text(held.new))
+            message = f"{bounds.name}: {bounds.what} is {text(bounds.new)}; {text(lost)} is not allowed any more"
+            yield change(
+                "range_narrowed", Effect.BEHAVIOUR, bounds.pair, bounds.key, message, text(bounds.old), text(bounds.new)
+            )
 
 
-def range_widened(both: Comparison) -> Iterator[Change]:
-    """A value may be more numbers than before, a text may be longer, or more records may follow each other.
+def range_widened(comparison: Comparison) -> Iterator[Change]:
+    """More values are permitted than before, a longer text, or more elements.
 
-    Why: values come that an old program does not expect, and generated code of the old version refuses them.
+    Why: an existing program receives values that it does not expect, and generated code of the old version refuses
+    them.
 
     Example: `range: 0..100` that becomes `range: 0..200`.
 
     Cure: None is needed.
     """
 
-    for held in bounded(both):
-        gained = without(held.new, held.old)
+    for bounds in bounds_pairs(comparison):
+        gained = without(bounds.new, bounds.old)
         if gained.intervals:
-            said = f"{held.name}: {held.what} is {text(held.new)}; {text(gained)} is allowed now"
-            yield change("range_widened", Effect.BEHAVIOUR, held.pair, held.key, said, text(held.old), text(held.new))
+            message = f"{bounds.name}: {bounds.what} is {text(bounds.new)}; {text(gained)} is allowed now"
+            yield change(
+                "range_widened", Effect.BEHAVIOUR, bounds.pair, bounds.key, message, text(bounds.old), text(bounds.new)
+            )
 
 
-def default_changed(both: Comparison) -> Iterator[Change]:
-    """A value is another one as long as nobody sets it.
+def default_changed(comparison: Comparison) -> Iterator[Change]:
+    """The default of a value is another one.
 
-    Why: a device that was set up for the old version, and a record that is filled in part, behave in another way. What
-    is written into reserved fields are other bytes.
+    Why: a device that relies on the old default, and a record that is filled only in part, behave in another way. Other
+    bytes are written into reserved fields.
 
     Example: `default: 100` that becomes `default: 50`.
 
@@ -62,13 +67,13 @@ def default_changed(both: Comparison) -> Iterator[Change]:
     reason; else give the new version a number of its own.
     """
 
-    for held in both.all_values:
-        old, new = held.old.default, held.new.default
+    for value_pair in comparison.all_values:
+        old, new = value_pair.old.default, value_pair.new.default
         if old != new:
-            filling = held.reserved and held.new.const is None and (old or 0) != (new or 0)
+            filling = value_pair.reserved and value_pair.new.const is None and (old or 0) != (new or 0)
             effect = Effect.WIRE if filling else Effect.BEHAVIOUR
-            text = f"{named(held.of.new)}: {turned('the default', old, new)}"
-            yield change("default_changed", effect, held, "default", text, old, new)
+            text = f"{named(value_pair.of.new)}: {difference_text('the default', old, new)}"
+            yield change("default_changed", effect, value_pair, "default", text, old, new)
 
 
 _KEYS = {
@@ -81,8 +86,8 @@ _KEYS = {
 }
 
 
-def limit_changed(both: Comparison) -> Iterator[Change]:
-    """A timing, a maximum, a supply is another one.
+def limit_changed(comparison: Comparison) -> Iterator[Change]:
+    """A limit of the device, such as a time, a maximum or a supply, is another one.
 
     Why: a machine that was built for the old number may be too fast, too slow or too weak.
 
@@ -91,19 +96,19 @@ def limit_changed(both: Comparison) -> Iterator[Change]:
     Cure: Tell users of the old number.
     """
 
-    for pair in both.of(Limit):
+    for pair in comparison.of(Limit):
         for attribute, (key, what) in _KEYS.items():
             old, new = getattr(pair.old, attribute), getattr(pair.new, attribute)
             if old != new:
                 effect = Effect.DOCS if attribute == "kind" else Effect.BEHAVIOUR
-                text = f"{named(pair.new)}: {turned(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("limit_changed", effect, pair, key, text, old, new)
 
 
-def access_changed(both: Comparison) -> Iterator[Change]:
-    """Whether a register, a table, a field or a parameter can be read and written is another matter now.
+def access_changed(comparison: Comparison) -> Iterator[Change]:
+    """A register, a table, a field or a parameter has another access.
 
-    Why: a program that writes what can only be read is refused by the device, or by the generated code.
+    Why: the device, or the generated code, refuses to write what can only be read.
 
     Example: `access: rw` that becomes `access: ro`.
 
@@ -111,10 +116,10 @@ def access_changed(both: Comparison) -> Iterator[Change]:
     with that reason; else give the new version a number of its own.
     """
 
-    for pair in both.any_of(Register, Table, Field, Parameter):
+    for pair in comparison.any_of(Register, Table, Field, Parameter):
         old, new = pair.old.access, pair.new.access
         if old != new:
-            text = f"{named(pair.new)}: {turned('the access', old, new)}"
+            text = f"{named(pair.new)}: {difference_text('the access', old, new)}"
             yield change("access_changed", Effect.BEHAVIOUR, pair, "access", text, old, new)
 
 
@@ -134,37 +139,38 @@ _ASKED = {
 _PATHS = ("saved_by", "opposite_of")
 
 
-def handling_changed(both: Comparison) -> Iterator[Change]:
-    """A value has to be read or written in another way: in one request or not, as a trigger or not, saved or not.
+def handling_changed(comparison: Comparison) -> Iterator[Change]:
+    """The handling of a value is another one: whether it must be accessed in one request, starts an action, or is
+    saved.
 
     Why: a program that reads a value in two requests gets halves of two values; one that reads back a trigger gets
-    nothing; one that does not save what is lost with the power finds it gone; and one that does not know that two facts
-    have opposite senses does the contrary of what it should.
+    nothing; one that does not save a value loses it with the power; and one that does not know that two facts have
+    opposite senses does the opposite of what it should.
 
-    Example: `atomic: true` at a register that did not have it, or `saved_by: registers/save` at a parameter.
+    Example: `atomic: true` at a register without it, or `saved_by: registers/save` at a parameter.
 
     Cure: Tell users how to access the value.
     """
 
-    for pair in both.any_of(Register, Field, Parameter):
+    for pair in comparison.any_of(Register, Field, Parameter):
         for key in ("atomic", "trigger"):
             old, new = getattr(pair.old, key, False), getattr(pair.new, key, False)
             if old != new:
                 text = f"{named(pair.new)} {_HANDLING_TEXTS[key, new]}"
                 yield change("handling_changed", Effect.BEHAVIOUR, pair, key, text, old, new)
-    for held in both.any_of(Register, Field, Parameter, Table, Message, Bit):
-        if held.old.handling == held.new.handling:
+    for handled in comparison.any_of(Register, Field, Parameter, Table, Message, Bit):
+        if handled.old.handling == handled.new.handling:
             continue
         for key in attributes(Handling):
-            before, after = getattr(held.old.handling, key), getattr(held.new.handling, key)
+            before, after = getattr(handled.old.handling, key), getattr(handled.new.handling, key)
             if key in _PATHS and before:
-                before = both.renamed_path(before)
+                before = comparison.renamed_path(before)
             if before != after:
-                text = f"{named(held.new)}: {turned(_ASKED[key], before, after)}"
-                yield change("handling_changed", Effect.BEHAVIOUR, held, key, text, before, after)
+                text = f"{named(handled.new)}: {difference_text(_ASKED[key], before, after)}"
+                yield change("handling_changed", Effect.BEHAVIOUR, handled, key, text, before, after)
 
 
-def restart_changed(both: Comparison) -> Iterator[Change]:
+def restart_changed(comparison: Comparison) -> Iterator[Change]:
     """A change of a value takes effect after a restart, or no longer needs one.
 
     Why: a program that sets the value and goes on works with the old one.
@@ -174,8 +180,8 @@ def restart_changed(both: Comparison) -> Iterator[Change]:
     Cure: Tell users when to restart the device.
     """
 
-    for pair in both.any_of(Register, Field, Parameter):
+    for pair in comparison.any_of(Register, Field, Parameter):
         old, new = pair.old.restart, pair.new.restart
         if old != new:
-            text = f"{named(pair.new)}: {turned('whether a restart is needed', old, new)}"
+            text = f"{named(pair.new)}: {difference_text('whether a restart is needed', old, new)}"
             yield change("restart_changed", Effect.BEHAVIOUR, pair, "restart", text, old, new)

@@ -6,65 +6,65 @@ from collections.abc import Iterator
 
 from fieldspec.changes.attributes import PYTHON
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.comparing import Comparison, Pair, beside
+from fieldspec.changes.comparison import Comparison, Pair, fields_beside
+from fieldspec.changes.descriptions import change, difference_text, kind, named, path, span
 from fieldspec.changes.evidence import enumeration
-from fieldspec.changes.finding import change, kind, named, path, span, turned
 from fieldspec.model.link import Link
 from fieldspec.model.record import Case, Field
 from fieldspec.model.registers import Parameter, Register, Table
 
 
-def field_moved(both: Comparison) -> Iterator[Change]:
-    """Fields of a record or a message, or parts of a frame, lie elsewhere among the others.
+def field_moved(comparison: Comparison) -> Iterator[Change]:
+    """Fields of a record or a message, or parts of a frame, have other offsets.
 
-    Why: bytes that were one field are another one.
+    Why: the bytes of one field are now those of another one.
 
-    Example: a field that is put before all others, or two that change places.
+    Example: a new field before all others, or two fields that change places.
 
-    Cure: Put new fields behind the others, or where reserved ones were. Where the old spec was wrong, accept the change
-    with that reason; else give the new version a number of its own.
+    Cure: Put new fields behind the others, or in the place of reserved ones. Where the old spec was wrong, accept the
+    change with that reason; else give the new version a number of its own.
     """
 
-    for fields in both.fields:
+    for fields in comparison.field_lists:
         if fields.moved:
             first, now, before, after = fields.moved[0]
             names = enumeration([named(new) for _, new, _, _ in fields.moved])
-            holder = fields.holder[1]
-            text = f"{named(now)} lies at offset {after}, and lay at {before}"
+            container = fields.containers[1]
+            text = f"{named(now)} is at offset {after}, and was at {before}"
             if len(fields.moved) > 1:
-                text = f"{names} lie elsewhere; {text}"
-            text = f"{named(holder)}: {text}"
+                text = f"{names} have other offsets; {text}"
+            text = f"{named(container)}: {text}"
             yield Change(
                 "field_moved",
                 Effect.WIRE,
                 kind(now),
-                path(now, holder),
+                path(now, container),
                 text,
                 f"offset {before}",
                 f"offset {after}",
-                span(first, "name", fields.holder[0]),
-                span(now, "name", holder),
+                span(first, "name", fields.containers[0]),
+                span(now, "name", container),
             )
 
 
-def length_changed(both: Comparison) -> Iterator[Change]:
-    """A record, the data of a message, or what stands around the data in a frame, has another length.
+def length_changed(comparison: Comparison) -> Iterator[Change]:
+    """A record, the data of a message, or the rest of a frame has another length.
 
-    Why: who waits for the old number of bytes cuts a frame off, or waits for ever; generated code refuses frames of
-    another length.
+    Why: a program that waits for the old number of bytes cuts the frame short, or waits for ever. Generated code
+    refuses frames of another length.
 
-    Example: a response of 10 bytes that has 12.
+    Example: a response of 10 bytes that has 12 now.
 
-    Cure: Put new fields where reserved ones were. Where the old spec was wrong, accept the change with that reason;
-    else give the new version a number of its own.
+    Cure: Put new fields in the place of reserved ones. Where the old spec was wrong, accept the change with that
+    reason; else give the new version a number of its own.
     """
 
-    for fields in both.fields:
+    for fields in comparison.field_lists:
         before, after = fields.sizes
         if before != after:
-            old, new = fields.holder
+            old, new = fields.containers
             what = " ".join(word for word in ("the length of the", fields.direction or kind(new), _of(new)) if word)
-            text = f"{named(new)}: {turned(what, _length_text(before), _length_text(after))}"
+            text = f"{named(new)}: {difference_text(what, _length_text(before), _length_text(after))}"
             key = fields.direction or "fields"
             where = f"{path(new, None)}/{fields.direction}".rstrip("/")
             places = span(old, key, None), span(new, key, None)
@@ -80,8 +80,8 @@ def length_changed(both: Comparison) -> Iterator[Change]:
             )
 
 
-def _of(holder: object) -> str:
-    return "without its data" if isinstance(holder, Link) else ""
+def _of(container: object) -> str:
+    return "without its data" if isinstance(container, Link) else ""
 
 
 def _length_text(size: tuple[int, bool]) -> str:
@@ -90,10 +90,10 @@ def _length_text(size: tuple[int, bool]) -> str:
     return f"{number} byte{'' if number == 1 else 's'}" + (" or more" if goes_on else "")
 
 
-def case_changed(both: Comparison) -> Iterator[Change]:
-    """A case of a field holds for other values of the field that decides.
+def case_changed(comparison: Comparison) -> Iterator[Change]:
+    """A case of a field applies to other values of the deciding field.
 
-    Why: data of one type are read as data of another.
+    Why: data of one type are read as another type.
 
     Example: `when: [unsigned16]` that becomes `when: [unsigned16, word]`.
 
@@ -101,46 +101,46 @@ def case_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for pair in both.of(Case):
-        enum = _enum(both, pair.holder[0])
-        old, new = tuple(both.renamed_to(f"enums/{enum}", name) for name in pair.old.when), pair.new.when
+    for pair in comparison.of(Case):
+        enum = _enum(comparison, pair.containers[0])
+        old, new = tuple(comparison.renamed_to(f"enums/{enum}", name) for name in pair.old.when), pair.new.when
         if old != new:
             effect = Effect.BEHAVIOUR if set(old) <= set(new) else Effect.WIRE
-            text = f"{named(pair.new)}: {turned('what it holds for', old, new)}"
+            text = f"{named(pair.new)}: {difference_text('what it applies to', old, new)}"
             yield change("case_changed", effect, pair, "when", text, old, new)
 
 
-def _enum(both: Comparison, field: Field) -> str:
-    """The name of the old enum whose members are named."""
+def _enum(comparison: Comparison, field: Field) -> str:
+    """The name of the old enum whose members the cases name."""
     by = field.choice.by if field.choice else ""
-    values = (one.value for one in beside(field, both.old) if one.name == by)
+    values = (field.value for field in fields_beside(field, comparison.old) if field.name == by)
     return next((value.enum for value in values if value is not None), "")
 
 
-def count_changed(both: Comparison) -> Iterator[Change]:
-    """There are more, or fewer, elements of a register, a table, a field or a parameter.
+def count_changed(comparison: Comparison) -> Iterator[Change]:
+    """A register, a table, a field or a parameter has more or fewer elements.
 
-    Why: fewer elements leave programs with addresses that mean nothing; a field with more or fewer moves all that
-    follows it.
+    Why: with fewer elements, programs use addresses without a meaning. A field with more or fewer elements moves all
+    that follows it.
 
     Example: `count: 127` of a table that becomes `count: 255`.
 
-    Cure: Nothing to do where registers, tables and parameters grow. Where the old spec was wrong, accept the change
-    with that reason; else give the new version a number of its own.
+    Cure: Nothing to do if registers, tables and parameters grow. Where the old spec was wrong, accept the change with
+    that reason; else give the new version a number of its own.
     """
 
-    for pair in both.any_of(Register, Table, Parameter):
+    for pair in comparison.any_of(Register, Table, Parameter):
         yield from _grown(pair, "count", pair.old.count, pair.new.count)
-    for parameter in both.of(Parameter):
+    for parameter in comparison.of(Parameter):
         yield from _grown(parameter, "elements", parameter.old.elements or 1, parameter.new.elements or 1)
-    for field in both.of(Field):
+    for field in comparison.of(Field):
         yield from _in_frame(field)
 
 
 def _grown(pair: Pair[Register] | Pair[Table] | Pair[Parameter], key: str, old: int, new: int) -> Iterator[Change]:
     if old != new:
         effect = Effect.BEHAVIOUR if new > old else Effect.WIRE
-        text = f"{named(pair.new)}: {turned('the number of elements', old, new)}"
+        text = f"{named(pair.new)}: {difference_text('the number of elements', old, new)}"
         yield change("count_changed", effect, pair, key, text, old, new)
 
 
@@ -160,5 +160,5 @@ def _in_frame(pair: Pair[Field]) -> Iterator[Change]:
     elif pair.old.count != pair.new.count:
         same = (pair.old.count or 1) == (pair.new.count or 1)
         effect, outputs = (Effect.SOURCE, (PYTHON,)) if same else (Effect.WIRE, ())
-        text = f"{named(pair.new)}: {turned('the number of elements', pair.old.count, pair.new.count)}"
+        text = f"{named(pair.new)}: {difference_text('the number of elements', pair.old.count, pair.new.count)}"
         yield change("count_changed", effect, pair, "count", text, pair.old.count, pair.new.count, outputs)

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from fieldspec.changes.attributes import ALL, PYTHON
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.comparing import Comparison, Pair, Values
-from fieldspec.changes.finding import change, named, turned
+from fieldspec.changes.comparison import Comparison, Pair, ValuePair
+from fieldspec.changes.descriptions import change, difference_text, named
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Flags
 from fieldspec.model.link import Link, Part
@@ -16,8 +16,8 @@ from fieldspec.model.registers import Table
 from fieldspec.model.value import Conversion, Value
 
 
-def type_changed(both: Comparison) -> Iterator[Change]:
-    """A value has another type or another size, or a record lies where another one, or a value, lay.
+def type_changed(comparison: Comparison) -> Iterator[Change]:
+    """A value has another type or another size, or a field or a table has another record.
 
     Why: the bytes are read as another number, and what follows them in a frame moves.
 
@@ -27,22 +27,24 @@ def type_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for held in both.all_values:
-        if held.old.size != held.new.size or (held.old.type != held.new.type and not held.reserved):
-            yield _change(held, "type", _of(held.old), _of(held.new), named(held.of.new))
-    for word in both.of(Flags):
+    for value_pair in comparison.all_values:
+        if value_pair.old.size != value_pair.new.size or (
+            value_pair.old.type != value_pair.new.type and not value_pair.reserved
+        ):
+            yield _change(value_pair, "type", _of(value_pair.old), _of(value_pair.new), named(value_pair.of.new))
+    for word in comparison.of(Flags):
         if word.old.type != word.new.type:
             yield _change(word, "type", word.old.type.name, word.new.type.name, named(word.new))
-    for table in both.of(Table):
-        record = both.renamed_to("records", table.old.record)
+    for table in comparison.of(Table):
+        record = comparison.renamed_to("records", table.old.record)
         if record != table.new.record:
             yield _change(table, "record", record, table.new.record, named(table.new))
-    for field in both.of(Field):
-        record = both.renamed_to("records", field.old.record)
+    for field in comparison.of(Field):
+        record = comparison.renamed_to("records", field.old.record)
         old, new = _content(field.old, record), _content(field.new, field.new.record)
         if record != field.new.record or old[0] != new[0]:
             yield _change(field, new[0], old[1], new[1], named(field.new))
-    for part in both.of(Part):
+    for part in comparison.of(Part):
         if (part.old.value is None) != (part.new.value is None):
             yield _change(part, "type", _of(part.old.value), _of(part.new.value), named(part.new))
 
@@ -54,22 +56,24 @@ def _of(value: Value | None) -> str:
 
 
 def _content(field: Field, record: str) -> tuple[str, str]:
-    """The key that says what lies in a field, and what that is."""
+    """The key that gives the type of a field, and the type as text."""
     if field.choice is not None:
         return "choice", f"a choice by {field.choice.by}"
     return ("record", record) if record else ("type", _of(field.value))
 
 
 def _change(
-    held: Values | Pair[Flags] | Pair[Table] | Pair[Field] | Pair[Part], key: str, old: str, new: str, name: str
+    pair: ValuePair | Pair[Flags] | Pair[Table] | Pair[Field] | Pair[Part], key: str, old: str, new: str, name: str
 ) -> Change:
-    return change("type_changed", Effect.WIRE, held, key, f"{name}: {turned('the type', old, new)}", old, new, ALL)
+    return change(
+        "type_changed", Effect.WIRE, pair, key, f"{name}: {difference_text('the type', old, new)}", old, new, ALL
+    )
 
 
-def scale_changed(both: Comparison) -> Iterator[Change]:
-    """One count is worth something else.
+def scale_changed(comparison: Comparison) -> Iterator[Change]:
+    """The scale or the offset of a value is another one.
 
-    Why: the same number on the wire is ten times the distance, or a tenth of it.
+    Why: the same number on the wire is another quantity, such as ten times the distance.
 
     Example: `scale: 0.01` that becomes `scale: 0.001`.
 
@@ -77,20 +81,20 @@ def scale_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for held in both.values:
+    for value_pair in comparison.values:
         for key, old, new in (
-            ("scale", held.old.scale, held.new.scale),
-            ("offset", held.old.offset, held.new.offset),
+            ("scale", value_pair.old.scale, value_pair.new.scale),
+            ("offset", value_pair.old.offset, value_pair.new.offset),
         ):
             if old != new:
-                text = f"{named(held.of.new)}: {turned('the ' + key, old, new)}"
-                yield change("scale_changed", Effect.WIRE, held, key, text, old, new)
+                text = f"{named(value_pair.of.new)}: {difference_text('the ' + key, old, new)}"
+                yield change("scale_changed", Effect.WIRE, value_pair, key, text, old, new)
 
 
-def unit_changed(both: Comparison) -> Iterator[Change]:
+def unit_changed(comparison: Comparison) -> Iterator[Change]:
     """A quantity is in another unit.
 
-    Why: the same number is millimetres where it was pulses.
+    Why: the same number is in millimetres now, and was in pulses.
 
     Example: `unit: pulse` that becomes `unit: mm`.
 
@@ -98,60 +102,67 @@ def unit_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for held in both.values:
-        old, new = held.old.unit, held.new.unit
+    for value_pair in comparison.values:
+        old, new = value_pair.old.unit, value_pair.new.unit
         if old != new:
-            text = f"{named(held.of.new)}: {turned('the unit', old, new)}"
-            yield change("unit_changed", Effect.WIRE, held, "unit", text, old, new, (PYTHON,))
+            text = f"{named(value_pair.of.new)}: {difference_text('the unit', old, new)}"
+            yield change("unit_changed", Effect.WIRE, value_pair, "unit", text, old, new, (PYTHON,))
 
 
-def sentinel_changed(both: Comparison) -> Iterator[Change]:
-    """A value that stands for something else than a quantity has come, has gone, or is another one.
+def sentinel_changed(comparison: Comparison) -> Iterator[Change]:
+    """A special value is new, is gone, or has another name.
 
-    Why: 0xFFFF that meant `ignore` is a distance now, or a distance means `ignore`.
+    Why: 0xFFFF meant `ignore` and is a distance now, or was a distance and means `ignore`.
 
-    Example: `sentinels: [{value: 0xFFFF, name: ignored}]` that loses its only member.
+    Example: `sentinels: [{value: 0xFFFF, name: ignored}]` that loses its only entry.
 
     Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
     own.
     """
 
-    for held in both.values:
-        if held.old.sentinels != held.new.sentinels:
-            yield from _compared(held)
+    for value_pair in comparison.values:
+        if value_pair.old.sentinels != value_pair.new.sentinels:
+            yield from _compared(value_pair)
 
 
-def _compared(held: Values) -> Iterator[Change]:
-    name = named(held.of.new)
-    old, new = ({(one.value, one.text): one.name for one in value.sentinels} for value in (held.old, held.new))
+def _compared(value_pair: ValuePair) -> Iterator[Change]:
+    name = named(value_pair.of.new)
+    old, new = (
+        {(sentinel.value, sentinel.text): sentinel.name for sentinel in value.sentinels}
+        for value in (value_pair.old, value_pair.new)
+    )
     for key in sorted(old.keys() | new.keys()):
         count, value = key
         if key not in new:
             text = f"{name}: {value} no longer stands for {old[key]}"
-            yield _sentinel_change(held, Effect.WIRE, text, f"{value} {old[key]}", "")
+            yield _sentinel_change(value_pair, Effect.WIRE, text, f"{value} {old[key]}", "")
         elif key not in old:
-            effect = Effect.WIRE if _possible(held.old, count) else Effect.BEHAVIOUR
-            yield _sentinel_change(held, effect, f"{name}: {value} stands for {new[key]}", "", f"{value} {new[key]}")
+            effect = Effect.WIRE if _possible(value_pair.old, count) else Effect.BEHAVIOUR
+            yield _sentinel_change(
+                value_pair, effect, f"{name}: {value} stands for {new[key]}", "", f"{value} {new[key]}"
+            )
         elif old[key] != new[key]:
             text = f"{name}: {value} is called {new[key]}, and was called {old[key]}"
-            yield _sentinel_change(held, Effect.SOURCE, text, f"{value} {old[key]}", f"{value} {new[key]}", (PYTHON,))
+            yield _sentinel_change(
+                value_pair, Effect.SOURCE, text, f"{value} {old[key]}", f"{value} {new[key]}", (PYTHON,)
+            )
 
 
 def _possible(value: Value, count: int) -> bool:
-    """Whether a count was a quantity."""
+    """Whether a raw value was permitted as a quantity."""
     return value.ranges is None or count in value.ranges
 
 
 def _sentinel_change(
-    held: Values, effect: Effect, text: str, old: str, new: str, outputs: tuple[str, ...] = ()
+    value_pair: ValuePair, effect: Effect, text: str, old: str, new: str, outputs: tuple[str, ...] = ()
 ) -> Change:
-    return change("sentinel_changed", effect, held, "sentinels", text, old, new, outputs)
+    return change("sentinel_changed", effect, value_pair, "sentinels", text, old, new, outputs)
 
 
-def const_changed(both: Comparison) -> Iterator[Change]:
-    """The one value that a field may have is another one.
+def const_changed(comparison: Comparison) -> Iterator[Change]:
+    """The constant value of a field is another one.
 
-    Why: frames with the old value are refused, and so are those of the old side.
+    Why: the new side refuses frames with the old value, and the old side frames with the new one.
 
     Example: `const: 0x44` that becomes `const: 0x45`.
 
@@ -159,17 +170,17 @@ def const_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for held in both.all_values:
-        old, new = held.old.const, held.new.const
+    for value_pair in comparison.all_values:
+        old, new = value_pair.old.const, value_pair.new.const
         if old != new:
-            text = f"{named(held.of.new)}: {turned('the constant', old, new)}"
-            yield change("const_changed", Effect.WIRE, held, "const", text, old, new)
+            text = f"{named(value_pair.of.new)}: {difference_text('the constant', old, new)}"
+            yield change("const_changed", Effect.WIRE, value_pair, "const", text, old, new)
 
 
-def byte_order_changed(both: Comparison) -> Iterator[Change]:
-    """The bytes of a value, or the words of values of several registers, follow each other in another order.
+def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
+    """The bytes of a value, or the words of a value in several registers, are in another order.
 
-    Why: every number of more than one byte is read as another one.
+    Why: every number of more than one byte is misread.
 
     Example: `byte_order: big` at a link that becomes `byte_order: little`.
 
@@ -177,24 +188,28 @@ def byte_order_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for link in both.of(Link):
+    for link in comparison.of(Link):
         for key in ("byte_order", "word_order"):
             old, new = getattr(link.old, key) or "big", getattr(link.new, key) or "big"
             if old != new:
-                text = f"{named(link.new)}: {turned('the ' + key.replace('_', ' '), old, new)}"
+                text = f"{named(link.new)}: {difference_text('the ' + key.replace('_', ' '), old, new)}"
                 yield change("byte_order_changed", Effect.WIRE, link, key, text, old, new)
-    for part in both.of(Part):
+    for part in comparison.of(Part):
         if part.old.algorithm and part.new.algorithm:
             old, new = part.old.byte_order or "little", part.new.byte_order or "little"
             if old != new:
-                text = f"{named(part.new)}: {turned('the byte order of the check', old, new)}"
+                text = f"{named(part.new)}: {difference_text('the byte order of the checksum', old, new)}"
                 yield change("byte_order_changed", Effect.WIRE, part, "byte_order", text, old, new)
-    for held in both.values:
-        if held.old.byte_order != held.new.byte_order and _ordered(held.old) and _ordered(held.new):
-            old, new = _order(held.old, both.old), _order(held.new, both.new)
+    for value_pair in comparison.values:
+        if (
+            value_pair.old.byte_order != value_pair.new.byte_order
+            and _ordered(value_pair.old)
+            and _ordered(value_pair.new)
+        ):
+            old, new = _order(value_pair.old, comparison.old), _order(value_pair.new, comparison.new)
             if old != new:
-                text = f"{named(held.of.new)}: {turned('the byte order', old, new)}"
-                yield change("byte_order_changed", Effect.WIRE, held, "byte_order", text, old, new)
+                text = f"{named(value_pair.of.new)}: {difference_text('the byte order', old, new)}"
+                yield change("byte_order_changed", Effect.WIRE, value_pair, "byte_order", text, old, new)
 
 
 def _ordered(value: Value) -> bool:
@@ -205,8 +220,9 @@ def _order(value: Value, device: Device) -> str:
     return value.byte_order or device.byte_order
 
 
-def conversion_changed(both: Comparison) -> Iterator[Change]:
-    """A count stands for another share of its reference.
+def conversion_changed(comparison: Comparison) -> Iterator[Change]:
+    """A conversion gives a count another percentage of its reference, applies to other signals, or has other
+    references.
 
     Why: the same count is another speed, torque or distance.
 
@@ -216,16 +232,16 @@ def conversion_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for pair in both.of(Conversion):
-        paths = tuple(map(both.renamed_path, pair.old.references))
-        renamed = tuple(both.renamed_to("signals", name) for name in pair.old.signals)
+    for pair in comparison.of(Conversion):
+        paths = tuple(map(comparison.renamed_path, pair.old.references))
+        renamed = tuple(comparison.renamed_to("signals", name) for name in pair.old.signals)
         for key, what, old, new in (
             ("full_scale", "the full scale", pair.old.full_scale, pair.new.full_scale),
-            ("complement", "taking away from the reference", pair.old.complement, pair.new.complement),
+            ("complement", "subtraction from the reference", pair.old.complement, pair.new.complement),
             ("type", "the type of the count", pair.old.type.name, pair.new.type.name),
-            ("signals", "what it holds for", renamed, pair.new.signals),
-            ("references", "what holds the reference", paths, pair.new.references),
+            ("signals", "what it applies to", renamed, pair.new.signals),
+            ("references", "the reference", paths, pair.new.references),
         ):
             if old != new:
-                text = f"{named(pair.new)}: {turned(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("conversion_changed", Effect.WIRE, pair, key, text, old, new)

@@ -22,46 +22,54 @@ class Misfit:
 
 def misfits(placed: Placed, before: str = "") -> Iterator[Misfit]:
     """All differences of places and sizes; none where the image is exact."""
-    for one in placed.members:
-        path = f"{before}{one.member.name}"
-        wire = one.member.at
-        bit = one.member.bit
-        if wire != one.at or (one.bit or 0) != bit:
-            yield Misfit(path, f"begins at byte {one.at}, on the wire at byte {wire}", one.member.fact)
-        if one.inner is not None:
-            yield from misfits(one.inner, f"{path}.")
-        if one.inner is None and one.count > 1 and one.stride != one.size:
-            yield Misfit(path, f"has its elements {one.stride} bytes apart, on the wire {one.size}", one.member.fact)
+    for placed_member in placed.members:
+        path = f"{before}{placed_member.member.name}"
+        wire = placed_member.member.at
+        bit = placed_member.member.bit
+        if wire != placed_member.at or (placed_member.bit or 0) != bit:
+            yield Misfit(
+                path, f"begins at byte {placed_member.at}, on the wire at byte {wire}", placed_member.member.fact
+            )
+        if placed_member.inner is not None:
+            yield from misfits(placed_member.inner, f"{path}.")
+        if placed_member.inner is None and placed_member.count > 1 and placed_member.stride != placed_member.size:
+            yield Misfit(
+                path,
+                f"has its elements {placed_member.stride} bytes apart, on the wire {placed_member.size}",
+                placed_member.member.fact,
+            )
     if placed.struct.size is not None and placed.size != placed.struct.size:
         path = before.rstrip(".") or placed.struct.name
         yield Misfit(path, f"has {placed.size} bytes, on the wire {placed.struct.size}", placed.struct.fact)
 
 
-def direct(placed: Placed, one: PlacedMember) -> bool:
+def direct(placed: Placed, placed_member: PlacedMember) -> bool:
     """Whether the controller reads a number as it lies there, with its own order of bytes."""
-    kind = innermost(one.member.type)
+    kind = innermost(placed_member.member.type)
     if not isinstance(kind, Elementary) or kind.size < 2:
         return True
-    return one.member.order == placed.memory.order and not one.member.swapped
+    return placed_member.member.order == placed.memory.order and not placed_member.member.swapped
 
 
 def readable(placed: Placed) -> bool:
     """Whether an image is exact, and each number in it is one that the controller reads as it lies."""
-    return not any(True for _ in misfits(placed)) and all(direct(placed, one) for _, _, one in placed.rows())
+    return not any(True for _ in misfits(placed)) and all(
+        direct(placed, placed_member) for _, _, placed_member in placed.rows()
+    )
 
 
 def misfit_findings(placed: Placed) -> list[Diagnostic]:
     """The findings that forbid to take an image for what is on the wire."""
-    made = []
-    for one in misfits(placed):
-        fact = one.fact or placed.struct.fact
+    findings = []
+    for misfit in misfits(placed):
+        fact = misfit.fact or placed.struct.fact
         if fact is not None:
-            made.append(
+            findings.append(
                 Diagnostic(
                     "plc_images_exact",
-                    f"in {placed.struct.key}, for {placed.memory.title}: {one.path} {one.reason}",
+                    f"in {placed.struct.key}, for {placed.memory.title}: {misfit.path} {misfit.reason}",
                     fact.place["name"],
                     help="convert the bytes by a function instead of laying the struct over them",
                 )
             )
-    return made
+    return findings

@@ -78,18 +78,18 @@ class Images:
                 )
                 for field, name, kind_of in zip(record.fields, names, kinds, strict=True)
             )
-            made = Struct(self.naming.struct(record.name, fact), record.name, kind, title, members, record.size, fact)
-            self._records[record.name] = self.structs[made.name] = made
+            struct = Struct(self.naming.struct(record.name, fact), record.name, kind, title, members, record.size, fact)
+            self._records[record.name] = self.structs[struct.name] = struct
         return self._records[record.name]
 
     def _type(self, field: FieldLayout) -> Type:
         if field.record is not None:
             fact = field.record.record
-            one: Type = StructType(self.of(field.record, "record", fact, titled(fact)).name)
+            element: Type = StructType(self.of(field.record, "record", fact, titled(fact)).name)
         else:
             assert field.value is not None
-            one = self._of_value(field.value, field.order, field.swapped)
-        return sequence(elements(field), one) if field.is_list else one
+            element = self._of_value(field.value, field.order, field.swapped)
+        return sequence(elements(field), element) if field.is_list else element
 
     def _of_value(self, value: Value, order: str, swapped: bool) -> Type:
         # A struct has an even number of bytes where bits share bytes.
@@ -118,10 +118,10 @@ class Images:
                 )
                 for name, (_, fact), (byte, at, bit) in zip(names, facts, places, strict=True)
             )
-            made = Struct(
+            struct = Struct(
                 self.naming.struct(flags.name, flags), flags.name, "bits", titled(flags), members, value.size, flags
             )
-            self._bits[key] = self.structs[made.name] = made
+            self._bits[key] = self.structs[struct.name] = struct
         return self._bits[key]
 
 

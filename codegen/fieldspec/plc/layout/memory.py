@@ -81,20 +81,20 @@ class Placed:
 
         Those of words of bits are left out unless `bits` is true.
         """
-        for one in self.members:
-            path = f"{before}{one.member.name}"
-            yield path, at + one.at, one
-            if one.inner is not None and (bits or one.inner.struct.kind != "bits"):
-                path += "[]" if one.is_array else ""
-                yield from one.inner.rows(f"{path}.", at + one.at, bits)
+        for placed_member in self.members:
+            path = f"{before}{placed_member.member.name}"
+            yield path, at + placed_member.at, placed_member
+            if placed_member.inner is not None and (bits or placed_member.inner.struct.kind != "bits"):
+                path += "[]" if placed_member.is_array else ""
+                yield from placed_member.inner.rows(f"{path}.", at + placed_member.at, bits)
 
     def gaps(self) -> Iterator[tuple[int, int]]:
         """The bytes that are filled up: the first one and how many."""
         end = 0
-        for one in self.members:
-            if one.at > end:
-                yield end, one.at - end
-            end = max(end, one.end)
+        for placed_member in self.members:
+            if placed_member.at > end:
+                yield end, placed_member.at - end
+            end = max(end, placed_member.end)
         if self.size > end:
             yield end, self.size - end
 
@@ -111,24 +111,26 @@ def placed(struct: Struct, memory: Memory, structs: Mapping[str, Struct]) -> Pla
             continue
         if bit is not None:
             at, bit = at + 1, None
-        made = _placed(member, memory, structs)
+        sizes = _placed(member, memory, structs)
         of = _alignment(member.type, memory, structs)
         at, alignment = memory.aligned(at, of), max(alignment, of)
-        members.append(PlacedMember(member, at, None, made.size, made.count, made.stride, made.inner, made.is_array))
+        members.append(
+            PlacedMember(member, at, None, sizes.size, sizes.count, sizes.stride, sizes.inner, sizes.is_array)
+        )
         at += _size(member.type, memory, structs)
     end = at if bit is None else at + 1
     return Placed(struct, memory, tuple(members), memory.aligned(end, max(alignment, memory.even)), alignment)
 
 
 def _placed(member: StructMember, memory: Memory, structs: Mapping[str, Struct]) -> PlacedMember:
-    listed = isinstance(member.type, ArrayType)
+    is_array = isinstance(member.type, ArrayType)
     count, kind = 1, member.type
     if isinstance(kind, ArrayType):
         count, kind = kind.high - kind.low + 1, kind.of
     inner = placed(structs[kind.name], memory, structs) if isinstance(kind, StructType) else None
     size = _size(kind, memory, structs)
     return PlacedMember(
-        member, 0, None, size, count, memory.aligned(size, _alignment(kind, memory, structs)), inner, listed
+        member, 0, None, size, count, memory.aligned(size, _alignment(kind, memory, structs)), inner, is_array
     )
 
 
@@ -156,6 +158,6 @@ def _size(kind: Type, memory: Memory, structs: Mapping[str, Struct]) -> int:
             count = kind.high - kind.low + 1
             if memory.bits and isinstance(kind.of, Elementary) and kind.of.family == "truth":
                 return memory.aligned(-(-count // 8), memory.even)
-            one = _size(kind.of, memory, structs)
-            step = memory.aligned(one, _alignment(kind.of, memory, structs))
+            size = _size(kind.of, memory, structs)
+            step = memory.aligned(size, _alignment(kind.of, memory, structs))
             return memory.aligned(step * count, memory.even)

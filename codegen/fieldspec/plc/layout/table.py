@@ -16,41 +16,52 @@ COLUMNS = ("struct", "member", "type", "byte", "bit", "size", "elements", "strid
 def table(structs: Iterable[Placed]) -> list[Sequence[Cell]]:
     """The heading, then for each struct a row with its size and one for each member; no bits within other structs."""
     rows: list[Sequence[Cell]] = [COLUMNS]
-    for one in structs:
-        rows.append((type_name(StructType(one.struct.name)), None, "STRUCT", 0, None, one.size, None, None, None, None))
-        rows += [(type_name(StructType(one.struct.name)), *row) for row in member_rows(one, bits=False)]
+    for placed in structs:
+        rows.append(
+            (type_name(StructType(placed.struct.name)), None, "STRUCT", 0, None, placed.size, None, None, None, None)
+        )
+        rows += [(type_name(StructType(placed.struct.name)), *row) for row in member_rows(placed, bits=False)]
     return rows
 
 
 def member_rows(placed: Placed, bits: bool = True) -> Iterator[tuple[Cell, ...]]:
     """For each member its path, type, byte, bit, size, elements, bytes from one to the next, and how it lies there."""
     wires = wire_bytes(placed)
-    for path, at, one in placed.rows(bits=bits):
-        listed = (one.count, one.stride) if one.is_array else (None, None)
-        size = one.size or None
-        yield path, type_name(one.member.type), at, one.bit, size, *listed, wires.get(path), read(placed, one)
+    for path, at, placed_member in placed.rows(bits=bits):
+        repetition = (placed_member.count, placed_member.stride) if placed_member.is_array else (None, None)
+        size = placed_member.size or None
+        yield (
+            path,
+            type_name(placed_member.member.type),
+            at,
+            placed_member.bit,
+            size,
+            *repetition,
+            wires.get(path),
+            read(placed, placed_member),
+        )
 
 
 def wire_bytes(placed: Placed, before: str = "", start: int = 0) -> dict[str, int]:
     """Where the members of an image lie on the wire, by their paths; nothing for another struct."""
-    found: dict[str, int] = {}
-    for one in placed.members:
-        if one.member.at is not None:
-            path = f"{before}{one.member.name}"
-            found[path] = start + one.member.at
-            if one.inner is not None:
-                inner = f"{path}[]." if one.is_array else f"{path}."
-                found |= wire_bytes(one.inner, inner, start + one.member.at)
-    return found
+    places: dict[str, int] = {}
+    for placed_member in placed.members:
+        if placed_member.member.at is not None:
+            path = f"{before}{placed_member.member.name}"
+            places[path] = start + placed_member.member.at
+            if placed_member.inner is not None:
+                inner = f"{path}[]." if placed_member.is_array else f"{path}."
+                places |= wire_bytes(placed_member.inner, inner, start + placed_member.member.at)
+    return places
 
 
-def read(placed: Placed, one: PlacedMember) -> str:
+def read(placed: Placed, placed_member: PlacedMember) -> str:
     """What a program does to read a number of an image."""
-    if one.member.at is None or one.inner is not None:
+    if placed_member.member.at is None or placed_member.inner is not None:
         return ""
-    if direct(placed, one):
+    if direct(placed, placed_member):
         return "as it lies"
-    return "swap words" if one.member.order == placed.memory.order else "swap bytes"
+    return "swap words" if placed_member.member.order == placed.memory.order else "swap bytes"
 
 
 def type_name(kind: Type) -> str:

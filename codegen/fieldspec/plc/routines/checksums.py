@@ -57,7 +57,7 @@ def checksum(world: World, algorithm: str) -> Routine:
                 else "how many bytes from the first one on are checked; more than there are give 0",
             ),
             Declared(frame, "in_out", "is read only"),
-            *(Declared(one, "local") for one in locals_),
+            *(Declared(variable, "local") for variable in locals_),
         ),
         (Assignment(result, Whole(0, kind)), when(fits, body)),
         (remark,),

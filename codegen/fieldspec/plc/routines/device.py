@@ -19,12 +19,12 @@ from fieldspec.plc.routines.wrapping import framed
 
 def routines(world: World) -> list[Routine]:
     """The routines of a device; of those that make numbers of enums, the ones that others need."""
-    made = list(_all(world))
+    routines = list(_all(world))
     optional = {world.routine(enum, "to_raw") for enum in world.names.enums}
     if not optional:
-        return made
-    needed = set().union(*map(called, made))
-    return [one for one in made if one.name in needed or one.name not in optional]
+        return routines
+    needed = set().union(*map(called, routines))
+    return [routine for routine in routines if routine.name in needed or routine.name not in optional]
 
 
 def _all(world: World) -> Iterator[Routine]:
@@ -38,7 +38,7 @@ def _all(world: World) -> Iterator[Routine]:
     yield from telegram_routines(world)
     links = [link for link in layout.links.values() if framed(link)]
     checks = (part.algorithm for link in links for shape in (link.request, link.response) for part in shape.parts)
-    for algorithm in dict.fromkeys(one for one in checks if one):
+    for algorithm in dict.fromkeys(algorithm for algorithm in checks if algorithm):
         yield checksum(world, algorithm)
     for link in links:
         yield from frame_routines(world, link)

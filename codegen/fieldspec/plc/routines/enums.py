@@ -21,13 +21,13 @@ def enum_routines(world: World, enum: Enum) -> Iterator[Routine]:
 
 def _distinct_members(world: World, enum: Enum, kind: EnumType) -> list[EnumMemberExpression]:
     """The members that there are, one for each number."""
-    found: dict[int, EnumMemberExpression] = {}
+    members: dict[int, EnumMemberExpression] = {}
     for member in enum.members:
-        if not member.unavailable and member.value not in found:
-            found[member.value] = EnumMemberExpression(
+        if not member.unavailable and member.value not in members:
+            members[member.value] = EnumMemberExpression(
                 world.names.enum_members[enum.name][member.name], member.value, kind
             )
-    return list(found.values())
+    return list(members.values())
 
 
 def _from_raw(world: World, enum: Enum, kind: EnumType) -> Routine:
@@ -35,12 +35,12 @@ def _from_raw(world: World, enum: Enum, kind: EnumType) -> Routine:
     value = Variable("eValue", kind)
     name = world.routine(enum.name, "from_raw")
     result = Variable(name, BOOL)
-    listed = _distinct_members(world, enum, kind)
+    members = _distinct_members(world, enum, kind)
     branches: list[tuple[tuple[tuple[int, int] | EnumMemberExpression, ...], tuple[Statement, ...]]] = [
-        (((one.value, one.value),), (Assignment(value, one),)) for one in listed
+        (((member.value, member.value),), (Assignment(value, member),)) for member in members
     ]
     # What a function leaves unwritten is undefined on some controllers.
-    otherwise = (*(Assignment(value, one) for one in listed[:1]), Assignment(result, Truth(False)))
+    otherwise = (*(Assignment(value, member) for member in members[:1]), Assignment(result, Truth(False)))
     return Routine(
         name,
         "enums",
@@ -63,7 +63,7 @@ def _to_raw(world: World, enum: Enum, kind: EnumType) -> Routine:
     name = world.routine(enum.name, "to_raw")
     result = Variable(name, BOOL)
     branches: list[tuple[tuple[tuple[int, int] | EnumMemberExpression, ...], tuple[Statement, ...]]] = [
-        ((one,), (_member_or_number(raw, one),)) for one in _distinct_members(world, enum, kind)
+        ((member,), (_member_or_number(raw, member),)) for member in _distinct_members(world, enum, kind)
     ]
     return Routine(
         name,

@@ -52,7 +52,7 @@ def exchange_blocks(world: World, link: LinkLayout, routines: Sequence[Routine])
     """A block for each message of a link that reads or writes registers; `routines` are those that it may call."""
     if not framed(link):
         return
-    by_name = {one.name: one for one in routines}
+    by_name = {routine.name: routine for routine in routines}
     for message in link.messages.values():
         if message.message.accesses is not None:
             words = (*link_words(world, link), message.name)
@@ -85,9 +85,13 @@ class _Exchange:
         self.world, self.link, self.message, self.build, self.parse = world, link, message, build, parse
         self.declared: list[Declared] = []
         self.status = world.status
-        self.asked = {one.variable.name: one.variable for one in build.of_role("input")}
+        self.asked = {declared.variable.name: declared.variable for declared in build.of_role("input")}
         self.answered: dict[str, Variable] = {}
-        self.taken = {one.variable.name.lower() for one in (*build.declared, *parse.declared) if one.role != "local"}
+        self.taken = {
+            declared.variable.name.lower()
+            for declared in (*build.declared, *parse.declared)
+            if declared.role != "local"
+        }
 
     def _declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
         """A variable of the block itself; where a value of the message has its name, a number stands behind it."""
@@ -112,9 +116,12 @@ class _Exchange:
         received = self._declare("xReceived", BOOL, "input", "its rising edge says that aFrame holds iReceived bytes")
         count = self._declare("iReceived", INT, "input", "how many bytes of aFrame were received")
         failed = self._declare("xFailed", BOOL, "input", "aFrame cannot be sent")
-        lent = {one.variable.name: one for one in (*self.build.of_role("in_out"), *self.parse.of_role("in_out"))}
+        lent = {
+            declared.variable.name: declared
+            for declared in (*self.build.of_role("in_out"), *self.parse.of_role("in_out"))
+        }
         remarks = {"aFrame": "what is sent, and then what was received"}
-        self.declared += [replace(one, remark=remarks.get(key, one.remark)) for key, one in lent.items()]
+        self.declared += [replace(declared, remark=remarks.get(key, declared.remark)) for key, declared in lent.items()]
         done = self._declare("Done", BOOL, "output")
         busy = self._declare("Busy", BOOL, "output")
         aborted = self._declare("CommandAborted", BOOL, "output")
@@ -124,10 +131,10 @@ class _Exchange:
         size = self._declare("iSend", INT, "output", "how many bytes of aFrame are to be sent")
         status = self._declare("eStatus", self.status.type, "output", "what the last function has returned")
         self._answers()
-        held = _Standard(
+        standard = _Standard(
             *(execute, abort, timeout, retries, received, failed, done, busy, aborted, error, error_id, send)
         )
-        body = self._body(held, count, size, status)
+        body = self._body(standard, count, size, status)
         return Routine(name, self.build.group, None, tuple(self.declared), body, tuple(self._remarks()))
 
     def _remarks(self) -> Iterator[str]:
@@ -142,15 +149,15 @@ class _Exchange:
 
     def _answers(self) -> None:
         """Declares what the answer gives: as outputs, or apart where the request has a value of the same name."""
-        for one in self.parse.of_role("output"):
-            name = one.variable.name
+        for declared in self.parse.of_role("output"):
+            name = declared.variable.name
             if name in self.asked:
-                self.answered[name] = self._declare(f"{name}Answered", one.variable.type, "local")
+                self.answered[name] = self._declare(f"{name}Answered", declared.variable.type, "local")
             else:
-                self.declared.append(one)
-                self.answered[name] = one.variable
+                self.declared.append(declared)
+                self.answered[name] = declared.variable
 
-    def _body(self, held: _Standard, count: Variable, size: Variable, status: Variable) -> tuple[Statement, ...]:
+    def _body(self, standard: _Standard, count: Variable, size: Variable, status: Variable) -> tuple[Statement, ...]:
         before = self._declare("xExecuteBefore", BOOL, "local", "so that nothing starts in the first scan", "TRUE")
         received_before = self._declare("xReceivedBefore", BOOL, "local")
         edge, arrived = self._declare("xEdge", BOOL, "local"), self._declare("xArrived", BOOL, "local")
@@ -161,11 +168,11 @@ class _Exchange:
             return compared(state, "=", number(which))
 
         def ended(output: Variable, why: Expression | None = None) -> list[Statement]:
-            first = [Assignment(held.error_id, why)] if why is not None else []
+            first = [Assignment(standard.error_id, why)] if why is not None else []
             return [
                 *first,
-                *(Assignment(output, Truth(True)), Assignment(held.busy, Truth(False))),
-                *(Assignment(held.send, Truth(False)), Assignment(state, number(_IDLE))),
+                *(Assignment(output, Truth(True)), Assignment(standard.busy, Truth(False))),
+                *(Assignment(standard.send, Truth(False)), Assignment(state, number(_IDLE))),
             ]
 
         def because(key: str) -> Whole:
@@ -175,31 +182,33 @@ class _Exchange:
             return [Assignment(reason, because(key))]
 
         def called(routine: Routine, length: Variable, outputs: dict[str, Variable]) -> Assignment:
-            names = [one.variable for one in routine.declared if one.role != "local"]
-            given: dict[str, Expression] = {one.name: outputs.get(one.name, one) for one in names}
-            return Assignment(status, routine.called(**{**given, LENGTH: length}))
+            names = [declared.variable for declared in routine.declared if declared.role != "local"]
+            arguments: dict[str, Expression] = {
+                variable.name: outputs.get(variable.name, variable) for variable in names
+            }
+            return Assignment(status, routine.called(**{**arguments, LENGTH: length}))
 
-        again: list[Statement] = [Assignment(held.send, Truth(False)), Assignment(state, number(_AGAIN))]
+        again: list[Statement] = [Assignment(standard.send, Truth(False)), Assignment(state, number(_AGAIN))]
         good = compared(status, "=", self.status.of("ok"))
         refused = compared(status, "=", self.status.of("refused"))
         differs = self._differences()
         branches: list[tuple[Expression, list[Statement]]] = [
             (Negation(either([good, refused])), noted("damaged")),
             *((test, noted("station")) for test in self._stations()),
-            (refused, ended(held.error, because("exception"))),
+            (refused, ended(standard.error, because("exception"))),
             *([(either(differs), noted("other"))] if differs else []),
         ]
-        judged = Condition(tuple((test, tuple(body)) for test, body in branches), tuple(ended(held.done)))
-        reset = [Assignment(one, Truth(False)) for one in (held.done, held.aborted, held.error)]
+        judged = Condition(tuple((test, tuple(body)) for test, body in branches), tuple(ended(standard.done)))
+        reset = [Assignment(variable, Truth(False)) for variable in (standard.done, standard.aborted, standard.error)]
         idle = [
             when(
-                either([edge, Negation(held.execute)]),
-                [*reset, Assignment(held.error_id, Whole(0, UINT))],
+                either([edge, Negation(standard.execute)]),
+                [*reset, Assignment(standard.error_id, Whole(0, UINT))],
             ),
             when(
                 edge,
                 [
-                    *(Assignment(held.busy, Truth(True)), Assignment(tries, number(0))),
+                    *(Assignment(standard.busy, Truth(True)), Assignment(tries, number(0))),
                     Assignment(state, number(_BUILD)),
                 ],
             ),
@@ -209,34 +218,34 @@ class _Exchange:
             when(
                 good,
                 [
-                    *(Assignment(held.send, Truth(True)), Assignment(reason, because("timeout"))),
+                    *(Assignment(standard.send, Truth(True)), Assignment(reason, because("timeout"))),
                     Assignment(state, number(_WAIT)),
                 ],
-                ended(held.error, because("request")),
+                ended(standard.error, because("request")),
             ),
         ]
         waiting: list[Statement] = [
             when(arrived, [called(self.parse, count, self.answered), judged]),
-            when(every([in_state(_WAIT), held.failed]), [Assignment(reason, because("transport")), *again]),
+            when(every([in_state(_WAIT), standard.failed]), [Assignment(reason, because("transport")), *again]),
             when(every([in_state(_WAIT), Member(timer, "Q", BOOL)]), again),
         ]
         repeating = [
             when(
-                compared(tries, "<", held.retries),
+                compared(tries, "<", standard.retries),
                 [Assignment(tries, plus(tries, 1)), Assignment(state, number(_BUILD))],
-                ended(held.error, reason),
+                ended(standard.error, reason),
             )
         ]
         return (
-            Timing(timer, in_state(_WAIT), held.timeout),
-            Assignment(edge, every([held.execute, Negation(before)])),
-            Assignment(before, held.execute),
-            Assignment(arrived, every([held.received, Negation(received_before)])),
-            Assignment(received_before, held.received),
+            Timing(timer, in_state(_WAIT), standard.timeout),
+            Assignment(edge, every([standard.execute, Negation(before)])),
+            Assignment(before, standard.execute),
+            Assignment(arrived, every([standard.received, Negation(received_before)])),
+            Assignment(received_before, standard.received),
             Condition(
                 (
                     (in_state(_IDLE), tuple(idle)),
-                    (held.abort, tuple(ended(held.aborted))),
+                    (standard.abort, tuple(ended(standard.aborted))),
                     (in_state(_BUILD), tuple(building)),
                     (in_state(_WAIT), tuple(waiting)),
                 ),
@@ -258,7 +267,7 @@ class _Exchange:
     def _differences(self) -> list[Expression]:
         """Whether what the answer repeats differs from what was asked: values of the same name, and how many words."""
         stations = self._station_names()
-        found: list[Expression] = [
+        expressions: list[Expression] = [
             compared(self.answered[name], "<>", variable)
             for name, variable in self.asked.items()
             if name in self.answered and name not in stations
@@ -275,5 +284,5 @@ class _Exchange:
                 kind = self.world.type_of(field.value)
                 words = ours.get(self.world.variable(access.count, kind))
                 if words is not None and elements in theirs and isinstance(kind, Elementary):
-                    found.append(compared(converted(theirs[elements], kind), "<>", words))
-        return found
+                    expressions.append(compared(converted(theirs[elements], kind), "<>", words))
+        return expressions

@@ -65,8 +65,10 @@ TIMER = StructType("TON")
 REAL, LREAL = Elementary("REAL", "real", 4), Elementary("LREAL", "real", 8)
 
 ELEMENTARY = {
-    one.name: one
-    for one in (*(BOOL, BYTE, WORD, DWORD, LWORD, USINT, UINT, UDINT, ULINT, SINT, INT, DINT, LINT, REAL, LREAL),)
+    elementary.name: elementary
+    for elementary in (
+        *(BOOL, BYTE, WORD, DWORD, LWORD, USINT, UINT, UDINT, ULINT, SINT, INT, DINT, LINT, REAL, LREAL),
+    )
 }
 BITS = {1: BYTE, 2: WORD, 4: DWORD, 8: LWORD}
 UNSIGNED = {1: USINT, 2: UINT, 4: UDINT, 8: ULINT}
@@ -232,14 +234,14 @@ def compared(left: Expression, operator: str, right: Expression) -> Operation:
 
 def every(tests: Iterable[Expression]) -> Expression:
     """Whether all of some tests hold."""
-    found = tuple(tests)
-    return found[0] if len(found) == 1 else Operation("AND", found, BOOL)
+    operands = tuple(tests)
+    return operands[0] if len(operands) == 1 else Operation("AND", operands, BOOL)
 
 
 def either(tests: Iterable[Expression]) -> Expression:
     """Whether one of some tests holds."""
-    found = tuple(tests)
-    return found[0] if len(found) == 1 else Operation("OR", found, BOOL)
+    operands = tuple(tests)
+    return operands[0] if len(operands) == 1 else Operation("OR", operands, BOOL)
 
 
 def within(of: Expression, intervals: Iterable[tuple[int, int]], kind: Elementary) -> Expression | None:
@@ -265,11 +267,11 @@ def within(of: Expression, intervals: Iterable[tuple[int, int]], kind: Elementar
 
 def outside(of: Expression, intervals: Iterable[tuple[int, int]], kind: Elementary) -> Expression | None:
     """Whether a whole number lies in none of some intervals; None where every number of its type lies in one."""
-    found = sorted(intervals)
-    inside = within(of, found, kind)
-    if inside is None or len(found) > 1:
+    bounds = sorted(intervals)
+    inside = within(of, bounds, kind)
+    if inside is None or len(bounds) > 1:
         return None if inside is None else Negation(inside)
-    (low, high) = found[0]
+    (low, high) = bounds[0]
     if low == high:
         return compared(of, "<>", Whole(low, kind))
     tests = [compared(of, "<", Whole(low, kind))] if low > kind.low else []

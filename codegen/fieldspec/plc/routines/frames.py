@@ -67,7 +67,7 @@ def _close(world: World, link: LinkLayout) -> Routine:
         world.status,
         f"Completes a request whose body lies from aFrame[{shape.head_size}] on. {_form(link)}",
     )
-    given = {part.name: _part_declared(draft, world, part, "input") for part in head_members(shape)}
+    arguments = {part.name: _part_declared(draft, world, part, "input") for part in head_members(shape)}
     kind = code_type(shape)
     code = draft.declare("uCode" if kind is None else f"{PREFIXES[kind.name]}Code", kind, "input") if kind else None
     body_length = draft.declare("iBodyLength", INT, "input", "bytes of the body")
@@ -81,14 +81,14 @@ def _close(world: World, link: LinkLayout) -> Routine:
     draft.refuse(either([compared(body_length, "<", number(0)), out_of_room]), "no_room")
     for part in shape.head:
         if part.role != "checksum":
-            draft.add(_write_header_part(draft, world, link, shape, part, given, code, total, holder))
+            draft.add(_write_header_part(draft, world, link, shape, part, arguments, code, total, holder))
     check = shape.checksum
     behind = [part for part in shape.tail if part is not check]
     if behind:
         tail = draft.local("iTail")
         draft.add([Assignment(tail, plus(body_length, shape.head_size))])
         for part in behind:
-            draft.add(_constant_written(part, Bytes(frame, tail), part.offset + shape.tail_size))
+            draft.add(_write_constant(part, Bytes(frame, tail), part.offset + shape.tail_size))
     if check is not None:
         total_size = shape.head_size + shape.tail_size
 
@@ -113,7 +113,7 @@ def _write_header_part(
     link: LinkLayout,
     shape: FrameLayout,
     part: PartLayout,
-    given: dict[str, Variable],
+    arguments: dict[str, Variable],
     code: Variable | None,
     total: Expression,
     holder: Holder,
@@ -132,8 +132,8 @@ def _write_header_part(
         assert code is not None
         return _stored(draft, wire, holder, part, code)
     if part.constant is not None:
-        return _constant_written(part, holder, part.offset)
-    source = given[part.name]
+        return _write_constant(part, holder, part.offset)
+    source = arguments[part.name]
     stations = link.link.unit_addresses
     statements: list[Statement] = []
     if part.role == "unit_address" and stations is not None and stations.ranges is not None:
@@ -146,7 +146,7 @@ def _write_header_part(
     return [*statements, *write(draft, world, wire, holder, part.offset, source)]
 
 
-def _constant_written(part: PartLayout, holder: Holder, offset: int) -> list[Statement]:
+def _write_constant(part: PartLayout, holder: Holder, offset: int) -> list[Statement]:
     """What puts the constant of a part at an offset."""
     wire = wire_of(part)
     assert part.constant is not None
@@ -155,15 +155,15 @@ def _constant_written(part: PartLayout, holder: Holder, offset: int) -> list[Sta
 
 def _units(shape: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
     """What a length part holds in a frame of `total` bytes, and the conditions under which no number says it."""
-    counted = plus(total, -part.base)
+    size_from_base = plus(total, -part.base)
     tests: list[Expression] = (
-        [compared(counted, "<", number(0))] if part.base > shape.head_size + shape.tail_size else []
+        [compared(size_from_base, "<", number(0))] if part.base > shape.head_size + shape.tail_size else []
     )
     if part.unit_size == 1:
-        return counted, tests
+        return size_from_base, tests
     size = number(part.unit_size)
-    tests.append(compared(Operation("MOD", (counted, size), INT), "<>", number(0)))
-    return Operation("/", (counted, size), INT), tests
+    tests.append(compared(Operation("MOD", (size_from_base, size), INT), "<>", number(0)))
+    return Operation("/", (size_from_base, size), INT), tests
 
 
 def _stored(draft: Draft, wire: Wire, holder: Holder, part: PartLayout, source: Variable) -> list[Statement]:
@@ -186,7 +186,7 @@ def _open(world: World, link: LinkLayout) -> Routine:
     )
     length = draft.declare(LENGTH, INT, "input", "bytes of the response")
     frame = draft.declare("aFrame", world.frame, "in_out", "is read only")
-    held = {part.name: _part_declared(draft, world, part, "output") for part in head_members(shape)}
+    outputs = {part.name: _part_declared(draft, world, part, "output") for part in head_members(shape)}
     kind = code_type(shape)
     error = link.link.exception_response
     flag = "" if error is None else ", without the mark of a refusal"
@@ -201,9 +201,9 @@ def _open(world: World, link: LinkLayout) -> Routine:
         draft.add([Assignment(refused, Truth(False))])
     draft.refuse(compared(length, "<", number(least)), "incomplete")
     draft.refuse(compared(length, ">", number(world.frame.high + 1)), "no_room")
-    counted = shape.role("length")
-    if counted is not None:
-        draft.refuse(_length_differs(world, shape, counted, holder, length), "wrong_length")
+    length_part = shape.role("length")
+    if length_part is not None:
+        draft.refuse(_length_differs(world, shape, length_part, holder, length), "wrong_length")
     check = shape.checksum
     if check is not None:
 
@@ -218,7 +218,7 @@ def _open(world: World, link: LinkLayout) -> Routine:
         draft.refuse(compared(wide, "<>", have), "wrong_check")
     for part in shape.head:
         if part.role not in ("length", "code", "checksum") and not part.reserved:
-            target = held.get(part.name)
+            target = outputs.get(part.name)
             draft.add(read(draft, world, wire_of(part), holder, part.offset, target))
     behind = [part for part in shape.tail if part is not check and not part.reserved]
     if behind:

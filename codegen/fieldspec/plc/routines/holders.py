@@ -145,8 +145,8 @@ class Words:
     def byte_stored(self, offset: int, byte: Expression) -> Statement:
         """See `Holder`. The other byte of the word stays as it is."""
         word, above = self._word(offset), self._above(offset)
-        kept = Operation("AND", (word, Whole(0x00FF if above else 0xFF00, WORD)), WORD)
-        return Assignment(word, Operation("OR", (kept, joined([(byte, 8 if above else 0)], 2)), WORD))
+        other_byte = Operation("AND", (word, Whole(0x00FF if above else 0xFF00, WORD)), WORD)
+        return Assignment(word, Operation("OR", (other_byte, joined([(byte, 8 if above else 0)], 2)), WORD))
 
     def _steps(self, offset: int, size: int, order: str, swapped: bool) -> list[int] | None:
         """By how many bits each word is moved, None where the value does not consist of whole words as they are."""
@@ -174,7 +174,7 @@ class Words:
 
 
 def _highest_first(parts: Iterable[tuple[Expression, int]]) -> list[tuple[Expression, int]]:
-    return sorted(parts, key=lambda one: -one[1])
+    return sorted(parts, key=lambda place: -place[1])
 
 
 def _part(bits: Expression, moved: int, size: int) -> Expression:

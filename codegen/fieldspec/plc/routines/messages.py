@@ -100,12 +100,12 @@ def _type(world: World, message: MessageLayout, field: FieldLayout) -> Type:
 def _of_message(world: World, link: LinkLayout, message: MessageLayout, deed: str) -> tuple[str, str, str]:
     title = message.message.title or message.name.replace("_", " ")
     code = message.message.code
-    told = f"{title} (code {code}) on {link.name}" if code is not None else f"{title} on {link.name}"
+    subject = f"{title} (code {code}) on {link.name}" if code is not None else f"{title} on {link.name}"
     source = world.comment(message.message, None)
     return (
         world.routine(deed, *link_words(world, link), message.name),
         f"messages of {link.name}",
-        f"{deed.title()}s {'the request' if deed == 'build' else 'the response'}: {told}. {source}".strip(),
+        f"{deed.title()}s {'the request' if deed == 'build' else 'the response'}: {subject}. {source}".strip(),
     )
 
 
@@ -294,12 +294,12 @@ def _read_body(
     for field in record.fields:
         if field.field.measures is not None:
             wire = Wire.of_field(field)
-            held = holder.number(field.offset, field.size, wire.order, wire.swapped)
+            bits = holder.number(field.offset, field.size, wire.order, wire.swapped)
             measured = _measure(record, field, fields, element)
             wanted = (
                 Whole(measured.value, wire.bits) if isinstance(measured, Whole) else Conversion(measured, wire.bits)
             )
-            draft.refuse(compared(held, "<>", wanted), "wrong_measure")
+            draft.refuse(compared(bits, "<>", wanted), "wrong_measure")
 
 
 def _element_count(
@@ -319,8 +319,8 @@ def _element_count(
 def telegrams(layout: DeviceLayout) -> list[MessageLayout]:
     """The messages that are sent without anything around them."""
     links = [link for link in layout.links.values() if not framed(link)]
-    found = {message.name: message for link in links for message in link.messages.values()}
-    return list(found.values())
+    messages = {message.name: message for link in links for message in link.messages.values()}
+    return list(messages.values())
 
 
 def telegram_routines(world: World) -> Iterator[Routine]:

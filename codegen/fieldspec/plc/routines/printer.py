@@ -108,10 +108,12 @@ def declaration(routine: Routine, spelling: Spelling) -> list[str]:
         if not declared:
             continue
         lines.append("VAR" if role == "local" and routine.returns is None else word)
-        for one in declared:
-            beside = f" {form.format(comment_text(one.remark))}" if one.remark else ""
-            initial = f" := {one.initial}" if one.initial else ""
-            lines.append(f"{_STEP}{one.variable.name} : {type_text(one.variable.type, spelling)}{initial};{beside}")
+        for variable in declared:
+            beside = f" {form.format(comment_text(variable.remark))}" if variable.remark else ""
+            initial = f" := {variable.initial}" if variable.initial else ""
+            lines.append(
+                f"{_STEP}{variable.variable.name} : {type_text(variable.variable.type, spelling)}{initial};{beside}"
+            )
         lines.append("END_VAR")
     return lines
 
@@ -130,11 +132,11 @@ def routine_text(routine: Routine, spelling: Spelling) -> list[str]:
 
 def call_lines(routine: Routine, spelling: Spelling, **others: Expression) -> list[str]:
     """A call whose arguments are variables that are called as the parameters, or `others` by the parameters' names."""
-    names = [one.variable for one in routine.declared if one.role != "local"]
-    given: dict[str, Expression] = {one.name: others.get(one.name, one) for one in names}
+    names = [declared.variable for declared in routine.declared if declared.role != "local"]
+    arguments: dict[str, Expression] = {variable.name: others.get(variable.name, variable) for variable in names}
     assert routine.returns is not None
     result = Variable("eStatus", routine.returns)
-    return _body((Assignment(result, routine.called(**given)),), spelling, "")
+    return _body((Assignment(result, routine.called(**arguments)),), spelling, "")
 
 
 def _body(body: Body, spelling: Spelling, indent: str) -> list[str]:
@@ -161,7 +163,7 @@ def _write(statement: Statement, spelling: Spelling, indent: str, lines: list[st
                 lines += _body(otherwise, spelling, inner)
             lines.append(f"{indent}END_IF;")
         case Timing(timer, running, time):
-            texts = (_text(one, spelling) for one in (timer, running, time))
+            texts = (_text(expression, spelling) for expression in (timer, running, time))
             lines.append("{}{}(IN := {}, PT := {});".format(indent, *texts))
         case Return():
             lines.append(f"{indent}RETURN;")
@@ -217,8 +219,8 @@ def _broken(before: str, value: Expression, after: str, spelling: Spelling, inde
         case Operation(operator, operands) if operator in _ASSOCIATIVE:
             parts = _operands(operator, operands, spelling)
         case Call() if value.inputs:
-            given = _arguments(value, spelling)
-            parts = [*(f"{one}," for one in given[:-1]), given[-1]]
+            arguments = _arguments(value, spelling)
+            parts = [*(f"{text}," for text in arguments[:-1]), arguments[-1]]
             before, end = f"{before}{spelling.routine.format(value.routine)}(", ")"
         case Conversion(Operation(operator, operands) as of, to) if operator in _ASSOCIATIVE:
             parts = _operands(operator, operands, spelling)
@@ -231,8 +233,8 @@ def _broken(before: str, value: Expression, after: str, spelling: Spelling, inde
 
 def _operands(operator: str, operands: Sequence[Expression], spelling: Spelling) -> list[str]:
     """Operands with the operator before each but the first."""
-    first, *others = (_operand(one, operator, spelling) for one in operands)
-    return [first, *(f"{operator} {one}" for one in others)]
+    first, *others = (_operand(operand, operator, spelling) for operand in operands)
+    return [first, *(f"{operator} {text}" for text in others)]
 
 
 def _name_of(kind: Type) -> str:
@@ -250,8 +252,8 @@ def _operand(of: Expression, operator: str, spelling: Spelling) -> str:
 
 def _arguments(call: Call, spelling: Spelling) -> list[str]:
     return [
-        *(f"{name} := {_text(given, spelling)}" for name, given in call.inputs),
-        *(f"{name} => {_text(given, spelling)}" for name, given in call.outputs),
+        *(f"{name} := {_text(value, spelling)}" for name, value in call.inputs),
+        *(f"{name} => {_text(value, spelling)}" for name, value in call.outputs),
     ]
 
 
@@ -272,7 +274,7 @@ def _element(of: Element, spelling: Spelling) -> str:
 
 
 def _operation(of: Operation, spelling: Spelling) -> str:
-    return f" {of.operator} ".join([_operand(one, of.operator, spelling) for one in of.operands])
+    return f" {of.operator} ".join([_operand(operand, of.operator, spelling) for operand in of.operands])
 
 
 def _negation(of: Negation, spelling: Spelling) -> str:

@@ -99,7 +99,7 @@ def _to_bits(world: World) -> Routine:
     fraction = draft.local("diFraction", DINT)
     negative = draft.local("xNegative", BOOL)
     zero = _real("0.0")
-    two, one = _real("2.0"), _real("1.0")
+    two, unit = _real("2.0"), _real("1.0")
     # Only what is no number is none of these; only an infinity is its own half.
     ordered = either([compared(value, "<", zero), compared(value, "=", zero), compared(value, ">", zero)])
     half = Operation("/", (value, two), REAL)
@@ -113,14 +113,14 @@ def _to_bits(world: World) -> Routine:
     )
 
     draft.refuse(Negation(ordered), "no_number")
-    draft.refuse(every([compared(rest, ">", one), compared(half, "=", value)]), "no_number")
+    draft.refuse(every([compared(rest, ">", unit), compared(half, "=", value)]), "no_number")
     draft.add([when(compared(rest, "=", zero), [*draft.status.give(draft.result, "ok")])])
     shrink = when(
         compared(rest, ">=", two),
         [Assignment(rest, Operation("/", (rest, two), REAL)), Assignment(exponent, plus(exponent, 1))],
     )
     grow = when(
-        every([compared(rest, "<", one), compared(exponent, ">", number(1))]),
+        every([compared(rest, "<", unit), compared(exponent, ">", number(1))]),
         [Assignment(rest, Operation("*", (rest, two), REAL)), Assignment(exponent, plus(exponent, -1))],
     )
     scaled = Operation("*", (rest, _real("8388608.0")), REAL)

@@ -49,11 +49,13 @@ def members_of(world: World, record: RecordLayout, struct: Expression) -> Place:
 
 def field_type(world: World, field: FieldLayout) -> Type:
     """The type of a field's variable; for a list, that of as many elements as there can be."""
-    one = world.struct(field.record.name) if field.record is not None else world.type_of(Wire.of_field(field).value)
+    element_type = (
+        world.struct(field.record.name) if field.record is not None else world.type_of(Wire.of_field(field).value)
+    )
     if not field.is_list:
-        return one
+        return element_type
     repeat = field.field.repeat
-    return ArrayType(0, (repeat.high if repeat is not None else field.count or 1) - 1, one)
+    return ArrayType(0, (repeat.high if repeat is not None else field.count or 1) - 1, element_type)
 
 
 def read_fields(draft: Draft, world: World, record: RecordLayout, holder: Holder, place: Place) -> list[Statement]:
@@ -73,13 +75,13 @@ def read_field(
         return []
     target = place(field) if is_user_field(field) else None
 
-    def one(at: Holder, offset: int, held: Expression | None) -> list[Statement]:
+    def element_statements(at: Holder, offset: int, variable: Expression | None) -> list[Statement]:
         if field.record is not None:
-            assert held is not None
-            return read_fields(draft, world, field.record, at.behind(offset), members_of(world, field.record, held))
-        return read(draft, world, Wire.of_field(field), at, offset, held)
+            assert variable is not None
+            return read_fields(draft, world, field.record, at.behind(offset), members_of(world, field.record, variable))
+        return read(draft, world, Wire.of_field(field), at, offset, variable)
 
-    return _each(draft, field, holder, target, count, one)
+    return _each(draft, field, holder, target, count, element_statements)
 
 
 def write_fields(draft: Draft, world: World, record: RecordLayout, holder: Holder, place: Place) -> list[Statement]:
@@ -98,42 +100,49 @@ def write_field(
     if not is_user_field(field):
         return write_number(Wire.of_field(field), holder, field.offset, field.count or 0)
 
-    def one(at: Holder, offset: int, held: Expression | None) -> list[Statement]:
-        assert held is not None
+    def element_statements(at: Holder, offset: int, variable: Expression | None) -> list[Statement]:
+        assert variable is not None
         if field.record is not None:
-            return write_fields(draft, world, field.record, at.behind(offset), members_of(world, field.record, held))
-        return write(draft, world, Wire.of_field(field), at, offset, held)
+            return write_fields(
+                draft, world, field.record, at.behind(offset), members_of(world, field.record, variable)
+            )
+        return write(draft, world, Wire.of_field(field), at, offset, variable)
 
-    return _each(draft, field, holder, place(field), count, one)
+    return _each(draft, field, holder, place(field), count, element_statements)
 
 
 _Element = Callable[[Holder, int, Expression | None], list[Statement]]
 
 
 def _each(
-    draft: Draft, field: FieldLayout, holder: Holder, target: Expression | None, count: Expression | None, one: _Element
+    draft: Draft,
+    field: FieldLayout,
+    holder: Holder,
+    target: Expression | None,
+    count: Expression | None,
+    statements_of: _Element,
 ) -> list[Statement]:
     """The statements for a field: once, or for each of its elements in a loop."""
     if not field.is_list:
-        return one(holder, field.offset, target)
+        return statements_of(holder, field.offset, target)
     assert target is not None
     assert isinstance(target.type, ArrayType)
     start, step = holder.behind(field.offset).index(), field.size // holder.unit
     if start is None or field.size % holder.unit:
         assert count is None
         elements = [Element(target, number(at), target.type.of) for at in range(field.count or 1)]
-        inner = [one(holder, field.offset + at * field.size, held) for at, held in enumerate(elements)]
+        inner = [statements_of(holder, field.offset + at * field.size, element) for at, element in enumerate(elements)]
         return [statement for statements in inner for statement in statements]
     index = _free_index(draft, target)
-    held = Element(target, index, target.type.of)
+    element = Element(target, index, target.type.of)
     here = added([start, Operation("*", (index, number(step)), INT) if step > 1 else index], INT)
     if isinstance(start, Whole) and start.value == 0 and step == 1:
         here = index
     if field.record is None and field.size == holder.unit:
-        statements = one(holder.moved(here), 0, held)
+        statements = statements_of(holder.moved(here), 0, element)
     else:
         at = draft.local(f"iAt{index.name[1:]}")
-        statements = [Assignment(at, here), *one(holder.moved(at), 0, held)]
+        statements = [Assignment(at, here), *statements_of(holder.moved(at), 0, element)]
     last = plus(count, -1) if count is not None else number((field.count or 1) - 1)
     return [Loop(index, number(0), last, tuple(statements))]
 
@@ -164,21 +173,21 @@ def selecting(draft: Draft, world: World, selector: FieldLayout, source: Express
     if not isinstance(source.type, EnumType):
         return source
     kind = world.raw_type(value.enum)
-    held = draft.local(f"{PREFIXES[kind.name]}Selected", kind)
-    call = world.enum_to_raw(value.enum, source, held)
+    number = draft.local(f"{PREFIXES[kind.name]}Selected", kind)
+    call = world.enum_to_raw(value.enum, source, number)
     draft.refuse(Negation(call), "unknown_value")
-    return held
+    return number
 
 
 def _shapes(field: FieldLayout) -> list[tuple[CaseLayout, frozenset[int]]]:
     """The cases that differ on the wire, each with all numbers that choose it."""
-    found: dict[tuple[object, ...], tuple[CaseLayout, frozenset[int]]] = {}
+    shapes: dict[tuple[object, ...], tuple[CaseLayout, frozenset[int]]] = {}
     for case in field.cases:
         truth = case.value.type.kind is Kind.BOOLEAN
         key = (case.value.size, case.order, case.swapped, truth)
-        before = found.get(key)
-        found[key] = (case, case.numbers | (before[1] if before else frozenset()))
-    return list(found.values())
+        before = shapes.get(key)
+        shapes[key] = (case, case.numbers | (before[1] if before else frozenset()))
+    return list(shapes.values())
 
 
 def read_choice(
@@ -214,11 +223,13 @@ def read_choice(
     branches = []
     for case, numbers in _shapes(field):
         bits = Bytes(holder.array, at).number(0, case.value.size, case.order, case.swapped)
-        held = Element(target, index, wide)
-        body: list[Statement] = [Assignment(held, converted(bits, wide))]
+        target_element = Element(target, index, wide)
+        body: list[Statement] = [Assignment(target_element, converted(bits, wide))]
         if case.value.type.kind is Kind.BOOLEAN:
             whole = UNSIGNED[wide.size]
-            body.append(draft.refusal(compared(converted(held, whole), ">", Whole(1, whole)), "unknown_value"))
+            body.append(
+                draft.refusal(compared(converted(target_element, whole), ">", Whole(1, whole)), "unknown_value")
+            )
         branches.append((tuple(runs(numbers)), tuple(body)))
     here = plus(holder.first, holder.start + field.offset)
     place = Operation("+", (here, Operation("*", (index, element), INT)), INT)
@@ -244,16 +255,18 @@ def write_choice(
     ]
     index, at = draft.local("iElement"), draft.local("iAtElement")
     wide = _widest(field)
-    held = Element(source, index, wide)
+    source_element = Element(source, index, wide)
     branches = []
     for case, numbers in _shapes(field):
         highest = 1 if case.value.type.kind is Kind.BOOLEAN else (1 << (8 * case.value.size)) - 1
         body: list[Statement] = []
         if highest < wide.high:
             whole = UNSIGNED[wide.size]
-            body.append(draft.refusal(compared(converted(held, whole), ">", Whole(highest, whole)), "out_of_range"))
+            body.append(
+                draft.refusal(compared(converted(source_element, whole), ">", Whole(highest, whole)), "out_of_range")
+            )
         raw = draft.local("dwRaw" if wide.size == 4 else f"{PREFIXES[wide.name]}Raw", wide)
-        body.append(Assignment(raw, held))
+        body.append(Assignment(raw, source_element))
         body += Bytes(holder.array, at).stored(0, case.value.size, case.order, case.swapped, raw)
         branches.append((tuple(runs(numbers)), tuple(body)))
     here = plus(holder.first, holder.start + field.offset)

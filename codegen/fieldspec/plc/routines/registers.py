@@ -61,13 +61,13 @@ def _order_comment(world: World, record: RecordLayout) -> str:
 
 def wires(record: RecordLayout) -> list[Wire]:
     """The values of a record and of those within it."""
-    found = []
+    values = []
     for field in record.fields:
         if field.record is not None:
-            found += wires(field.record)
+            values += wires(field.record)
         elif field.value is not None:
-            found.append(Wire.of_field(field))
-    return found
+            values.append(Wire.of_field(field))
+    return values
 
 
 def _words(world: World, draft: Draft, record: RecordLayout, remark: str) -> tuple[Words, int]:
@@ -113,9 +113,9 @@ def _packed(world: World, record: RecordLayout, read_only: list[str]) -> Routine
     return draft.finished()
 
 
-def _address(world: World, laid: TableLayout) -> Routine:
+def _address(world: World, table_layout: TableLayout) -> Routine:
 
-    table = laid.table
+    table = table_layout.table
     draft = Draft(
         world.routine(table.name, "address"),
         f"table {table.name}",
@@ -139,19 +139,21 @@ def group_routines(world: World) -> Iterator[Routine]:
         yield _holds(world)
     for group in world.layout.device.groups:
         registers = registers_of(world.layout, group)
-        read_registers = [laid for laid in registers if readable(laid.register.access)]
+        read_registers = [register for register in registers if readable(register.register.access)]
         # Where no access is printed, writing is what a trigger is for.
-        written_registers = [laid for laid in registers if writable(laid.register.access) or laid.register.trigger]
+        writable_registers = [
+            register for register in registers if writable(register.register.access) or register.register.trigger
+        ]
         if read_registers:
             yield _words_to_group(world, group, read_registers)
-        if written_registers:
-            yield _group_to_words(world, group, written_registers)
+        if writable_registers:
+            yield _group_to_words(world, group, writable_registers)
 
 
 def registers_of(layout: DeviceLayout, group: RegisterGroup) -> list[RegisterLayout]:
     """The registers of a group."""
     own = {id(register) for register in group.registers}
-    return [laid for laid in layout.registers if id(laid.register) in own]
+    return [register for register in layout.registers if id(register.register) in own]
 
 
 def _holds(world: World) -> Routine:
@@ -188,29 +190,29 @@ def _sum(left: Expression, right: Expression) -> Expression:
     return Operation("+", (Conversion(left, UDINT), Conversion(right, UDINT)), UDINT)
 
 
-def register_type(world: World, laid: RegisterLayout) -> Type:
+def register_type(world: World, register: RegisterLayout) -> Type:
     """The type of a register's variable; an array where there are several equal ones."""
-    return _each(laid, world.type_of(laid.register.value))
+    return _each(register, world.type_of(register.register.value))
 
 
-def answer_type(world: World, laid: RegisterLayout) -> Type | None:
+def answer_type(world: World, register_layout: RegisterLayout) -> Type | None:
     """The type of a variable of its own for what the device answers, where that of the register does not hold it.
 
     An enumeration holds what may be written to start something, but not any number that reading may give. So what is
     read never changes what is to be written either.
     """
-    register = laid.register
+    register = register_layout.register
     own, answer = world.type_of(register.value), world.type_of(register.answer)
-    return _each(laid, answer) if readable(register.access) and own != answer else None
+    return _each(register_layout, answer) if readable(register.access) and own != answer else None
 
 
-def answer_name(laid: RegisterLayout) -> str:
+def answer_name(register: RegisterLayout) -> str:
     """What the variable of an answer is called in the language."""
-    return f"{laid.name}_answer"
+    return f"{register.name}_answer"
 
 
-def _each(laid: RegisterLayout, one: Type) -> Type:
-    return sequence(laid.count, one) if laid.count > 1 else one
+def _each(register: RegisterLayout, element_type: Type) -> Type:
+    return sequence(register.count, element_type) if register.count > 1 else element_type
 
 
 # The statements for one register, from its words and its variable.
@@ -231,37 +233,39 @@ class _Range:
         draft.add([Assignment(self.taken, number(0))])
 
     def each(
-        self, laid: RegisterLayout, struct: Variable, answer: Type | None, one: _RegisterHolder
+        self, register: RegisterLayout, struct: Variable, answer: Type | None, statements_of: _RegisterHolder
     ) -> list[Statement]:
         """The statements for a register, or for each of several equal ones, if it lies in the words.
 
         `answer` is the type of the variable that receives what is read, where that is one of its own.
         """
-        kind, name = answer or register_type(self.world, laid), answer_name(laid) if answer else laid.name
+        kind, name = answer or register_type(self.world, register), answer_name(register) if answer else register.name
         member = Member(struct, self.world.member(self.group.name, name), kind)
-        if laid.count == 1:
-            return [self._if_there(laid, Whole(laid.address, UINT), member, one)]
+        if register.count == 1:
+            return [self._if_there(register, Whole(register.address, UINT), member, statements_of)]
         index = self.draft.local("iElement")
         assert isinstance(kind, ArrayType)
-        held = Element(member, index, kind.of)
+        element = Element(member, index, kind.of)
         steps: Expression = Conversion(index, UINT)
-        if laid.stride > 1:
-            steps = Operation("*", (steps, Whole(laid.stride, UINT)), UINT)
+        if register.stride > 1:
+            steps = Operation("*", (steps, Whole(register.stride, UINT)), UINT)
         address = self.draft.local("uiRegister", UINT)
         inner = [
-            Assignment(address, Operation("+", (Whole(laid.address, UINT), steps), UINT)),
-            self._if_there(laid, address, held, one),
+            Assignment(address, Operation("+", (Whole(register.address, UINT), steps), UINT)),
+            self._if_there(register, address, element, statements_of),
         ]
-        return [Loop(index, number(0), number(laid.count - 1), tuple(inner))]
+        return [Loop(index, number(0), number(register.count - 1), tuple(inner))]
 
-    def _if_there(self, laid: RegisterLayout, address: Expression, held: Expression, one: _RegisterHolder) -> Statement:
+    def _if_there(
+        self, register: RegisterLayout, address: Expression, variable: Expression, statements_of: _RegisterHolder
+    ) -> Statement:
         call = Call(
             self.world.routine("holds"),
             (
                 ("uiAddress", self.address),
                 ("iCount", self.count),
                 ("uiRegister", address),
-                ("uiSize", Whole(laid.words, UINT)),
+                ("uiSize", Whole(register.words, UINT)),
             ),
             (),
             BOOL,
@@ -272,15 +276,15 @@ class _Range:
             call,
             [
                 Assignment(self.at, place),
-                *one(words, held),
-                Assignment(self.taken, plus(self.taken, laid.words)),
+                *statements_of(words, variable),
+                Assignment(self.taken, plus(self.taken, register.words)),
             ],
         )
 
 
 def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> str:
-    first = min(laid.address for laid in registers)
-    last = max(laid.register.end for laid in registers) - 1
+    first = min(register.address for register in registers)
+    last = max(register.register.end for register in registers) - 1
     section = f" [{group.section}]" if group.section else ""
     title = group.title or group.name.replace("_", " ")
     return (
@@ -289,7 +293,7 @@ def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout]) 
 
 
 def _order(registers: list[RegisterLayout]) -> str:
-    return word_order(Wire.of_register(laid) for laid in registers)
+    return word_order(Wire.of_register(register) for register in registers)
 
 
 def _words_to_group(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
@@ -300,15 +304,17 @@ def _words_to_group(world: World, group: RegisterGroup, registers: list[Register
         f"Registers to struct: {_about(world, group, registers)}",
         "Each register that lies wholly in the words is put into the struct; the others stay as they are.",
     )
-    given = _Range(world, group, draft, "is read only")
+    words_range = _Range(world, group, draft, "is read only")
     struct = draft.declare("stData", world.struct(group.name), "in_out", "receives the values")
-    for laid in registers:
+    for register in registers:
 
-        def one(words: Words, held: Expression, laid: RegisterLayout = laid) -> list[Statement]:
-            return read(draft, world, Wire.of_answer(laid), words, 0, held)
+        def register_statements(
+            words: Words, variable: Expression, register: RegisterLayout = register
+        ) -> list[Statement]:
+            return read(draft, world, Wire.of_answer(register), words, 0, variable)
 
-        draft.add(given.each(laid, struct, answer_type(world, laid), one))
-    draft.refuse(compared(given.taken, "=", number(0)), "not_covered")
+        draft.add(words_range.each(register, struct, answer_type(world, register), register_statements))
+    draft.refuse(compared(words_range.taken, "=", number(0)), "not_covered")
     return draft.finished()
 
 
@@ -322,13 +328,15 @@ def _group_to_words(world: World, group: RegisterGroup, registers: list[Register
         "Where a value is refused, some of the words may have been changed: do not send them.",
     )
     struct = draft.declare("stData", world.struct(group.name), "in_out", "is read only")
-    given = _Range(world, group, draft, "receives the words")
-    for laid in registers:
+    words_range = _Range(world, group, draft, "receives the words")
+    for register in registers:
 
-        def one(words: Words, held: Expression, laid: RegisterLayout = laid) -> list[Statement]:
-            return write(draft, world, Wire.of_register(laid), words, 0, held)
+        def register_statements(
+            words: Words, variable: Expression, register: RegisterLayout = register
+        ) -> list[Statement]:
+            return write(draft, world, Wire.of_register(register), words, 0, variable)
 
-        draft.add(given.each(laid, struct, None, one))
-    wrong = [compared(given.count, "<=", number(0)), compared(given.taken, "<>", given.count)]
+        draft.add(words_range.each(register, struct, None, register_statements))
+    wrong = [compared(words_range.count, "<=", number(0)), compared(words_range.taken, "<>", words_range.count)]
     draft.refuse(either(wrong), "not_covered")
     return draft.finished()

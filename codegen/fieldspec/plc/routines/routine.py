@@ -125,18 +125,18 @@ class Routine:
 
     def of_role(self, role: str) -> list[Declared]:
         """The variables with a role."""
-        return [one for one in self.declared if one.role == role]
+        return [declared for declared in self.declared if declared.role == role]
 
-    def called(self, **given: Expression) -> Call:
+    def called(self, **arguments: Expression) -> Call:
         """A call with an expression for every parameter."""
         assert self.returns is not None
-        outputs = {one.variable.name for one in self.of_role("output")}
-        wanted = [one.variable.name for one in self.declared if one.role != "local"]
-        assert sorted(given) == sorted(wanted), (self.name, sorted(given), sorted(wanted))
+        outputs = {declared.variable.name for declared in self.of_role("output")}
+        wanted = [declared.variable.name for declared in self.declared if declared.role != "local"]
+        assert sorted(arguments) == sorted(wanted), (self.name, sorted(arguments), sorted(wanted))
         return Call(
             self.name,
-            tuple((name, given[name]) for name in wanted if name not in outputs),
-            tuple((name, given[name]) for name in wanted if name in outputs),
+            tuple((name, arguments[name]) for name in wanted if name not in outputs),
+            tuple((name, arguments[name]) for name in wanted if name in outputs),
             self.returns,
         )
 
@@ -205,41 +205,41 @@ def used(body: Body) -> set[str]:
 
 def _names(body: Body) -> tuple[set[str], set[str]]:
     """The names of the routines that some statements call, and those of their variables."""
-    found: set[str] = set()
+    routines: set[str] = set()
     variables: set[str] = set()
     left: list[Statement | Expression] = [*body]
     while left:
-        one = left.pop()
-        if one.__class__ in _LEAVES:
+        node = left.pop()
+        if node.__class__ in _LEAVES:
             continue
-        if isinstance(one, Variable):
-            variables.add(one.name)
-        elif isinstance(one, Assignment):
-            left += (one.target, one.value)
-        elif isinstance(one, Operation):
-            left += one.operands
-        elif isinstance(one, Member | Negation | Shift | Conversion):
-            left.append(one.of)
-        elif isinstance(one, Element):
-            left += (one.of, one.index)
-        elif isinstance(one, Condition):
-            for test, body in one.branches:
+        if isinstance(node, Variable):
+            variables.add(node.name)
+        elif isinstance(node, Assignment):
+            left += (node.target, node.value)
+        elif isinstance(node, Operation):
+            left += node.operands
+        elif isinstance(node, Member | Negation | Shift | Conversion):
+            left.append(node.of)
+        elif isinstance(node, Element):
+            left += (node.of, node.index)
+        elif isinstance(node, Condition):
+            for test, body in node.branches:
                 left.append(test)
                 left += body
-            left += one.otherwise
-        elif isinstance(one, Call):
-            found.add(one.routine)
-            left += [given for _, given in (*one.inputs, *one.outputs)]
-        elif isinstance(one, Timing):
-            left += (one.timer, one.running, one.time)
-        elif isinstance(one, Loop):
-            left += (one.index, one.first, one.last, *one.body)
-        elif isinstance(one, Selection):
-            left.append(one.of)
-            for _, body in one.branches:
+            left += node.otherwise
+        elif isinstance(node, Call):
+            routines.add(node.routine)
+            left += [argument for _, argument in (*node.inputs, *node.outputs)]
+        elif isinstance(node, Timing):
+            left += (node.timer, node.running, node.time)
+        elif isinstance(node, Loop):
+            left += (node.index, node.first, node.last, *node.body)
+        elif isinstance(node, Selection):
+            left.append(node.of)
+            for _, body in node.branches:
                 left += body
-            left += one.otherwise
-    return found, variables
+            left += node.otherwise
+    return routines, variables
 
 
 class Draft:
@@ -267,9 +267,9 @@ class Draft:
 
     def local(self, name: str, kind: Type = INT) -> Variable:
         """A local variable; one that is asked for twice is the same one."""
-        for one in self._declared:
-            if one.role == "local" and one.variable == Variable(name, kind):
-                return one.variable
+        for declared in self._declared:
+            if declared.role == "local" and declared.variable == Variable(name, kind):
+                return declared.variable
         return self.declare(name, kind, "local")
 
     def add(self, statements: Iterable[Statement]) -> None:
@@ -295,7 +295,9 @@ class Draft:
             self.name,
             self.group,
             self.status.type,
-            tuple(one for one in self._declared if one.role != "local" or one.variable.name in names),
+            tuple(
+                declared for declared in self._declared if declared.role != "local" or declared.variable.name in names
+            ),
             body,
             tuple(self.remarks),
             tuple(self.example),

@@ -62,11 +62,11 @@ class Quantity:
 
 def quantities(layout: DeviceLayout) -> dict[str, list[Quantity]]:
     """The values that have a scale, by the names under which they get functions; those that share one are together."""
-    found: dict[tuple[object, ...], list[Quantity]] = {}
-    for one in _scaled(layout):
-        found.setdefault((one.name, *one.key), []).append(one)
+    groups: dict[tuple[object, ...], list[Quantity]] = {}
+    for quantity in _scaled(layout):
+        groups.setdefault((quantity.name, *quantity.key), []).append(quantity)
     named: dict[str, list[Quantity]] = {}
-    for same in found.values():
+    for same in groups.values():
         first = same[0]
         name = first.name if first.name not in named else f"{first.owner}_{first.name}"
         number = 1
@@ -82,13 +82,15 @@ def _scaled(layout: DeviceLayout) -> Iterator[Quantity]:
     every_value: list[tuple[str, str, Value | None, Fact]] = [
         (signal.name, signal.name, signal.value, signal) for signal in device.signals.values()
     ]
-    every_value += [(laid.name, laid.name, laid.register.value, laid.register) for laid in layout.registers]
+    every_value += [
+        (register.name, register.name, register.register.value, register.register) for register in layout.registers
+    ]
     for record in every_record(layout):
         every_value += [(record.name, field.name, field.value, field.field) for field in record.fields]
-    for held in device.parameters.values():
-        for parameter in held.parameters:
+    for parameter_set in device.parameters.values():
+        for parameter in parameter_set.parameters:
             if not parameter.reserved:
-                every_value.append((held.name, parameter.name, parameter.value, parameter))
+                every_value.append((parameter_set.name, parameter.name, parameter.value, parameter))
             every_value += [
                 (parameter.name, inner.name, inner.value, inner) for inner in parameter.subindices if not inner.reserved
             ]
@@ -115,35 +117,35 @@ def _digits(number: Ratio | int) -> Fraction:
 def _times(of: Expression, ratio: Ratio) -> Expression:
     """A product with a ratio: multiplied and divided by whole numbers, which rounds less than a decimal factor."""
     above, below = ratio.numerator, ratio.denominator
-    made = of if above == 1 else Operation("*", (of, _digits(above)), LREAL)
-    return made if below == 1 else Operation("/", (made, _digits(below)), LREAL)
+    product = of if above == 1 else Operation("*", (of, _digits(above)), LREAL)
+    return product if below == 1 else Operation("/", (product, _digits(below)), LREAL)
 
 
 def _about(world: World, same: list[Quantity], way: str) -> list[str]:
     first = same[0]
-    owners = ", ".join(dict.fromkeys(one.owner for one in same if one.owner != one.name))
-    ranges, written = first.value.ranges, first.value.write_ranges
+    owners = ", ".join(dict.fromkeys(quantity.owner for quantity in same if quantity.owner != quantity.name))
+    ranges, write_ranges = first.value.ranges, first.value.write_ranges
     return [
         f"{way}: 1 count = {count_of(first.value)}.",
         f"Counts: {ranges.text()}." if ranges is not None else "",
-        f"Counts that may be written: {written.text()}." if written is not None else "",
+        f"Counts that may be written: {write_ranges.text()}." if write_ranges is not None else "",
         f"Of {owners}. {world.comment(first.fact, None)}" if owners else world.comment(first.fact, None),
-        " ".join(f"{one.value} is {one.name}, no quantity." for one in first.value.sentinels),
+        " ".join(f"{sentinel.value} is {sentinel.name}, no quantity." for sentinel in first.value.sentinels),
     ]
 
 
 def _intervals(value: Value) -> list[tuple[int, int]]:
     """The counts that are quantities: those in range that do not stand for something else."""
     whole = [(value.type.low, value.type.high)]
-    found = list(value.ranges.intervals) if value.ranges is not None else whole
+    intervals = list(value.ranges.intervals) if value.ranges is not None else whole
     for sentinel in value.sentinels:
-        found = [
+        intervals = [
             part
-            for low, high in found
+            for low, high in intervals
             for part in ((low, min(high, sentinel.value - 1)), (max(low, sentinel.value + 1), high))
             if part[0] <= part[1]
         ]
-    return sorted(set(found))
+    return sorted(set(intervals))
 
 
 def _from_counts(world: World, name: str, same: list[Quantity]) -> Routine:
@@ -200,15 +202,15 @@ def _rounded(draft: Draft, count: Expression, kind: Elementary, intervals: Itera
     half, less = Fraction("0.5"), Fraction("-0.5")
     up = either([compared(rest, ">", half), every([compared(rest, "=", half), odd])])
     down = either([compared(rest, "<", less), every([compared(rest, "=", less), odd])])
-    one = Whole(1, kind)
+    unit = Whole(1, kind)
     draft.add(
         [
             Assignment(whole, Conversion(exact, kind)),
             Assignment(rest, Operation("-", (exact, Conversion(whole, LREAL)), LREAL)),
             Condition(
                 (
-                    (up, (Assignment(whole, Operation("+", (whole, one), kind)),)),
-                    (down, (Assignment(whole, Operation("-", (whole, one), kind)),)),
+                    (up, (Assignment(whole, Operation("+", (whole, unit), kind)),)),
+                    (down, (Assignment(whole, Operation("-", (whole, unit), kind)),)),
                 )
             ),
         ]
@@ -229,10 +231,12 @@ def _half(bound: int, sign: int) -> Fraction:
 def _share_bounds(world: World, share: Share) -> tuple[int, int]:
     """The least and the greatest count that one of a conversion's signals may have."""
     ranges = [world.layout.device.signals[name].value.ranges for name in share.signals]
-    known = [one for one in ranges if one is not None]
+    known = [ranges for ranges in ranges if ranges is not None]
     if not known or len(known) < len(ranges):
         return share.type.low, share.type.high
-    return max(share.type.low, min(one.low for one in known)), min(share.type.high, max(one.high for one in known))
+    return max(share.type.low, min(ranges.low for ranges in known)), min(
+        share.type.high, max(ranges.high for ranges in known)
+    )
 
 
 def _share_about(world: World, share: Share) -> list[str]:

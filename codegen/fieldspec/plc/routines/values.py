@@ -140,16 +140,16 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
         limits = [] if value.ranges is None else [draft.refusal(_outside_real(value, source), "out_of_range")]
         return [*limits, draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
     if wire.kind is Kind.BOOLEAN:
-        one = when(source, holder.stored(offset, value.size, wire.order, wire.swapped, Whole(1, wire.bits)))
+        true = when(source, holder.stored(offset, value.size, wire.order, wire.swapped, Whole(1, wire.bits)))
         zero = holder.stored(offset, value.size, wire.order, wire.swapped, Whole(0, wire.bits))
-        return [Condition(one.branches, tuple(zero))]
+        return [Condition(true.branches, tuple(zero))]
     if isinstance(source.type, EnumType):
         wide = world.raw_type(value.enum)
-        held = draft.local(_RAW[wide.name], wide)
-        call = world.enum_to_raw(value.enum, source, held)
+        enum_number = draft.local(_RAW[wide.name], wide)
+        call = world.enum_to_raw(value.enum, source, enum_number)
         return [
             draft.refusal(Negation(call), "unknown_value"),
-            *_put(wire, holder, offset, raw, converted(held, wire.whole)),
+            *_put(wire, holder, offset, raw, converted(enum_number, wire.whole)),
         ]
     statements = _closed(draft, world, wire, source)
     if value.const is not None:
@@ -157,7 +157,7 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
         statements.append(draft.refusal(differs, "wrong_constant"))
     ranges = value.writable_ranges
     if ranges is not None:
-        sentinels = [(one.value, one.value) for one in value.sentinels if one.value not in ranges]
+        sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if sentinel.value not in ranges]
         wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
@@ -167,7 +167,7 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
 def _outside_real(value: Value, of: Expression) -> Expression:
     """Whether a floating-point number is neither in range nor a sentinel."""
     pairs = list(value.ranges.intervals) if value.ranges is not None else []
-    pairs += [(one.value, one.value) for one in value.sentinels if not one.is_nan]
+    pairs += [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
     inside = [
         every([compared(of, ">=", Fraction(f"{low}.0", REAL)), compared(of, "<=", Fraction(f"{high}.0", REAL))])
         for low, high in sorted(pairs)
@@ -216,13 +216,13 @@ def _closed(draft: Draft, world: World, wire: Wire, of: Expression) -> list[Stat
 
 def runs(values: Iterable[int]) -> list[tuple[int, int]]:
     """Numbers as intervals."""
-    found: list[tuple[int, int]] = []
+    intervals: list[tuple[int, int]] = []
     for value in sorted(values):
-        if found and found[-1][1] == value - 1:
-            found[-1] = (found[-1][0], value)
+        if intervals and intervals[-1][1] == value - 1:
+            intervals[-1] = (intervals[-1][0], value)
         else:
-            found.append((value, value))
-    return found
+            intervals.append((value, value))
+    return intervals
 
 
 def _characters_read(draft: Draft, wire: Wire, holder: Holder, offset: int, target: Expression) -> list[Statement]:
@@ -256,12 +256,12 @@ _FIRST = {True: "high_word_first", False: "low_word_first"}
 
 def word_order(wires: Iterable[Wire]) -> str:
     """`high_word_first` or `low_word_first` where values of several words have that order; else empty."""
-    found = {
+    orders = {
         _FIRST[(wire.order == "big") != wire.swapped]
         for wire in wires
         if wire.kind in (Kind.INTEGER, Kind.FLOAT) and wire.value.size > 2
     }
-    return found.pop() if len(found) == 1 else "both_word_orders" if found else ""
+    return orders.pop() if len(orders) == 1 else "both_word_orders" if orders else ""
 
 
 def order_remark(layout: DeviceLayout, unit: str, needed: bool = True) -> str:

@@ -138,9 +138,9 @@ class World:
         if value.flags:
             return BITS[value.size]
         if value.enum and not value.sentinels and not self.layout.device.enums[value.enum].open:
-            found = self.names.enums.get(value.enum)
-            if found is not None:
-                return found
+            enum_type = self.names.enums.get(value.enum)
+            if enum_type is not None:
+                return enum_type
         return (SIGNED if value.type.signed else UNSIGNED)[value.size]
 
     def raw_type(self, enum: str) -> Elementary:
@@ -209,21 +209,21 @@ def _register_lists(layout: DeviceLayout) -> Iterator[int]:
     for message in layout.messages.values():
         access = layout.device.register_access(message.message)
         for data in (message.request, message.response):
-            found = data.named(access.values) if access is not None else None
-            if found is not None and found.field.repeat is not None:
-                yield found.field.repeat.high * found.size
+            field = data.named(access.values) if access is not None else None
+            if field is not None and field.field.repeat is not None:
+                yield field.field.repeat.high * field.size
 
 
 def values_of(layout: DeviceLayout) -> Iterator[Value]:
     """All values of a device: those of records, messages, heads of frames, registers and parameters."""
     for record in every_record(layout):
-        yield from (found.value for found in record.fields if found.value is not None)
+        yield from (field.value for field in record.fields if field.value is not None)
     for link in layout.links.values():
         for shape in (link.request, link.response):
             yield from (part.value for part in shape.parts if part.value is not None)
-    yield from (laid.register.value for laid in layout.registers)
-    for held in layout.device.parameters.values():
-        for parameter in held.parameters:
+    yield from (register.register.value for register in layout.registers)
+    for parameter_set in layout.device.parameters.values():
+        for parameter in parameter_set.parameters:
             yield parameter.value
             yield from (inner.value for inner in parameter.subindices)
 

@@ -37,7 +37,7 @@ def wrapped(link: LinkLayout) -> bool:
 
 def link_words(world: World, link: LinkLayout) -> tuple[str, ...]:
     """The words in names of routines that tell links apart."""
-    several = sum(framed(one) for one in world.layout.links.values()) > 1
+    several = sum(framed(link) for link in world.layout.links.values()) > 1
     return (link.name,) if several else ()
 
 
@@ -69,20 +69,24 @@ def wrap_routine(world: World, link: LinkLayout) -> Routine:
         draft.add([Assignment(Element(frame, number(at), BYTE), Whole(byte, BYTE))])
     index = draft.local("iAt")
     here = plus(Operation("*", (index, number(width)), INT) if width > 1 else index, len(start))
-    held = Element(source, index, BYTE)
+    source_byte = Element(source, index, BYTE)
     body: Body
     if width == 2:
         digit = draft.local("usiDigit", USINT)
         body = (
-            *_digit_written(
-                draft, digit, Operation("/", (Conversion(held, USINT), Whole(16, USINT)), USINT), frame, here
+            *_write_digit(
+                draft, digit, Operation("/", (Conversion(source_byte, USINT), Whole(16, USINT)), USINT), frame, here
             ),
-            *_digit_written(
-                draft, digit, Operation("MOD", (Conversion(held, USINT), Whole(16, USINT)), USINT), frame, plus(here, 1)
+            *_write_digit(
+                draft,
+                digit,
+                Operation("MOD", (Conversion(source_byte, USINT), Whole(16, USINT)), USINT),
+                frame,
+                plus(here, 1),
             ),
         )
     else:
-        body = (Assignment(Element(frame, here, BYTE), held),)
+        body = (Assignment(Element(frame, here, BYTE), source_byte),)
     draft.add([Loop(index, number(0), plus(count, -1), body)])
     stop = plus(Operation("*", (count, number(width)), INT) if width > 1 else count, len(start))
     for at, byte in enumerate(end):
@@ -91,7 +95,7 @@ def wrap_routine(world: World, link: LinkLayout) -> Routine:
     return draft.finished()
 
 
-def _digit_written(
+def _write_digit(
     draft: Draft, digit: Variable, value: Expression, frame: Variable, at: Expression
 ) -> tuple[Statement, ...]:
     letter = Operation("+", (digit, Whole(ord("A") - 10, USINT)), USINT)
@@ -107,7 +111,7 @@ def _marks(link: LinkLayout) -> str:
     text = "two hexadecimal digits for each byte" if link.link.encoding == "hex_ascii" else "as they are"
     before = f"16#{link.link.start.hex(' ').upper()} before them" if link.link.start else ""
     behind = f"16#{link.link.end.hex(' ').upper()} behind them" if link.link.end else ""
-    return ", ".join(one for one in (text, before, behind) if one)
+    return ", ".join(text for text in (text, before, behind) if text)
 
 
 def unwrap_routine(world: World, link: LinkLayout) -> Routine:

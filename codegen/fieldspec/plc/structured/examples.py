@@ -50,13 +50,15 @@ class _Uses:
         if message is None or unpack is None:
             return
         parse = self._function("parse", link, message)
-        lists = [one.variable for one in parse.of_role("in_out") if one.variable.type == self.world.words]
-        counts = [one.variable for one in parse.of_role("output") if one.variable.name.endswith("Count")]
+        lists = [
+            declared.variable for declared in parse.of_role("in_out") if declared.variable.type == self.world.words
+        ]
+        counts = [declared.variable for declared in parse.of_role("output") if declared.variable.name.endswith("Count")]
         if not lists or not counts:
             return
         known: dict[str, Expression] = {"aWords": lists[0], "iCount": counts[0], "iFirst": number(0)}
-        held = {one.variable.name for one in unpack.declared}
-        here = {name: value for name, value in known.items() if name in held}
+        parameters = {declared.variable.name for declared in unpack.declared}
+        here = {name: value for name, value in known.items() if name in parameters}
         lines = [*self._exchange(link, message), *call_lines(unpack, self.spelling, **here)]
         yield f"To read registers on {link.name}, and take the values out of them:", lines
 
@@ -73,8 +75,10 @@ class _Uses:
     def _unpacking(self) -> tuple[Routine | None, str]:
         """The first function that takes values out of registers: of a record in a table, or of a group; its space."""
         start = self.world.routine("unpack")
-        found = [routine for name, routine in self.by_name.items() if name.startswith(start)]
-        ordered = [one for kind in ("record ", "registers ") for one in found if one.group.startswith(kind)]
+        matching = [routine for name, routine in self.by_name.items() if name.startswith(start)]
+        ordered = [
+            routine for kind in ("record ", "registers ") for routine in matching if routine.group.startswith(kind)
+        ]
         first = next(iter(ordered), None)
         device = self.world.layout.device
         spaces = {f"record {table.record}": table.space for table in reversed(list(device.tables.values()))}
@@ -83,10 +87,10 @@ class _Uses:
 
     def _cyclic(self) -> Iterator[tuple[str, list[str]]]:
         """The exchange of the longest telegram."""
-        found = [one for one in telegrams(self.world.layout) if one.request.size and one.response.size]
-        if not found:
+        cyclic = [message for message in telegrams(self.world.layout) if message.request.size and message.response.size]
+        if not cyclic:
             return
-        longest = max(found, key=lambda one: (one.request.size or 0) + (one.response.size or 0))
+        longest = max(cyclic, key=lambda message: (message.request.size or 0) + (message.response.size or 0))
         unpack = self.by_name.get(self.world.routine("unpack", longest.response.name, "words"))
         pack = self.by_name.get(self.world.routine("pack", longest.request.name, "words"))
         if unpack is not None and pack is not None:

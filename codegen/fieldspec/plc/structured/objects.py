@@ -122,12 +122,12 @@ class TextForm:
 
 def text_form(tables: tuple[TextTable, ...], name: str) -> TextForm | None:
     """The struct that all tables of texts have; None where there are none."""
-    texts = [one for table in tables for one in table.texts]
+    texts = [text for table in tables for text in table.texts]
     if not texts:
         return None
-    wide = not all(narrow(one.text) for one in texts)
-    code = DINT if all(DINT.low <= one.code <= DINT.high for one in texts) else LINT
-    return TextForm(name, code, max(length(one.text, wide) for one in texts), wide)
+    wide = not all(narrow(text.text) for text in texts)
+    code = DINT if all(DINT.low <= text.code <= DINT.high for text in texts) else LINT
+    return TextForm(name, code, max(length(text.text, wide) for text in texts), wide)
 
 
 def form_item(form: TextForm) -> Item:
@@ -138,25 +138,25 @@ def form_item(form: TextForm) -> Item:
     return Item(form.name, "type", "structs", tuple(lines))
 
 
-def constants_item(listed: ConstantList) -> Item:
+def constants_item(constant_list: ConstantList) -> Item:
     """A list of numbers."""
-    lines = [*_head(listed.title), _HEAD]
-    for one in listed.constants:
-        beside = f" // {comment_text(one.remark)}" if comment_text(one.remark) else ""
-        lines.append(f"    {one.name} : {one.type.name} := {number(one)};{beside}")
-    return Item(listed.name, "list", "constants", (*lines, "END_VAR"))
+    lines = [*_head(constant_list.title), _HEAD]
+    for constant in constant_list.constants:
+        beside = f" // {comment_text(constant.remark)}" if comment_text(constant.remark) else ""
+        lines.append(f"    {constant.name} : {constant.type.name} := {number(constant)};{beside}")
+    return Item(constant_list.name, "list", "constants", (*lines, "END_VAR"))
 
 
 def texts_item(name: str, tables: tuple[TextTable, ...], form: TextForm) -> Item:
-    """The list of all texts of codes: one array for each enum, by number."""
+    """The list of all texts of codes: entry array for each enum, by number."""
     lines = [*_head("Texts of codes"), _HEAD]
     code, text = form.members
     for table in tables:
         lines += comment(table.title, "    ")
         lines.append(f"    {table.name} : ARRAY[0..{len(table.texts) - 1}] OF {form.name} := [")
-        for at, one in enumerate(table.texts, 1):
+        for at, entry in enumerate(table.texts, 1):
             mark = "," if at < len(table.texts) else ""
-            lines.append(f"        ({code} := {one.code}, {text} := {string(one.text, form.wide)}){mark}")
+            lines.append(f"        ({code} := {entry.code}, {text} := {string(entry.text, form.wide)}){mark}")
         lines.append("    ];")
     return Item(name, "list", "constants", (*lines, "END_VAR"))
 

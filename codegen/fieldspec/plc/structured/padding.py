@@ -17,37 +17,37 @@ PACKED = MEMORIES["tc3:1"]
 
 def padded(declared: Declarations) -> tuple[Struct, ...]:
     """The structs of a device, those of records and telegrams with their padding."""
-    made: dict[str, Struct] = {}
+    structs: dict[str, Struct] = {}
     for struct in declared.structs:
         record = _record(declared.layout, struct)
-        made[struct.name] = struct if record is None else _filled(struct, record, made)
-    return tuple(made.values())
+        structs[struct.name] = struct if record is None else _filled(struct, record, structs)
+    return tuple(structs.values())
 
 
 def _record(layout: DeviceLayout, struct: Struct) -> RecordLayout | None:
     if struct.kind == "record":
         return layout.records[struct.key]
-    data = (one for message in layout.messages.values() for one in (message.request, message.response))
-    return next((one for one in data if struct.kind == "telegram" and one.name == struct.key), None)
+    data = (record for message in layout.messages.values() for record in (message.request, message.response))
+    return next((record for record in data if struct.kind == "telegram" and record.name == struct.key), None)
 
 
 def _filled(struct: Struct, record: RecordLayout, others: dict[str, Struct]) -> Struct:
     """The struct with padding where a field is not given, or takes more bytes on the wire than its variable."""
     members = {id(member.fact): member for member in struct.members}
     taken = {member.name.lower() for member in struct.members}
-    made: list[StructMember] = []
+    filled_members: list[StructMember] = []
     at = 0
     for field in record.fields:
         size = field.size * (field.count or 1)
         if is_user_field(field):
             member = members[id(field.field)]
-            made.append(replace(member, at=field.offset, order=field.order, swapped=field.swapped))
+            filled_members.append(replace(member, at=field.offset, order=field.order, swapped=field.swapped))
             at += placed(replace(struct, members=(member,)), PACKED, others).size
         missing = field.offset + size - at
         if missing > 0:
-            made.append(_padding(missing, field, taken, at))
+            filled_members.append(_padding(missing, field, taken, at))
             at += missing
-    return replace(struct, members=tuple(made), size=record.size)
+    return replace(struct, members=tuple(filled_members), size=record.size)
 
 
 def _padding(size: int, field: FieldLayout, taken: set[str], at: int) -> StructMember:

@@ -98,18 +98,18 @@ def program(layout: DeviceLayout) -> Program:
     where = tuple(placed(struct, PACKED, by_name) for struct in structs)
     device = _device(declared.layout)
     texts = text_form(declared.texts, STRUCTURED.texts.format(device, "Code"))
-    sizes = {one.struct.name: one.size for one in where if one.struct.members}
+    sizes = {placed.struct.name: placed.size for placed in where if placed.struct.members}
     item = sizes_item(f"F_{device}_SizesAreRight", sizes)
-    made = tuple(routines(declared.world))
-    functions = tuple(_function(one, STRUCTURED.spelling) for one in made)
+    device_routines = tuple(routines(declared.world))
+    functions = tuple(_function(routine, STRUCTURED.spelling) for routine in device_routines)
     items = (*_items(declared, where, texts), item, *functions)
-    return Program(declared, structs, where, texts, made, functions, item, items)
+    return Program(declared, structs, where, texts, device_routines, functions, item, items)
 
 
 def _items(declared: Declarations, where: Sequence[Placed], texts: TextForm | None) -> Iterator[Item]:
     """All objects but functions."""
     yield from map(enum_item, declared.enums)
-    yield from (struct_item(one.struct, one.size) for one in where)
+    yield from (struct_item(placed.struct, placed.size) for placed in where)
     if texts is not None:
         yield form_item(texts)
     yield from map(constants_item, declared.constants)

@@ -8,6 +8,7 @@ from decimal import Decimal
 from functools import lru_cache
 from typing import Any, TypeAlias, TypeVar, cast
 
+from fieldspec.caches import ByIdentity
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.fact import Citation, Claim, Place, Report, ScalarValue, Standard
 from fieldspec.model.value import HANDLING_KEYS, UNSPECIFIED, Handling, Ranges, intervals, whole_intervals
@@ -286,11 +287,8 @@ def citations(text: str, section: str) -> tuple[Citation, ...]:
 
 Item = TypeVar("Item")
 
-Reused: TypeAlias = dict[object, dict[int, tuple[object, object]]]
-"""What is built, by everything that it depends on beside its own node, and by the identity of that node in memory.
-
-The node is stored too: while it exists, no other node has its identity.
-"""
+Reused: TypeAlias = dict[object, ByIdentity[object, object]]
+"""What is built, by everything that it depends on beside its own node, and by that node."""
 
 
 def rows(
@@ -303,9 +301,8 @@ def rows(
     key: str = "rows",
 ) -> tuple[Item, ...]:
     """What is built of the rows of an entry, each under a path with its name; `more` is what else it depends on."""
-    same = reused.setdefault((id(defaults), path, entry.section, entry.sources, *more), {})
-    if defaults is not None:
-        same[id(defaults)] = defaults, None
+    by_defaults = reused.setdefault((path, entry.section, entry.sources, *more), ByIdentity())
+    same = cast("ByIdentity[object, object]", by_defaults.get_or_compute(defaults, lambda _: ByIdentity()))
     return reused_items(entry, key, path, "name", defaults, same, build)
 
 
@@ -315,7 +312,7 @@ def reused_items(
     path: str,
     name: str,
     defaults: Mapping | None,
-    same: dict[int, tuple[object, object]],
+    same: ByIdentity[object, object],
     build: Callable[[Entry], Item],
 ) -> tuple[Item, ...]:
     """What is built of the list under a key of an entry; `same` has what is built of its items already."""
@@ -324,9 +321,8 @@ def reused_items(
     for number, item in enumerate(sequence.items if isinstance(sequence, Sequence) else ()):
         if not isinstance(item, Mapping):
             continue
-        before = same.get(id(item))
-        if before is not None:
-            items.append(cast("Item", before[1]))
+        if item in same:
+            items.append(cast("Item", same[item]))
             continue
         named = item.values.get(name)
         step = named.text if isinstance(named, Scalar) else str(number)
@@ -334,5 +330,5 @@ def reused_items(
         result = build(Entry(item, f"{path}/{step}", entry.findings, entry.section, entry.sources, defaults))
         items.append(result)
         if isinstance(named, Scalar) and len(entry.findings) == quiet:  # a finding is for every version
-            same[id(item)] = item, result
+            same[item] = result
     return tuple(items)

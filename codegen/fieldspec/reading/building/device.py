@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeVar, cast
 
+from fieldspec.caches import ByIdentity
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device, Manual, Version, VersionLine
 from fieldspec.model.registers import RegisterGroup
@@ -69,29 +70,28 @@ def _by_name(
 ) -> dict[str, Item]:
     """The objects of a section by name; a name that is taken is a finding. The same node gives the same object."""
     sequence = root.own.get(section)
-    sections, same = reused.setdefault((section, "whole"), {}), reused.setdefault(section, {})
-    if id(sequence) in sections:
-        return cast("dict[str, Item]", sections[id(sequence)][1])
+    sections, same = reused.setdefault((section, "whole"), ByIdentity()), reused.setdefault(section, ByIdentity())
+    if sequence in sections:
+        return cast("dict[str, Item]", sections[sequence])
     items: dict[str, Item] = {}
     first: dict[str, Mapping] = {}
     before = len(root.findings)
     for item in mappings(sequence):
         key = _text(item, name)
-        known = same.get(id(item))
         if key in items:
             label = Label(_span(first[key], name), "the first one")
             text = f"`{section}` has two entries named `{key}`"
             help = "give one of them another name"
             root.findings.append(Diagnostic("duplicate_name", text, _span(item, name), (label,), help))
-        elif known is not None:
-            first[key], items[key] = item, cast("Item", known[1])
+        elif item in same:
+            first[key], items[key] = item, cast("Item", same[item])
         else:
             quiet = len(root.findings)
             first[key], items[key] = item, build(Entry(item, f"{section}/{key}", root.findings))
             if len(root.findings) == quiet:  # a finding is for every version
-                same[id(item)] = item, items[key]
+                same[item] = items[key]
     if len(root.findings) == before:
-        sections[id(sequence)] = sequence, items
+        sections[sequence] = items
     return items
 
 
@@ -105,7 +105,7 @@ def _span(item: Mapping, name: str) -> Span:
 
 
 def _groups(root: Entry, reused: Reused) -> tuple[RegisterGroup, ...]:
-    same = reused.setdefault("registers", {})
+    same = reused.setdefault("registers", ByIdentity())
     return reused_items(
         root, "registers", "registers", "group", None, same, lambda entry: registers.group(entry, reused)
     )

@@ -28,7 +28,7 @@ def _field(entry: Entry) -> Field:
     kinds = [key for key in ("type", "record", "choice") if entry.get(key)]
     if len(kinds) > 1:
         text = f"the field has a `{kinds[0]}` and a `{kinds[1]}`"
-        entry.refuse("type_given", kinds[0], text, "keep one of them")
+        entry.refuse("type_present", kinds[0], text, "keep one of them")
     words = entry.integer("words")
     measures = entry.entry("measures")
     measure = None

@@ -32,7 +32,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
     """The value that an entry describes. A missing type is a finding; `u16` then stands in for it."""
     primitive = PRIMITIVES.get(entry.text("type") or type_name)
     if primitive is None:
-        entry.refuse("type_given", "type", "nothing says how this value lies on the wire", "give it a `type`")
+        entry.refuse("type_present", "type", "nothing says how this value lies on the wire", "give it a `type`")
         primitive = UNTYPED
     scale = _scale(entry)
     if scale == 0:
@@ -96,7 +96,7 @@ def _size(entry: Entry, primitive: Primitive, words: int | None) -> int:
     if length is None and words is not None:
         return 2 * words
     if length is None:
-        entry.refuse("type_given", "type", f"a {primitive.name} has no size of its own", "give its `length` in bytes")
+        entry.refuse("type_present", "type", f"a {primitive.name} has no size of its own", "give its `length` in bytes")
         return 2
     return length
 
@@ -139,7 +139,7 @@ def conversion(entry: Entry, types: dict[str, str]) -> Conversion:
     signals = entry.texts("signals")
     name = entry.text("type") or next((types[signal] for signal in signals if signal in types), "")
     if name not in PRIMITIVES:
-        entry.refuse("type_given", "type", "nothing says how the count lies on the wire", "give it a `type`")
+        entry.refuse("type_present", "type", "nothing says how the count lies on the wire", "give it a `type`")
     return Conversion(
         **entry.fact(),
         title=entry.text("title"),

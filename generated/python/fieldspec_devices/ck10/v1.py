@@ -47,7 +47,7 @@ from .._refusals import unfit as _unfit
 from .._registers import Register as _Register
 from .._registers import RegisterArray as _RegisterArray
 from .._registers import Table as _Table
-from .._registers import found as _found
+from .._registers import find as _find
 from .._registers import only as _only
 from .._registers import spans as _spans
 from .._registers import writable as _writable
@@ -74,6 +74,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self as _Self
 
     from .._typing import Data as _Data
+    from .._typing import Quantity as _Quantity
     from .._typing import R as _R
     from .._typing import T as _T
     from ..many import Column as _Column
@@ -397,7 +398,7 @@ _X0, _X1, _X2, _X3, _X4, _X5, _X6, _X7 = _CRC_EXCHANGED
 DEVICE: _Final = "ck10"
 VERSION: _Final = "1"
 IDENTITY: _Final = "4332a6ea93cee82e"
-"""Equal if and only if what is on the wire is."""
+"""Equal for two versions if and only if their bytes on the wire are."""
 
 
 class ExceptionCode(_IntEnum):
@@ -3178,37 +3179,37 @@ class ExceptionRecord(_Record):
     Source: 1.4 L225-229.
     """
 
-    __slots__ = ("_held_exception_code",)
+    __slots__ = ("_word_exception_code",)
     __match_args__ = ("exception_code",)
     _SIZE: _ClassVar[int] = 1
 
     def __init__(self, exception_code: ExceptionCode | int) -> None:
-        self._held_exception_code: ExceptionCode | int = exception_code
+        self._word_exception_code: ExceptionCode | int = exception_code
 
     @property
     def exception_code(self) -> ExceptionCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_exception_code
-        return _EXCEPTION_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_exception_code
+        return _EXCEPTION_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @exception_code.setter
     def exception_code(self, value: ExceptionCode | int) -> None:
-        self._held_exception_code = value
+        self._word_exception_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_exception_code,) = _EXCEPTION_RECORD_UNPACK(data)
+            (record._word_exception_code,) = _EXCEPTION_RECORD_UNPACK(data)
         except _StructError:
             raise _wrong_length("exception", len(data), 1, 1) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
-            return _EXCEPTION_RECORD_PACK(self._held_exception_code)
+            return _EXCEPTION_RECORD_PACK(self._word_exception_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("exception")
@@ -3290,7 +3291,7 @@ class Point(_Record):
     __slots__ = (
         "position", "low_speed", "high_speed", "acceleration_time", "deceleration_time", "command",
         "waiting_time", "jump_point", "jump_point_of_input_0", "jump_point_of_input_1",
-        "jump_point_of_input_2", "loop_count", "loop_jump_point", "_held_output_setting",
+        "jump_point_of_input_2", "loop_count", "loop_jump_point", "_word_output_setting",
         "clear_loop_counter_of", "check_in_position", "trigger_position", "trigger_time", "push_torque_ratio",
         "push_speed", "push_position", "push_mode",
     )
@@ -3355,7 +3356,7 @@ class Point(_Record):
         self.jump_point_of_input_2 = jump_point_of_input_2
         self.loop_count = loop_count
         self.loop_jump_point = loop_jump_point
-        self._held_output_setting: PointOutputSetting | int = output_setting
+        self._word_output_setting: PointOutputSetting | int = output_setting
         self.clear_loop_counter_of = clear_loop_counter_of
         self.check_in_position = check_in_position
         self.trigger_position = trigger_position
@@ -3367,19 +3368,19 @@ class Point(_Record):
 
     @property
     def output_setting(self) -> PointOutputSetting:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_output_setting
-        if isinstance(held, int):
-            held = self._held_output_setting = PointOutputSetting(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_output_setting
+        if isinstance(word, int):
+            word = self._word_output_setting = PointOutputSetting(word)
+        return word
 
     @output_setting.setter
     def output_setting(self, value: PointOutputSetting | int) -> None:
-        self._held_output_setting = value
+        self._word_output_setting = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -3396,7 +3397,7 @@ class Point(_Record):
                 record.jump_point_of_input_2,
                 record.loop_count,
                 record.loop_jump_point,
-                record._held_output_setting,
+                record._word_output_setting,
                 record.clear_loop_counter_of,
                 raw_check_in_position,
                 record.trigger_position,
@@ -3421,7 +3422,7 @@ class Point(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_low_speed = self.low_speed
             raw_high_speed = self.high_speed
@@ -3435,7 +3436,7 @@ class Point(_Record):
             raw_jump_point_of_input_2 = self.jump_point_of_input_2
             raw_loop_count = self.loop_count
             raw_loop_jump_point = self.loop_jump_point
-            raw_output_setting = _index(self._held_output_setting)
+            raw_output_setting = _index(self._word_output_setting)
             raw_clear_loop_counter_of = self.clear_loop_counter_of
             raw_check_in_position = self.check_in_position
             raw_push_torque_ratio = self.push_torque_ratio
@@ -3551,7 +3552,7 @@ class ReadRegistersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 3 <= len(data) <= 251 or (len(data) - 1) % 2:
             raise _wrong_length("read_registers_response", len(data), 3, 251, 1, 2)
         record = _new(cls)
@@ -3561,7 +3562,7 @@ class ReadRegistersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_values = self.values
             if 1 <= len(raw_values) <= 125:
@@ -3592,7 +3593,7 @@ class ReadRegistersResponse(_Record):
 
 
 _PACK_READ_REGISTERS_RTU_REQUEST, _UNPACK_READ_REGISTERS_RTU_REQUEST = _packing(">BBHHH")
-_STATIONS_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ share for share in _X5[:17])
+_STATIONS_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ term for term in _X5[:17])
 _PACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHH").pack
 _UNPACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHHx").unpack
 _READ_REGISTERS_REQUEST_PACK, _READ_REGISTERS_REQUEST_UNPACK = _packing(">HH")
@@ -3621,7 +3622,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.word_count = _READ_REGISTERS_REQUEST_UNPACK(data)
@@ -3630,7 +3631,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_word_count = self.word_count
             if 1 <= raw_word_count <= 125:
@@ -3726,7 +3727,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
 
 
 _PACK_WRITE_REGISTER_RTU_RESPONSE, _UNPACK_WRITE_REGISTER_RTU_RESPONSE = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ share for share in _X5[:17])
+_STATIONS_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHHx").unpack
 _WRITE_REGISTER_RESPONSE_PACK, _WRITE_REGISTER_RESPONSE_UNPACK = _packing(">HH")
@@ -3754,7 +3755,7 @@ class WriteRegisterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.value = _WRITE_REGISTER_RESPONSE_UNPACK(data)
@@ -3763,7 +3764,7 @@ class WriteRegisterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_REGISTER_RESPONSE_PACK(self.address, self.value)
         except _UNFIT:
@@ -3857,7 +3858,7 @@ class WriteRegisterResponse(_Record):
 
 
 _PACK_WRITE_REGISTER_RTU_REQUEST, _UNPACK_WRITE_REGISTER_RTU_REQUEST = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ share for share in _X5[:17])
+_STATIONS_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHHx").unpack
 _WRITE_REGISTER_REQUEST_PACK, _WRITE_REGISTER_REQUEST_UNPACK = _packing(">HH")
@@ -3886,7 +3887,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.value = _WRITE_REGISTER_REQUEST_UNPACK(data)
@@ -3895,7 +3896,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_REGISTER_REQUEST_PACK(self.address, self.value)
         except _UNFIT:
@@ -3989,7 +3990,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
 
 _PACK_WRITE_REGISTERS_RTU_RESPONSE, _UNPACK_WRITE_REGISTERS_RTU_RESPONSE = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ share for share in _X5[:17])
+_STATIONS_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHHx").unpack
 _WRITE_REGISTERS_RESPONSE_PACK, _WRITE_REGISTERS_RESPONSE_UNPACK = _packing(">HH")
@@ -4017,7 +4018,7 @@ class WriteRegistersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.word_count = _WRITE_REGISTERS_RESPONSE_UNPACK(data)
@@ -4026,7 +4027,7 @@ class WriteRegistersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_REGISTERS_RESPONSE_PACK(self.address, self.word_count)
         except _UNFIT:
@@ -4144,7 +4145,7 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 7 <= len(data) <= 251 or (len(data) - 5) % 2:
             raise _wrong_length("write_registers_request", len(data), 7, 251, 5, 2)
         record = _new(cls)
@@ -4161,7 +4162,7 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_values = self.values
             if 1 <= len(raw_values) <= 123 and 1 <= len(raw_values) <= 123:
@@ -4196,7 +4197,7 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
 
 
 _PACK_REPORT_SERVER_ID_RTU_RESPONSE, _UNPACK_REPORT_SERVER_ID_RTU_RESPONSE = _packing(">BBBBBH")
-_STATIONS_REPORT_SERVER_ID_RTU_RESPONSE = tuple(61308 ^ share for share in _X4[:17])
+_STATIONS_REPORT_SERVER_ID_RTU_RESPONSE = tuple(61308 ^ term for term in _X4[:17])
 _PACK_REPORT_SERVER_ID_ASCII_RESPONSE = _Struct(">BBBBB").pack
 _UNPACK_REPORT_SERVER_ID_ASCII_RESPONSE = _Struct(">BBBBBx").unpack
 _REPORT_SERVER_ID_RESPONSE_PACK, _REPORT_SERVER_ID_RESPONSE_UNPACK = _packing(">BBB")
@@ -4218,7 +4219,7 @@ class ReportServerIdResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             raw_byte_count, raw_server_id, raw_run_status = _REPORT_SERVER_ID_RESPONSE_UNPACK(data)
@@ -4233,7 +4234,7 @@ class ReportServerIdResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _REPORT_SERVER_ID_RESPONSE_PACK(2, 104, 255)
         except _UNFIT:
@@ -4328,7 +4329,7 @@ class ReportServerIdResponse(_Record):
 
 
 _PACK_REPORT_SERVER_ID_RTU_REQUEST, _UNPACK_REPORT_SERVER_ID_RTU_REQUEST = _packing(">BBH")
-_STATIONS_REPORT_SERVER_ID_RTU_REQUEST = tuple(49596 ^ share for share in _X1[:17])
+_STATIONS_REPORT_SERVER_ID_RTU_REQUEST = tuple(49596 ^ term for term in _X1[:17])
 _PACK_REPORT_SERVER_ID_ASCII_REQUEST = _Struct(">BB").pack
 _UNPACK_REPORT_SERVER_ID_ASCII_REQUEST = _Struct(">BBx").unpack
 _REPORT_SERVER_ID_REQUEST_PACK, _REPORT_SERVER_ID_REQUEST_UNPACK = _packing(">")
@@ -4350,7 +4351,7 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _REPORT_SERVER_ID_REQUEST_UNPACK(data)
@@ -4359,7 +4360,7 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _REPORT_SERVER_ID_REQUEST_PACK()
         except _UNFIT:
@@ -4511,7 +4512,7 @@ class RtuLink:
         return message._to_rtu(station)
 
     def decode_request(self, frame: _Data) -> _Request[AnyRtuRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = frame
         try:
             request: _Request[AnyRtuRequest] | None = _RTU_QUICK_REQUESTS[data[1]](data)
@@ -4534,7 +4535,7 @@ class RtuLink:
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
     ) -> _Response[_Any] | _ErrorReply[ExceptionRecord]:
-        """A response, or a refusal as an ErrorReply; to one request, or to its class, where that is given.
+        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -4556,7 +4557,7 @@ class RtuLink:
         return _Response(head[0], message)
 
     def encode_error(self, station: int, code: int, exception: ExceptionRecord) -> bytes:
-        """The refusal of the request with a code. Raises CodecError for values that are out of range."""
+        """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         error = (
             _refused_number("station", station, 0, 255, ((1, 16),), (0,))
@@ -4569,8 +4570,7 @@ class RtuLink:
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
         """
         return _CodeFramer(
             _RTU_REQUESTS,
@@ -4591,8 +4591,7 @@ class RtuLink:
     def response_framer(self) -> _CodeFramer:
         """Finds the responses in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
         """
         return _CodeFramer(
             _RTU_RESPONSES,
@@ -4702,7 +4701,7 @@ class AsciiLink:
         return message._to_ascii(station)
 
     def decode_request(self, frame: _Data) -> _Request[AnyAsciiRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = _ASCII_REQUESTS.unmarked(frame)
         try:
             request: _Request[AnyAsciiRequest] | None = _ASCII_QUICK_REQUESTS[data[1]](data)
@@ -4725,7 +4724,7 @@ class AsciiLink:
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
     ) -> _Response[_Any] | _ErrorReply[ExceptionRecord]:
-        """A response, or a refusal as an ErrorReply; to one request, or to its class, where that is given.
+        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -4747,7 +4746,7 @@ class AsciiLink:
         return _Response(head[0], message)
 
     def encode_error(self, station: int, code: int, exception: ExceptionRecord) -> bytes:
-        """The refusal of the request with a code. Raises CodecError for values that are out of range."""
+        """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         error = (
             _refused_number("station", station, 0, 255, ((1, 16),), (0,))
@@ -4760,7 +4759,7 @@ class AsciiLink:
     def request_framer(self) -> _MarkFramer:
         """Finds the requests in a stream.
 
-        A start mark within a frame begins another one.
+        A start delimiter within a frame begins another frame.
         """
         return _MarkFramer(
             _ASCII_REQUESTS,
@@ -4774,7 +4773,7 @@ class AsciiLink:
     def response_framer(self) -> _MarkFramer:
         """Finds the responses in a stream.
 
-        A start mark within a frame begins another one.
+        A start delimiter within a frame begins another frame.
         """
         return _MarkFramer(
             _ASCII_RESPONSES,
@@ -7864,5 +7863,5 @@ TABLES: tuple[_Table[_Any], ...] = (points, flash_points, )
 
 def register_at(address: int) -> _Register[_Any] | None:
     """The register, or the element of an array or a table, that begins at an address; None where there is none."""
-    return _found(address, REGISTERS, TABLES)
+    return _find(address, REGISTERS, TABLES)
 

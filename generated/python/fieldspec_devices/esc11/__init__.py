@@ -23,12 +23,12 @@ if _TYPE_CHECKING:
     from types import ModuleType as _ModuleType
 
 LATEST = "1.17"
-"""The newest version, whose names this package has."""
+"""The newest version; this package has its names."""
 VERSIONS = {
     "before-1.17": "before_1_17",
     "1.17": "v1_17",
 }
-"""The module of each version, the oldest of each line first; `import_module` of `fieldspec_devices.esc11.<module>` gets it."""
+"""The module of each version, the oldest of each line first: `import_module("fieldspec_devices.esc11.<module>")`."""
 _LINES = (
     (
         ("before-1.17", "before_1_17"),
@@ -38,11 +38,11 @@ _LINES = (
 
 
 def for_firmware(firmware: str, *, nearest: bool = False) -> _ModuleType:
-    """The module of the firmware that a device says it has; it is imported when it is first asked for.
+    """The module of the firmware that a device reports; it is imported on the first call.
 
-    Blanks around the version, a `v` before it and zeros that change no number do not matter: ` v02.0 ` is 2.0. What
-    the spec calls `before-2.0` is all firmware below 2.0. With `nearest`, a version that the spec does not list
-    gets the module of the newest one below it on its line; whether that one fits is then yours to know.
+    Blanks around the version, a `v` before it and leading or trailing zeros do not matter: ` v02.0 ` is 2.0. The
+    version `before-2.0` of a spec is all firmware below 2.0. With `nearest`, a version that the spec does not list
+    gets the module of the newest version below it on its line; the caller answers for that choice.
 
     Raises `UnknownFirmwareError`, which lists the known versions, for every other firmware. Nothing is guessed.
     """

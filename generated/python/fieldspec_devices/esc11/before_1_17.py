@@ -68,6 +68,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self as _Self
 
     from .._typing import Data as _Data
+    from .._typing import Quantity as _Quantity
     from .._typing import R as _R
     from .._typing import T as _T
     from ..many import Column as _Column
@@ -182,7 +183,7 @@ __all__ = [
 DEVICE: _Final = "esc11"
 VERSION: _Final = "before-1.17"
 IDENTITY: _Final = "3d76276a9d24516b"
-"""Equal if and only if what is on the wire is."""
+"""Equal for two versions if and only if their bytes on the wire are."""
 
 
 class ActuatorType(_IntEnum):
@@ -637,12 +638,12 @@ class AlarmCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _ALARM_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> AlarmCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("alarm_code", _ALARM_CODE_MEMBERS, _ALARM_CODE_PRINTED_NAMES, text)
 
 
@@ -1339,41 +1340,41 @@ class AlarmHistoryEntry(_Record):
     Source: 9.4.4 L956; 10.1 L1229-1232.
     """
 
-    __slots__ = ("hours", "minutes", "_held_alarm_code")
+    __slots__ = ("hours", "minutes", "_word_alarm_code")
     __match_args__ = ("hours", "minutes", "alarm_code")
     _SIZE: _ClassVar[int] = 4
 
     def __init__(self, hours: int, minutes: int, alarm_code: AlarmCode | int) -> None:
         self.hours = hours
         self.minutes = minutes
-        self._held_alarm_code: AlarmCode | int = alarm_code
+        self._word_alarm_code: AlarmCode | int = alarm_code
 
     @property
     def alarm_code(self) -> AlarmCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_alarm_code
-        return _ALARM_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_alarm_code
+        return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @alarm_code.setter
     def alarm_code(self, value: AlarmCode | int) -> None:
-        self._held_alarm_code = value
+        self._word_alarm_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.hours, record.minutes, record._held_alarm_code = _ALARM_HISTORY_ENTRY_UNPACK(data)
+            record.hours, record.minutes, record._word_alarm_code = _ALARM_HISTORY_ENTRY_UNPACK(data)
         except _StructError:
             raise _wrong_length("alarm_history_entry", len(data), 4, 4) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_minutes = self.minutes
             if raw_minutes <= 60:
-                return _ALARM_HISTORY_ENTRY_PACK(self.hours, raw_minutes, self._held_alarm_code)
+                return _ALARM_HISTORY_ENTRY_PACK(self.hours, raw_minutes, self._word_alarm_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("alarm_history_entry")
@@ -1422,6 +1423,7 @@ class Point(_Record):
     __match_args__ = ("number", "mode", "distance", "speed", "force", "zone_limit_1", "zone_limit_2")
     _SIZE: _ClassVar[int] = 16
 
+    @_overload
     def __init__(
         self,
         number: int,
@@ -1431,7 +1433,53 @@ class Point(_Record):
         force: int,
         zone_limit_1: int,
         zone_limit_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        number: int,
+        mode: PointMode,
+        *,
+        distance: int | None = None,
+        distance_mm: _Quantity | None = None,
+        speed: int,
+        force: int,
+        zone_limit_1: int | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2: int | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        number: int,
+        mode: PointMode,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        zone_limit_1: int | None = None,
+        zone_limit_2: int | None = None,
+        distance_mm: _Quantity | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
     ) -> None:
+        if (
+            distance is None
+            or speed is None
+            or force is None
+            or zone_limit_1 is None
+            or zone_limit_2 is None
+            or distance_mm is not None
+            or zone_limit_1_mm is not None
+            or zone_limit_2_mm is not None
+        ):
+            self._set_fields(
+                number, mode, distance, speed, force, zone_limit_1, zone_limit_2,
+                distance=("distance_mm", distance_mm), zone_limit_1=("zone_limit_1_mm", zone_limit_1_mm),
+                zone_limit_2=("zone_limit_2_mm", zone_limit_2_mm),
+            )
+            return
         self.number = number
         self.mode = mode
         self.distance = distance
@@ -1442,7 +1490,7 @@ class Point(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -1463,7 +1511,7 @@ class Point(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_number = self.number
             raw_mode = self.mode
@@ -1516,35 +1564,35 @@ class Point(_Record):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
     @zone_limit_1_mm.setter
-    def zone_limit_1_mm(self, value: float) -> None:
+    def zone_limit_1_mm(self, value: _Quantity) -> None:
         self.zone_limit_1 = _counts("zone_limit_1", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
     @zone_limit_2_mm.setter
-    def zone_limit_2_mm(self, value: float) -> None:
+    def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
 
@@ -1570,6 +1618,7 @@ class TemporaryPoint(_Record):
     __match_args__ = ("mode", "distance", "speed", "force", "zone_limit_1", "zone_limit_2")
     _SIZE: _ClassVar[int] = 16
 
+    @_overload
     def __init__(
         self,
         mode: PointMode,
@@ -1578,7 +1627,51 @@ class TemporaryPoint(_Record):
         force: int,
         zone_limit_1: int,
         zone_limit_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        mode: PointMode,
+        *,
+        distance: int | None = None,
+        distance_mm: _Quantity | None = None,
+        speed: int,
+        force: int,
+        zone_limit_1: int | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2: int | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        mode: PointMode,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        zone_limit_1: int | None = None,
+        zone_limit_2: int | None = None,
+        distance_mm: _Quantity | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
     ) -> None:
+        if (
+            distance is None
+            or speed is None
+            or force is None
+            or zone_limit_1 is None
+            or zone_limit_2 is None
+            or distance_mm is not None
+            or zone_limit_1_mm is not None
+            or zone_limit_2_mm is not None
+        ):
+            self._set_fields(
+                mode, distance, speed, force, zone_limit_1, zone_limit_2,
+                distance=("distance_mm", distance_mm), zone_limit_1=("zone_limit_1_mm", zone_limit_1_mm),
+                zone_limit_2=("zone_limit_2_mm", zone_limit_2_mm),
+            )
+            return
         self.mode = mode
         self.distance = distance
         self.speed = speed
@@ -1588,7 +1681,7 @@ class TemporaryPoint(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -1611,7 +1704,7 @@ class TemporaryPoint(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_mode = self.mode
             raw_distance = self.distance
@@ -1660,35 +1753,35 @@ class TemporaryPoint(_Record):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
     @zone_limit_1_mm.setter
-    def zone_limit_1_mm(self, value: float) -> None:
+    def zone_limit_1_mm(self, value: _Quantity) -> None:
         self.zone_limit_1 = _counts("zone_limit_1", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
     @zone_limit_2_mm.setter
-    def zone_limit_2_mm(self, value: float) -> None:
+    def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
 
@@ -1716,7 +1809,7 @@ class ReadPointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 16 <= len(data) <= 240 or (len(data) - 0) % 16:
             raise _wrong_length("read_points_response", len(data), 16, 240, 0, 16)
         record = _new(cls)
@@ -1725,7 +1818,7 @@ class ReadPointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_points = self.points
             if 1 <= len(raw_points) <= 15:
@@ -1777,7 +1870,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.first_point,) = _READ_POINTS_REQUEST_UNPACK(data)
@@ -1786,7 +1879,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_first_point = self.first_point
             if 1 <= raw_first_point <= 31:
@@ -1862,7 +1955,7 @@ class ReadParametersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (*record.parameters,) = _READ_PARAMETERS_RESPONSE_UNPACK(data)
@@ -1871,7 +1964,7 @@ class ReadParametersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameters = self.parameters
             if len(raw_parameters) == 32:
@@ -1948,7 +2041,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_PARAMETERS_REQUEST_UNPACK(data)
@@ -1957,7 +2050,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_PARAMETERS_REQUEST_PACK()
         except _UNFIT:
@@ -2012,7 +2105,7 @@ class ReadIoStatusResponse(_Record):
     Source: 9.4.3 L936-940, 934.
     """
 
-    __slots__ = ("_held_inputs", "_held_outputs", "_held_state_outputs")
+    __slots__ = ("_word_inputs", "_word_outputs", "_word_state_outputs")
     __match_args__ = ("inputs", "outputs", "state_outputs")
     _SIZE: _ClassVar[int] = 3
     CODE: _ClassVar[int | None] = 0x52
@@ -2023,65 +2116,65 @@ class ReadIoStatusResponse(_Record):
         outputs: IoOutputs | int,
         state_outputs: IoStateOutputs | int,
     ) -> None:
-        self._held_inputs: IoInputs | int = inputs
-        self._held_outputs: IoOutputs | int = outputs
-        self._held_state_outputs: IoStateOutputs | int = state_outputs
+        self._word_inputs: IoInputs | int = inputs
+        self._word_outputs: IoOutputs | int = outputs
+        self._word_state_outputs: IoStateOutputs | int = state_outputs
 
     @property
     def inputs(self) -> IoInputs:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_inputs
-        if isinstance(held, int):
-            held = self._held_inputs = IoInputs(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_inputs
+        if isinstance(word, int):
+            word = self._word_inputs = IoInputs(word)
+        return word
 
     @inputs.setter
     def inputs(self, value: IoInputs | int) -> None:
-        self._held_inputs = value
+        self._word_inputs = value
 
     @property
     def outputs(self) -> IoOutputs:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_outputs
-        if isinstance(held, int):
-            held = self._held_outputs = IoOutputs(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_outputs
+        if isinstance(word, int):
+            word = self._word_outputs = IoOutputs(word)
+        return word
 
     @outputs.setter
     def outputs(self, value: IoOutputs | int) -> None:
-        self._held_outputs = value
+        self._word_outputs = value
 
     @property
     def state_outputs(self) -> IoStateOutputs:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_state_outputs
-        if isinstance(held, int):
-            held = self._held_state_outputs = IoStateOutputs(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_state_outputs
+        if isinstance(word, int):
+            word = self._word_state_outputs = IoStateOutputs(word)
+        return word
 
     @state_outputs.setter
     def state_outputs(self, value: IoStateOutputs | int) -> None:
-        self._held_state_outputs = value
+        self._word_state_outputs = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_inputs,
-                record._held_outputs,
-                record._held_state_outputs,
+                record._word_inputs,
+                record._word_outputs,
+                record._word_state_outputs,
             ) = _READ_IO_STATUS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_io_status_response", len(data), 3, 3) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_IO_STATUS_RESPONSE_PACK(
-                self._held_inputs, self._held_outputs, self._held_state_outputs,
+                self._word_inputs, self._word_outputs, self._word_state_outputs,
             )
         except _UNFIT:
             pass
@@ -2108,8 +2201,8 @@ class ReadIoStatusResponse(_Record):
         try:
             if station <= 15:
                 data = _PACK_READ_IO_STATUS_SERIAL_RESPONSE(
-                    7, station, part_status.raw, self._held_inputs, self._held_outputs,
-                    self._held_state_outputs,
+                    7, station, part_status.raw, self._word_inputs, self._word_outputs,
+                    self._word_state_outputs,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
@@ -2129,9 +2222,9 @@ class ReadIoStatusResponse(_Record):
                 part_length,
                 station,
                 part_status,
-                message._held_inputs,
-                message._held_outputs,
-                message._held_state_outputs,
+                message._word_inputs,
+                message._word_outputs,
+                message._word_state_outputs,
                 check,
             ) = _UNPACK_READ_IO_STATUS_SERIAL_RESPONSE(data)
         except _StructError:
@@ -2165,7 +2258,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_IO_STATUS_REQUEST_UNPACK(data)
@@ -2174,7 +2267,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_IO_STATUS_REQUEST_PACK()
         except _UNFIT:
@@ -2235,7 +2328,7 @@ class ReadAlarmHistoryResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 0 <= len(data) <= 64 or (len(data) - 0) % 4:
             raise _wrong_length("read_alarm_history_response", len(data), 0, 64, 0, 4)
         record = _new(cls)
@@ -2244,7 +2337,7 @@ class ReadAlarmHistoryResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_entries = self.entries
             if 0 <= len(raw_entries) <= 16:
@@ -2290,7 +2383,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_ALARM_HISTORY_REQUEST_UNPACK(data)
@@ -2299,7 +2392,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ALARM_HISTORY_REQUEST_PACK()
         except _UNFIT:
@@ -2356,7 +2449,7 @@ class WritePointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_POINTS_RESPONSE_UNPACK(data)
@@ -2365,7 +2458,7 @@ class WritePointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_POINTS_RESPONSE_PACK()
         except _UNFIT:
@@ -2428,7 +2521,7 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 16 <= len(data) <= 240 or (len(data) - 0) % 16:
             raise _wrong_length("write_points_request", len(data), 16, 240, 0, 16)
         record = _new(cls)
@@ -2437,7 +2530,7 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_points = self.points
             if 1 <= len(raw_points) <= 15:
@@ -2478,7 +2571,7 @@ class WriteParametersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_PARAMETERS_RESPONSE_UNPACK(data)
@@ -2487,7 +2580,7 @@ class WriteParametersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_PARAMETERS_RESPONSE_PACK()
         except _UNFIT:
@@ -2555,7 +2648,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (*record.parameters,) = _WRITE_PARAMETERS_REQUEST_UNPACK(data)
@@ -2564,7 +2657,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameters = self.parameters
             if len(raw_parameters) == 32:
@@ -2638,7 +2731,7 @@ class WriteParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_PARAMETER_RESPONSE_UNPACK(data)
@@ -2647,7 +2740,7 @@ class WriteParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_PARAMETER_RESPONSE_PACK()
         except _UNFIT:
@@ -2716,7 +2809,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.parameter_number, record.value = _WRITE_PARAMETER_REQUEST_UNPACK(data)
@@ -2725,7 +2818,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameter_number = self.parameter_number
             if raw_parameter_number <= 31:
@@ -2808,7 +2901,7 @@ class WriteTemporaryPointResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_TEMPORARY_POINT_RESPONSE_UNPACK(data)
@@ -2817,7 +2910,7 @@ class WriteTemporaryPointResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_TEMPORARY_POINT_RESPONSE_PACK()
         except _UNFIT:
@@ -2885,7 +2978,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_point,) = _WRITE_TEMPORARY_POINT_REQUEST_UNPACK(data)
@@ -2895,7 +2988,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_TEMPORARY_POINT_REQUEST_PACK(self.point.encode())
         except _UNFIT:
@@ -2961,7 +3054,7 @@ class ClearPointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_POINTS_RESPONSE_UNPACK(data)
@@ -2970,7 +3063,7 @@ class ClearPointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_POINTS_RESPONSE_PACK()
         except _UNFIT:
@@ -3038,7 +3131,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.first_point, record.point_count = _CLEAR_POINTS_REQUEST_UNPACK(data)
@@ -3047,7 +3140,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_first_point = self.first_point
             raw_point_count = self.point_count
@@ -3128,7 +3221,7 @@ class InitializePointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _INITIALIZE_POINTS_RESPONSE_UNPACK(data)
@@ -3137,7 +3230,7 @@ class InitializePointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_POINTS_RESPONSE_PACK()
         except _UNFIT:
@@ -3197,7 +3290,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _INITIALIZE_POINTS_REQUEST_UNPACK(data)
@@ -3206,7 +3299,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_POINTS_REQUEST_PACK()
         except _UNFIT:
@@ -3264,7 +3357,7 @@ class InitializeParametersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _INITIALIZE_PARAMETERS_RESPONSE_UNPACK(data)
@@ -3273,7 +3366,7 @@ class InitializeParametersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_PARAMETERS_RESPONSE_PACK()
         except _UNFIT:
@@ -3329,39 +3422,39 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
     Source: 9.6.3 L1108-1114, 1106.
     """
 
-    __slots__ = ("_held_actuator_type",)
+    __slots__ = ("_word_actuator_type",)
     __match_args__ = ("actuator_type",)
     _SIZE: _ClassVar[int] = 2
     CODE: _ClassVar[int | None] = 0x72
     _RESPONSE = InitializeParametersResponse
 
     def __init__(self, actuator_type: ActuatorType | int) -> None:
-        self._held_actuator_type: ActuatorType | int = actuator_type
+        self._word_actuator_type: ActuatorType | int = actuator_type
 
     @property
     def actuator_type(self) -> ActuatorType | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_actuator_type
-        return _ACTUATOR_TYPE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_actuator_type
+        return _ACTUATOR_TYPE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @actuator_type.setter
     def actuator_type(self, value: ActuatorType | int) -> None:
-        self._held_actuator_type = value
+        self._word_actuator_type = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_UNPACK(data)
+            (record._word_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("initialize_parameters_request", len(data), 2, 2) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
-            return _INITIALIZE_PARAMETERS_REQUEST_PACK(self._held_actuator_type)
+            return _INITIALIZE_PARAMETERS_REQUEST_PACK(self._word_actuator_type)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("initialize_parameters_request")
@@ -3380,7 +3473,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             if station <= 15:
-                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(6, station, 0x72, self._held_actuator_type)
+                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(6, station, 0x72, self._word_actuator_type)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3398,7 +3491,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
                 part_length,
                 station,
                 _,
-                message._held_actuator_type,
+                message._word_actuator_type,
                 check,
             ) = _UNPACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(data)
         except _StructError:
@@ -3430,7 +3523,7 @@ class ClearAlarmHistoryResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ALARM_HISTORY_RESPONSE_UNPACK(data)
@@ -3439,7 +3532,7 @@ class ClearAlarmHistoryResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ALARM_HISTORY_RESPONSE_PACK()
         except _UNFIT:
@@ -3499,7 +3592,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ALARM_HISTORY_REQUEST_UNPACK(data)
@@ -3508,7 +3601,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ALARM_HISTORY_REQUEST_PACK()
         except _UNFIT:
@@ -3565,7 +3658,7 @@ class ClearAccumulatedTimeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ACCUMULATED_TIME_RESPONSE_UNPACK(data)
@@ -3574,7 +3667,7 @@ class ClearAccumulatedTimeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ACCUMULATED_TIME_RESPONSE_PACK()
         except _UNFIT:
@@ -3634,7 +3727,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ACCUMULATED_TIME_REQUEST_UNPACK(data)
@@ -3643,7 +3736,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ACCUMULATED_TIME_REQUEST_PACK()
         except _UNFIT:
@@ -3700,7 +3793,7 @@ class StopResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _STOP_RESPONSE_UNPACK(data)
@@ -3709,7 +3802,7 @@ class StopResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _STOP_RESPONSE_PACK()
         except _UNFIT:
@@ -3769,7 +3862,7 @@ class StopRequest(_RequestOf["StopResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _STOP_REQUEST_UNPACK(data)
@@ -3778,7 +3871,7 @@ class StopRequest(_RequestOf["StopResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _STOP_REQUEST_PACK()
         except _UNFIT:
@@ -3835,7 +3928,7 @@ class StartHomingResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _START_HOMING_RESPONSE_UNPACK(data)
@@ -3844,7 +3937,7 @@ class StartHomingResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _START_HOMING_RESPONSE_PACK()
         except _UNFIT:
@@ -3904,7 +3997,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _START_HOMING_REQUEST_UNPACK(data)
@@ -3913,7 +4006,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _START_HOMING_REQUEST_PACK()
         except _UNFIT:
@@ -3971,7 +4064,7 @@ class MovePositiveDistanceResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_POSITIVE_DISTANCE_RESPONSE_UNPACK(data)
@@ -3980,7 +4073,7 @@ class MovePositiveDistanceResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_POSITIVE_DISTANCE_RESPONSE_PACK()
         except _UNFIT:
@@ -4045,14 +4138,29 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
     CODE: _ClassVar[int | None] = 0x12
     _RESPONSE = MovePositiveDistanceResponse
 
-    def __init__(self, distance: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, distance: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, distance_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    def __init__(
+        self,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        distance_mm: _Quantity | None = None,
+    ) -> None:
+        if distance is None or speed is None or force is None or distance_mm is not None:
+            self._set_fields(distance, speed, force, distance=("distance_mm", distance_mm))
+            return
         self.distance = distance
         self.speed = speed
         self.force = force
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed, record.force = _MOVE_POSITIVE_DISTANCE_REQUEST_UNPACK(data)
@@ -4061,7 +4169,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -4091,13 +4199,13 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((1, 255),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -4161,7 +4269,7 @@ class MoveNegativeDistanceResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_NEGATIVE_DISTANCE_RESPONSE_UNPACK(data)
@@ -4170,7 +4278,7 @@ class MoveNegativeDistanceResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_NEGATIVE_DISTANCE_RESPONSE_PACK()
         except _UNFIT:
@@ -4235,14 +4343,29 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
     CODE: _ClassVar[int | None] = 0x13
     _RESPONSE = MoveNegativeDistanceResponse
 
-    def __init__(self, distance: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, distance: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, distance_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    def __init__(
+        self,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        distance_mm: _Quantity | None = None,
+    ) -> None:
+        if distance is None or speed is None or force is None or distance_mm is not None:
+            self._set_fields(distance, speed, force, distance=("distance_mm", distance_mm))
+            return
         self.distance = distance
         self.speed = speed
         self.force = force
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed, record.force = _MOVE_NEGATIVE_DISTANCE_REQUEST_UNPACK(data)
@@ -4251,7 +4374,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -4281,13 +4404,13 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((1, 255),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -4351,7 +4474,7 @@ class MoveOpenResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_OPEN_RESPONSE_UNPACK(data)
@@ -4360,7 +4483,7 @@ class MoveOpenResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_OPEN_RESPONSE_PACK()
         except _UNFIT:
@@ -4427,7 +4550,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.speed,) = _MOVE_OPEN_REQUEST_UNPACK(data)
@@ -4436,7 +4559,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             if 1 <= raw_speed <= 100:
@@ -4504,7 +4627,7 @@ class MoveCloseResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_CLOSE_RESPONSE_UNPACK(data)
@@ -4513,7 +4636,7 @@ class MoveCloseResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_CLOSE_RESPONSE_PACK()
         except _UNFIT:
@@ -4579,7 +4702,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.speed,) = _MOVE_CLOSE_REQUEST_UNPACK(data)
@@ -4588,7 +4711,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             if 1 <= raw_speed <= 100:
@@ -4656,7 +4779,7 @@ class MoveRelativeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_RELATIVE_RESPONSE_UNPACK(data)
@@ -4665,7 +4788,7 @@ class MoveRelativeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_RELATIVE_RESPONSE_PACK()
         except _UNFIT:
@@ -4728,13 +4851,27 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
     CODE: _ClassVar[int | None] = 0x16
     _RESPONSE = MoveRelativeResponse
 
-    def __init__(self, distance: int, speed: int) -> None:
+    @_overload
+    def __init__(self, distance: int, speed: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, distance_mm: _Quantity, speed: int) -> None: ...
+
+    def __init__(
+        self,
+        distance: int | None = None,
+        speed: int | None = None,
+        distance_mm: _Quantity | None = None,
+    ) -> None:
+        if distance is None or speed is None or distance_mm is not None:
+            self._set_fields(distance, speed, distance=("distance_mm", distance_mm))
+            return
         self.distance = distance
         self.speed = speed
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed = _MOVE_RELATIVE_REQUEST_UNPACK(data)
@@ -4743,7 +4880,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -4770,13 +4907,13 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -4835,7 +4972,7 @@ class MoveAbsoluteResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_ABSOLUTE_RESPONSE_UNPACK(data)
@@ -4844,7 +4981,7 @@ class MoveAbsoluteResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_ABSOLUTE_RESPONSE_PACK()
         except _UNFIT:
@@ -4907,13 +5044,27 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
     CODE: _ClassVar[int | None] = 0x17
     _RESPONSE = MoveAbsoluteResponse
 
-    def __init__(self, position: int, speed: int) -> None:
+    @_overload
+    def __init__(self, position: int, speed: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, position_mm: _Quantity, speed: int) -> None: ...
+
+    def __init__(
+        self,
+        position: int | None = None,
+        speed: int | None = None,
+        position_mm: _Quantity | None = None,
+    ) -> None:
+        if position is None or speed is None or position_mm is not None:
+            self._set_fields(position, speed, position=("position_mm", position_mm))
+            return
         self.position = position
         self.speed = speed
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.position, record.speed = _MOVE_ABSOLUTE_REQUEST_UNPACK(data)
@@ -4922,7 +5073,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_position = self.position
             raw_speed = self.speed
@@ -4949,13 +5100,13 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
 
     @property
     def position_mm(self) -> float:
-        """`position` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`position` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.position / 100
 
     @position_mm.setter
-    def position_mm(self, value: float) -> None:
+    def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -5014,7 +5165,7 @@ class MoveToPointResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_TO_POINT_RESPONSE_UNPACK(data)
@@ -5023,7 +5174,7 @@ class MoveToPointResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_TO_POINT_RESPONSE_PACK()
         except _UNFIT:
@@ -5092,7 +5243,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.point_number, record.speed = _MOVE_TO_POINT_REQUEST_UNPACK(data)
@@ -5101,7 +5252,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_point_number = self.point_number
             raw_speed = self.speed
@@ -5183,7 +5334,7 @@ class GripOpenResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_OPEN_RESPONSE_UNPACK(data)
@@ -5192,7 +5343,7 @@ class GripOpenResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_OPEN_RESPONSE_PACK()
         except _UNFIT:
@@ -5261,7 +5412,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.speed, record.force = _GRIP_OPEN_REQUEST_UNPACK(data)
@@ -5270,7 +5421,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             raw_force = self.force
@@ -5352,7 +5503,7 @@ class GripCloseResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_CLOSE_RESPONSE_UNPACK(data)
@@ -5361,7 +5512,7 @@ class GripCloseResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_CLOSE_RESPONSE_PACK()
         except _UNFIT:
@@ -5430,7 +5581,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.speed, record.force = _GRIP_CLOSE_REQUEST_UNPACK(data)
@@ -5439,7 +5590,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             raw_force = self.force
@@ -5521,7 +5672,7 @@ class GripRelativeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_RELATIVE_RESPONSE_UNPACK(data)
@@ -5530,7 +5681,7 @@ class GripRelativeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_RELATIVE_RESPONSE_PACK()
         except _UNFIT:
@@ -5595,14 +5746,29 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
     CODE: _ClassVar[int | None] = 0x22
     _RESPONSE = GripRelativeResponse
 
-    def __init__(self, distance: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, distance: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, distance_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    def __init__(
+        self,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        distance_mm: _Quantity | None = None,
+    ) -> None:
+        if distance is None or speed is None or force is None or distance_mm is not None:
+            self._set_fields(distance, speed, force, distance=("distance_mm", distance_mm))
+            return
         self.distance = distance
         self.speed = speed
         self.force = force
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed, record.force = _GRIP_RELATIVE_REQUEST_UNPACK(data)
@@ -5611,7 +5777,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -5641,13 +5807,13 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -5716,7 +5882,7 @@ class GripAbsoluteResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_ABSOLUTE_RESPONSE_UNPACK(data)
@@ -5725,7 +5891,7 @@ class GripAbsoluteResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_ABSOLUTE_RESPONSE_PACK()
         except _UNFIT:
@@ -5790,14 +5956,29 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
     CODE: _ClassVar[int | None] = 0x23
     _RESPONSE = GripAbsoluteResponse
 
-    def __init__(self, position: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, position: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, position_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    def __init__(
+        self,
+        position: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        position_mm: _Quantity | None = None,
+    ) -> None:
+        if position is None or speed is None or force is None or position_mm is not None:
+            self._set_fields(position, speed, force, position=("position_mm", position_mm))
+            return
         self.position = position
         self.speed = speed
         self.force = force
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.position, record.speed, record.force = _GRIP_ABSOLUTE_REQUEST_UNPACK(data)
@@ -5806,7 +5987,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_position = self.position
             raw_speed = self.speed
@@ -5836,13 +6017,13 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
 
     @property
     def position_mm(self) -> float:
-        """`position` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`position` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.position / 100
 
     @position_mm.setter
-    def position_mm(self, value: float) -> None:
+    def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -5912,7 +6093,7 @@ class GripOpenWithZoneResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_OPEN_WITH_ZONE_RESPONSE_UNPACK(data)
@@ -5921,7 +6102,7 @@ class GripOpenWithZoneResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_OPEN_WITH_ZONE_RESPONSE_PACK()
         except _UNFIT:
@@ -5989,7 +6170,47 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
     CODE: _ClassVar[int | None] = 0x24
     _RESPONSE = GripOpenWithZoneResponse
 
-    def __init__(self, zone_limit_1: int, zone_limit_2: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, zone_limit_1: int, zone_limit_2: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, zone_limit_1: int, *, zone_limit_2_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, zone_limit_1_mm: _Quantity, zone_limit_2: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        *,
+        zone_limit_1_mm: _Quantity,
+        zone_limit_2_mm: _Quantity,
+        speed: int,
+        force: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        zone_limit_1: int | None = None,
+        zone_limit_2: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
+    ) -> None:
+        if (
+            zone_limit_1 is None
+            or zone_limit_2 is None
+            or speed is None
+            or force is None
+            or zone_limit_1_mm is not None
+            or zone_limit_2_mm is not None
+        ):
+            self._set_fields(
+                zone_limit_1, zone_limit_2, speed, force, zone_limit_1=("zone_limit_1_mm", zone_limit_1_mm),
+                zone_limit_2=("zone_limit_2_mm", zone_limit_2_mm),
+            )
+            return
         self.zone_limit_1 = zone_limit_1
         self.zone_limit_2 = zone_limit_2
         self.speed = speed
@@ -5997,7 +6218,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6011,7 +6232,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_zone_limit_1 = self.zone_limit_1
             raw_zone_limit_2 = self.zone_limit_2
@@ -6051,24 +6272,24 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
     @zone_limit_1_mm.setter
-    def zone_limit_1_mm(self, value: float) -> None:
+    def zone_limit_1_mm(self, value: _Quantity) -> None:
         self.zone_limit_1 = _counts("zone_limit_1", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
     @zone_limit_2_mm.setter
-    def zone_limit_2_mm(self, value: float) -> None:
+    def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -6141,7 +6362,7 @@ class GripCloseWithZoneResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_CLOSE_WITH_ZONE_RESPONSE_UNPACK(data)
@@ -6150,7 +6371,7 @@ class GripCloseWithZoneResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_CLOSE_WITH_ZONE_RESPONSE_PACK()
         except _UNFIT:
@@ -6218,7 +6439,47 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
     CODE: _ClassVar[int | None] = 0x25
     _RESPONSE = GripCloseWithZoneResponse
 
-    def __init__(self, zone_limit_1: int, zone_limit_2: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, zone_limit_1: int, zone_limit_2: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, zone_limit_1: int, *, zone_limit_2_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, zone_limit_1_mm: _Quantity, zone_limit_2: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        *,
+        zone_limit_1_mm: _Quantity,
+        zone_limit_2_mm: _Quantity,
+        speed: int,
+        force: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        zone_limit_1: int | None = None,
+        zone_limit_2: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
+    ) -> None:
+        if (
+            zone_limit_1 is None
+            or zone_limit_2 is None
+            or speed is None
+            or force is None
+            or zone_limit_1_mm is not None
+            or zone_limit_2_mm is not None
+        ):
+            self._set_fields(
+                zone_limit_1, zone_limit_2, speed, force, zone_limit_1=("zone_limit_1_mm", zone_limit_1_mm),
+                zone_limit_2=("zone_limit_2_mm", zone_limit_2_mm),
+            )
+            return
         self.zone_limit_1 = zone_limit_1
         self.zone_limit_2 = zone_limit_2
         self.speed = speed
@@ -6226,7 +6487,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6240,7 +6501,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_zone_limit_1 = self.zone_limit_1
             raw_zone_limit_2 = self.zone_limit_2
@@ -6280,24 +6541,24 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
     @zone_limit_1_mm.setter
-    def zone_limit_1_mm(self, value: float) -> None:
+    def zone_limit_1_mm(self, value: _Quantity) -> None:
         self.zone_limit_1 = _counts("zone_limit_1", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
     @zone_limit_2_mm.setter
-    def zone_limit_2_mm(self, value: float) -> None:
+    def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -6368,7 +6629,7 @@ class NoOperationResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _NO_OPERATION_RESPONSE_UNPACK(data)
@@ -6377,7 +6638,7 @@ class NoOperationResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _NO_OPERATION_RESPONSE_PACK()
         except _UNFIT:
@@ -6437,7 +6698,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _NO_OPERATION_REQUEST_UNPACK(data)
@@ -6446,7 +6707,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _NO_OPERATION_REQUEST_PACK()
         except _UNFIT:
@@ -6503,7 +6764,7 @@ class SetMotorExcitationResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _SET_MOTOR_EXCITATION_RESPONSE_UNPACK(data)
@@ -6512,7 +6773,7 @@ class SetMotorExcitationResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _SET_MOTOR_EXCITATION_RESPONSE_PACK()
         except _UNFIT:
@@ -6579,7 +6840,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_excited,) = _SET_MOTOR_EXCITATION_REQUEST_UNPACK(data)
@@ -6591,7 +6852,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_excited = self.excited
             if raw_excited <= 1:
@@ -6669,7 +6930,7 @@ class ReadVersionResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_version,) = _READ_VERSION_RESPONSE_UNPACK(data)
@@ -6679,7 +6940,7 @@ class ReadVersionResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_version = self.version
             if len(raw_version) <= 6:
@@ -6753,7 +7014,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_VERSION_REQUEST_UNPACK(data)
@@ -6762,7 +7023,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_VERSION_REQUEST_PACK()
         except _UNFIT:
@@ -6821,12 +7082,21 @@ class ReadCurrentPositionResponse(_Record):
     _SIZE: _ClassVar[int] = 4
     CODE: _ClassVar[int | None] = 0x41
 
-    def __init__(self, position: int) -> None:
+    @_overload
+    def __init__(self, position: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, position_mm: _Quantity) -> None: ...
+
+    def __init__(self, position: int | None = None, position_mm: _Quantity | None = None) -> None:
+        if position is None or position_mm is not None:
+            self._set_fields(position, position=("position_mm", position_mm))
+            return
         self.position = position
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.position,) = _READ_CURRENT_POSITION_RESPONSE_UNPACK(data)
@@ -6835,7 +7105,7 @@ class ReadCurrentPositionResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_position = self.position
             if -134217727 <= raw_position <= 134217727:
@@ -6857,13 +7127,13 @@ class ReadCurrentPositionResponse(_Record):
 
     @property
     def position_mm(self) -> float:
-        """`position` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`position` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.position / 100
 
     @position_mm.setter
-    def position_mm(self, value: float) -> None:
+    def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
@@ -6923,7 +7193,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_CURRENT_POSITION_REQUEST_UNPACK(data)
@@ -6932,7 +7202,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_CURRENT_POSITION_REQUEST_PACK()
         except _UNFIT:
@@ -6996,7 +7266,7 @@ class ReadCurrentPointNumberResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.point_number,) = _READ_CURRENT_POINT_NUMBER_RESPONSE_UNPACK(data)
@@ -7005,7 +7275,7 @@ class ReadCurrentPointNumberResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_point_number = self.point_number
             if 1 <= raw_point_number <= 31:
@@ -7084,7 +7354,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_CURRENT_POINT_NUMBER_REQUEST_UNPACK(data)
@@ -7093,7 +7363,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_CURRENT_POINT_NUMBER_REQUEST_PACK()
         except _UNFIT:
@@ -7156,7 +7426,7 @@ class ReadParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.value,) = _READ_PARAMETER_RESPONSE_UNPACK(data)
@@ -7165,7 +7435,7 @@ class ReadParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_PARAMETER_RESPONSE_PACK(self.value)
         except _UNFIT:
@@ -7245,7 +7515,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.parameter_number,) = _READ_PARAMETER_REQUEST_UNPACK(data)
@@ -7254,7 +7524,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameter_number = self.parameter_number
             if raw_parameter_number <= 31:
@@ -7334,7 +7604,7 @@ class ReadPointResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_point,) = _READ_POINT_RESPONSE_UNPACK(data)
@@ -7344,7 +7614,7 @@ class ReadPointResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_POINT_RESPONSE_PACK(self.point.encode())
         except _UNFIT:
@@ -7419,7 +7689,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.point_number,) = _READ_POINT_REQUEST_UNPACK(data)
@@ -7428,7 +7698,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_point_number = self.point_number
             if 1 <= raw_point_number <= 31:
@@ -7502,7 +7772,7 @@ class ReadHomingStateResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_homing_complete,) = _READ_HOMING_STATE_RESPONSE_UNPACK(data)
@@ -7514,7 +7784,7 @@ class ReadHomingStateResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_homing_complete = self.homing_complete
             if raw_homing_complete <= 1:
@@ -7596,7 +7866,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_HOMING_STATE_REQUEST_UNPACK(data)
@@ -7605,7 +7875,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_HOMING_STATE_REQUEST_PACK()
         except _UNFIT:
@@ -7670,7 +7940,7 @@ class ReadMotorExcitationResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_excited,) = _READ_MOTOR_EXCITATION_RESPONSE_UNPACK(data)
@@ -7682,7 +7952,7 @@ class ReadMotorExcitationResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_excited = self.excited
             if raw_excited <= 1:
@@ -7762,7 +8032,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_MOTOR_EXCITATION_REQUEST_UNPACK(data)
@@ -7771,7 +8041,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_MOTOR_EXCITATION_REQUEST_PACK()
         except _UNFIT:
@@ -7825,38 +8095,38 @@ class ReadAlarmCodeResponse(_Record):
     Source: 9.3.8 L853-856, 851.
     """
 
-    __slots__ = ("_held_alarm_code",)
+    __slots__ = ("_word_alarm_code",)
     __match_args__ = ("alarm_code",)
     _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x47
 
     def __init__(self, alarm_code: AlarmCode | int) -> None:
-        self._held_alarm_code: AlarmCode | int = alarm_code
+        self._word_alarm_code: AlarmCode | int = alarm_code
 
     @property
     def alarm_code(self) -> AlarmCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_alarm_code
-        return _ALARM_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_alarm_code
+        return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @alarm_code.setter
     def alarm_code(self, value: AlarmCode | int) -> None:
-        self._held_alarm_code = value
+        self._word_alarm_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_alarm_code,) = _READ_ALARM_CODE_RESPONSE_UNPACK(data)
+            (record._word_alarm_code,) = _READ_ALARM_CODE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_alarm_code_response", len(data), 1, 1) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
-            return _READ_ALARM_CODE_RESPONSE_PACK(self._held_alarm_code)
+            return _READ_ALARM_CODE_RESPONSE_PACK(self._word_alarm_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_alarm_code_response")
@@ -7876,7 +8146,7 @@ class ReadAlarmCodeResponse(_Record):
         try:
             if station <= 15:
                 data = _PACK_READ_ALARM_CODE_SERIAL_RESPONSE(
-                    5, station, part_status.raw, self._held_alarm_code,
+                    5, station, part_status.raw, self._word_alarm_code,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
@@ -7896,7 +8166,7 @@ class ReadAlarmCodeResponse(_Record):
                 part_length,
                 station,
                 part_status,
-                message._held_alarm_code,
+                message._word_alarm_code,
                 check,
             ) = _UNPACK_READ_ALARM_CODE_SERIAL_RESPONSE(data)
         except _StructError:
@@ -7930,7 +8200,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_ALARM_CODE_REQUEST_UNPACK(data)
@@ -7939,7 +8209,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ALARM_CODE_REQUEST_PACK()
         except _UNFIT:
@@ -8005,7 +8275,7 @@ class ReadAccumulatedTimeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.hours, record.minutes = _READ_ACCUMULATED_TIME_RESPONSE_UNPACK(data)
@@ -8014,7 +8284,7 @@ class ReadAccumulatedTimeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_minutes = self.minutes
             if raw_minutes <= 60:
@@ -8098,7 +8368,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_ACCUMULATED_TIME_REQUEST_UNPACK(data)
@@ -8107,7 +8377,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ACCUMULATED_TIME_REQUEST_PACK()
         except _UNFIT:
@@ -8146,7 +8416,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
 
 
 class SerialResponse(_Response[_M]):
-    """A response on this link, with all parts of its head."""
+    """A response on this link, with all parts of its header."""
 
     __slots__ = ("status",)
     __match_args__ = ("station", "message", "status",)
@@ -8493,7 +8763,7 @@ class SerialLink:
         return message._to_serial(station, status)
 
     def decode_request(self, frame: _Data) -> _Request[AnySerialRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = frame
         try:
             request: _Request[AnySerialRequest] | None = _SERIAL_QUICK_REQUESTS[data[2]](data)
@@ -8713,7 +8983,7 @@ class SerialLink:
     ) -> SerialResponse[_Any]:
         """The response to a request, to its class, or of the message with a number or a name.
 
-        A frame does not say what it answers. Raises CodecError for anything wrong in the bytes, and for a message
+        The frame does not identify it. Raises CodecError for anything wrong in the bytes, and for a message
         that is not sent here.
         """
         data = frame
@@ -8733,7 +9003,7 @@ class SerialLink:
     def request_framer(self) -> _LengthFramer:
         """Finds the requests in a stream.
 
-        The length says where a frame ends; one that fits no message is taken for garbage.
+        The length determines where a frame ends; a length that fits no message is garbage.
         """
         return _LengthFramer(
             _SERIAL_REQUESTS,
@@ -8748,7 +9018,7 @@ class SerialLink:
     def response_framer(self) -> _LengthFramer:
         """Finds the responses in a stream.
 
-        The length says where a frame ends; one that fits no message is taken for garbage.
+        The length determines where a frame ends; a length that fits no message is garbage.
         """
         return _LengthFramer(
             _SERIAL_RESPONSES,

@@ -68,6 +68,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self as _Self
 
     from .._typing import Data as _Data
+    from .._typing import Quantity as _Quantity
     from .._typing import R as _R
     from .._typing import T as _T
     from ..many import Column as _Column
@@ -184,7 +185,7 @@ __all__ = [
 DEVICE: _Final = "esc11"
 VERSION: _Final = "1.17"
 IDENTITY: _Final = "a24878bc34e9aaec"
-"""Equal if and only if what is on the wire is."""
+"""Equal for two versions if and only if their bytes on the wire are."""
 
 
 class ActuatorType(_IntEnum):
@@ -639,12 +640,12 @@ class AlarmCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _ALARM_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> AlarmCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("alarm_code", _ALARM_CODE_MEMBERS, _ALARM_CODE_PRINTED_NAMES, text)
 
 
@@ -1341,41 +1342,41 @@ class AlarmHistoryEntry(_Record):
     Source: 9.4.4 L956; 10.1 L1229-1232.
     """
 
-    __slots__ = ("hours", "minutes", "_held_alarm_code")
+    __slots__ = ("hours", "minutes", "_word_alarm_code")
     __match_args__ = ("hours", "minutes", "alarm_code")
     _SIZE: _ClassVar[int] = 4
 
     def __init__(self, hours: int, minutes: int, alarm_code: AlarmCode | int) -> None:
         self.hours = hours
         self.minutes = minutes
-        self._held_alarm_code: AlarmCode | int = alarm_code
+        self._word_alarm_code: AlarmCode | int = alarm_code
 
     @property
     def alarm_code(self) -> AlarmCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_alarm_code
-        return _ALARM_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_alarm_code
+        return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @alarm_code.setter
     def alarm_code(self, value: AlarmCode | int) -> None:
-        self._held_alarm_code = value
+        self._word_alarm_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.hours, record.minutes, record._held_alarm_code = _ALARM_HISTORY_ENTRY_UNPACK(data)
+            record.hours, record.minutes, record._word_alarm_code = _ALARM_HISTORY_ENTRY_UNPACK(data)
         except _StructError:
             raise _wrong_length("alarm_history_entry", len(data), 4, 4) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_minutes = self.minutes
             if raw_minutes <= 60:
-                return _ALARM_HISTORY_ENTRY_PACK(self.hours, raw_minutes, self._held_alarm_code)
+                return _ALARM_HISTORY_ENTRY_PACK(self.hours, raw_minutes, self._word_alarm_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("alarm_history_entry")
@@ -1424,6 +1425,7 @@ class Point(_Record):
     __match_args__ = ("number", "mode", "distance", "speed", "force", "zone_limit_1", "zone_limit_2")
     _SIZE: _ClassVar[int] = 16
 
+    @_overload
     def __init__(
         self,
         number: int,
@@ -1433,7 +1435,53 @@ class Point(_Record):
         force: int,
         zone_limit_1: int,
         zone_limit_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        number: int,
+        mode: PointMode,
+        *,
+        distance: int | None = None,
+        distance_mm: _Quantity | None = None,
+        speed: int,
+        force: int,
+        zone_limit_1: int | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2: int | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        number: int,
+        mode: PointMode,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        zone_limit_1: int | None = None,
+        zone_limit_2: int | None = None,
+        distance_mm: _Quantity | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
     ) -> None:
+        if (
+            distance is None
+            or speed is None
+            or force is None
+            or zone_limit_1 is None
+            or zone_limit_2 is None
+            or distance_mm is not None
+            or zone_limit_1_mm is not None
+            or zone_limit_2_mm is not None
+        ):
+            self._set_fields(
+                number, mode, distance, speed, force, zone_limit_1, zone_limit_2,
+                distance=("distance_mm", distance_mm), zone_limit_1=("zone_limit_1_mm", zone_limit_1_mm),
+                zone_limit_2=("zone_limit_2_mm", zone_limit_2_mm),
+            )
+            return
         self.number = number
         self.mode = mode
         self.distance = distance
@@ -1444,7 +1492,7 @@ class Point(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -1465,7 +1513,7 @@ class Point(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_number = self.number
             raw_mode = self.mode
@@ -1518,35 +1566,35 @@ class Point(_Record):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
     @zone_limit_1_mm.setter
-    def zone_limit_1_mm(self, value: float) -> None:
+    def zone_limit_1_mm(self, value: _Quantity) -> None:
         self.zone_limit_1 = _counts("zone_limit_1", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
     @zone_limit_2_mm.setter
-    def zone_limit_2_mm(self, value: float) -> None:
+    def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
 
@@ -1572,6 +1620,7 @@ class TemporaryPoint(_Record):
     __match_args__ = ("mode", "distance", "speed", "force", "zone_limit_1", "zone_limit_2")
     _SIZE: _ClassVar[int] = 16
 
+    @_overload
     def __init__(
         self,
         mode: PointMode,
@@ -1580,7 +1629,51 @@ class TemporaryPoint(_Record):
         force: int,
         zone_limit_1: int,
         zone_limit_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        mode: PointMode,
+        *,
+        distance: int | None = None,
+        distance_mm: _Quantity | None = None,
+        speed: int,
+        force: int,
+        zone_limit_1: int | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2: int | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        mode: PointMode,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        zone_limit_1: int | None = None,
+        zone_limit_2: int | None = None,
+        distance_mm: _Quantity | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
     ) -> None:
+        if (
+            distance is None
+            or speed is None
+            or force is None
+            or zone_limit_1 is None
+            or zone_limit_2 is None
+            or distance_mm is not None
+            or zone_limit_1_mm is not None
+            or zone_limit_2_mm is not None
+        ):
+            self._set_fields(
+                mode, distance, speed, force, zone_limit_1, zone_limit_2,
+                distance=("distance_mm", distance_mm), zone_limit_1=("zone_limit_1_mm", zone_limit_1_mm),
+                zone_limit_2=("zone_limit_2_mm", zone_limit_2_mm),
+            )
+            return
         self.mode = mode
         self.distance = distance
         self.speed = speed
@@ -1590,7 +1683,7 @@ class TemporaryPoint(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -1613,7 +1706,7 @@ class TemporaryPoint(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_mode = self.mode
             raw_distance = self.distance
@@ -1662,35 +1755,35 @@ class TemporaryPoint(_Record):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
     @zone_limit_1_mm.setter
-    def zone_limit_1_mm(self, value: float) -> None:
+    def zone_limit_1_mm(self, value: _Quantity) -> None:
         self.zone_limit_1 = _counts("zone_limit_1", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
     @zone_limit_2_mm.setter
-    def zone_limit_2_mm(self, value: float) -> None:
+    def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
 
@@ -1718,7 +1811,7 @@ class ReadPointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 16 <= len(data) <= 240 or (len(data) - 0) % 16:
             raise _wrong_length("read_points_response", len(data), 16, 240, 0, 16)
         record = _new(cls)
@@ -1727,7 +1820,7 @@ class ReadPointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_points = self.points
             if 1 <= len(raw_points) <= 15:
@@ -1779,7 +1872,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.first_point,) = _READ_POINTS_REQUEST_UNPACK(data)
@@ -1788,7 +1881,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_first_point = self.first_point
             if 1 <= raw_first_point <= 31:
@@ -1864,7 +1957,7 @@ class ReadParametersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (*record.parameters,) = _READ_PARAMETERS_RESPONSE_UNPACK(data)
@@ -1873,7 +1966,7 @@ class ReadParametersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameters = self.parameters
             if len(raw_parameters) == 32:
@@ -1950,7 +2043,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_PARAMETERS_REQUEST_UNPACK(data)
@@ -1959,7 +2052,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_PARAMETERS_REQUEST_PACK()
         except _UNFIT:
@@ -2014,7 +2107,7 @@ class ReadIoStatusResponse(_Record):
     Source: 9.4.3 L936-940, 934.
     """
 
-    __slots__ = ("_held_inputs", "_held_outputs", "_held_state_outputs")
+    __slots__ = ("_word_inputs", "_word_outputs", "_word_state_outputs")
     __match_args__ = ("inputs", "outputs", "state_outputs")
     _SIZE: _ClassVar[int] = 3
     CODE: _ClassVar[int | None] = 0x52
@@ -2025,65 +2118,65 @@ class ReadIoStatusResponse(_Record):
         outputs: IoOutputs | int,
         state_outputs: IoStateOutputs | int,
     ) -> None:
-        self._held_inputs: IoInputs | int = inputs
-        self._held_outputs: IoOutputs | int = outputs
-        self._held_state_outputs: IoStateOutputs | int = state_outputs
+        self._word_inputs: IoInputs | int = inputs
+        self._word_outputs: IoOutputs | int = outputs
+        self._word_state_outputs: IoStateOutputs | int = state_outputs
 
     @property
     def inputs(self) -> IoInputs:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_inputs
-        if isinstance(held, int):
-            held = self._held_inputs = IoInputs(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_inputs
+        if isinstance(word, int):
+            word = self._word_inputs = IoInputs(word)
+        return word
 
     @inputs.setter
     def inputs(self, value: IoInputs | int) -> None:
-        self._held_inputs = value
+        self._word_inputs = value
 
     @property
     def outputs(self) -> IoOutputs:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_outputs
-        if isinstance(held, int):
-            held = self._held_outputs = IoOutputs(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_outputs
+        if isinstance(word, int):
+            word = self._word_outputs = IoOutputs(word)
+        return word
 
     @outputs.setter
     def outputs(self, value: IoOutputs | int) -> None:
-        self._held_outputs = value
+        self._word_outputs = value
 
     @property
     def state_outputs(self) -> IoStateOutputs:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_state_outputs
-        if isinstance(held, int):
-            held = self._held_state_outputs = IoStateOutputs(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_state_outputs
+        if isinstance(word, int):
+            word = self._word_state_outputs = IoStateOutputs(word)
+        return word
 
     @state_outputs.setter
     def state_outputs(self, value: IoStateOutputs | int) -> None:
-        self._held_state_outputs = value
+        self._word_state_outputs = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_inputs,
-                record._held_outputs,
-                record._held_state_outputs,
+                record._word_inputs,
+                record._word_outputs,
+                record._word_state_outputs,
             ) = _READ_IO_STATUS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_io_status_response", len(data), 3, 3) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_IO_STATUS_RESPONSE_PACK(
-                self._held_inputs, self._held_outputs, self._held_state_outputs,
+                self._word_inputs, self._word_outputs, self._word_state_outputs,
             )
         except _UNFIT:
             pass
@@ -2110,8 +2203,8 @@ class ReadIoStatusResponse(_Record):
         try:
             if station <= 15:
                 data = _PACK_READ_IO_STATUS_SERIAL_RESPONSE(
-                    7, station, part_status.raw, self._held_inputs, self._held_outputs,
-                    self._held_state_outputs,
+                    7, station, part_status.raw, self._word_inputs, self._word_outputs,
+                    self._word_state_outputs,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
@@ -2131,9 +2224,9 @@ class ReadIoStatusResponse(_Record):
                 part_length,
                 station,
                 part_status,
-                message._held_inputs,
-                message._held_outputs,
-                message._held_state_outputs,
+                message._word_inputs,
+                message._word_outputs,
+                message._word_state_outputs,
                 check,
             ) = _UNPACK_READ_IO_STATUS_SERIAL_RESPONSE(data)
         except _StructError:
@@ -2167,7 +2260,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_IO_STATUS_REQUEST_UNPACK(data)
@@ -2176,7 +2269,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_IO_STATUS_REQUEST_PACK()
         except _UNFIT:
@@ -2237,7 +2330,7 @@ class ReadAlarmHistoryResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 0 <= len(data) <= 64 or (len(data) - 0) % 4:
             raise _wrong_length("read_alarm_history_response", len(data), 0, 64, 0, 4)
         record = _new(cls)
@@ -2246,7 +2339,7 @@ class ReadAlarmHistoryResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_entries = self.entries
             if 0 <= len(raw_entries) <= 16:
@@ -2292,7 +2385,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_ALARM_HISTORY_REQUEST_UNPACK(data)
@@ -2301,7 +2394,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ALARM_HISTORY_REQUEST_PACK()
         except _UNFIT:
@@ -2358,7 +2451,7 @@ class WritePointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_POINTS_RESPONSE_UNPACK(data)
@@ -2367,7 +2460,7 @@ class WritePointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_POINTS_RESPONSE_PACK()
         except _UNFIT:
@@ -2430,7 +2523,7 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 16 <= len(data) <= 240 or (len(data) - 0) % 16:
             raise _wrong_length("write_points_request", len(data), 16, 240, 0, 16)
         record = _new(cls)
@@ -2439,7 +2532,7 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_points = self.points
             if 1 <= len(raw_points) <= 15:
@@ -2480,7 +2573,7 @@ class WriteParametersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_PARAMETERS_RESPONSE_UNPACK(data)
@@ -2489,7 +2582,7 @@ class WriteParametersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_PARAMETERS_RESPONSE_PACK()
         except _UNFIT:
@@ -2557,7 +2650,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (*record.parameters,) = _WRITE_PARAMETERS_REQUEST_UNPACK(data)
@@ -2566,7 +2659,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameters = self.parameters
             if len(raw_parameters) == 32:
@@ -2640,7 +2733,7 @@ class WriteParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_PARAMETER_RESPONSE_UNPACK(data)
@@ -2649,7 +2742,7 @@ class WriteParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_PARAMETER_RESPONSE_PACK()
         except _UNFIT:
@@ -2718,7 +2811,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.parameter_number, record.value = _WRITE_PARAMETER_REQUEST_UNPACK(data)
@@ -2727,7 +2820,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameter_number = self.parameter_number
             if raw_parameter_number <= 31:
@@ -2810,7 +2903,7 @@ class WriteTemporaryPointResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_TEMPORARY_POINT_RESPONSE_UNPACK(data)
@@ -2819,7 +2912,7 @@ class WriteTemporaryPointResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_TEMPORARY_POINT_RESPONSE_PACK()
         except _UNFIT:
@@ -2887,7 +2980,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_point,) = _WRITE_TEMPORARY_POINT_REQUEST_UNPACK(data)
@@ -2897,7 +2990,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_TEMPORARY_POINT_REQUEST_PACK(self.point.encode())
         except _UNFIT:
@@ -2963,7 +3056,7 @@ class ClearPointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_POINTS_RESPONSE_UNPACK(data)
@@ -2972,7 +3065,7 @@ class ClearPointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_POINTS_RESPONSE_PACK()
         except _UNFIT:
@@ -3040,7 +3133,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.first_point, record.point_count = _CLEAR_POINTS_REQUEST_UNPACK(data)
@@ -3049,7 +3142,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_first_point = self.first_point
             raw_point_count = self.point_count
@@ -3130,7 +3223,7 @@ class InitializePointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _INITIALIZE_POINTS_RESPONSE_UNPACK(data)
@@ -3139,7 +3232,7 @@ class InitializePointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_POINTS_RESPONSE_PACK()
         except _UNFIT:
@@ -3199,7 +3292,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _INITIALIZE_POINTS_REQUEST_UNPACK(data)
@@ -3208,7 +3301,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_POINTS_REQUEST_PACK()
         except _UNFIT:
@@ -3266,7 +3359,7 @@ class InitializeParametersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _INITIALIZE_PARAMETERS_RESPONSE_UNPACK(data)
@@ -3275,7 +3368,7 @@ class InitializeParametersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_PARAMETERS_RESPONSE_PACK()
         except _UNFIT:
@@ -3331,39 +3424,39 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
     Source: 9.6.3 L1108-1114, 1106.
     """
 
-    __slots__ = ("_held_actuator_type",)
+    __slots__ = ("_word_actuator_type",)
     __match_args__ = ("actuator_type",)
     _SIZE: _ClassVar[int] = 2
     CODE: _ClassVar[int | None] = 0x72
     _RESPONSE = InitializeParametersResponse
 
     def __init__(self, actuator_type: ActuatorType | int) -> None:
-        self._held_actuator_type: ActuatorType | int = actuator_type
+        self._word_actuator_type: ActuatorType | int = actuator_type
 
     @property
     def actuator_type(self) -> ActuatorType | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_actuator_type
-        return _ACTUATOR_TYPE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_actuator_type
+        return _ACTUATOR_TYPE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @actuator_type.setter
     def actuator_type(self, value: ActuatorType | int) -> None:
-        self._held_actuator_type = value
+        self._word_actuator_type = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_UNPACK(data)
+            (record._word_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("initialize_parameters_request", len(data), 2, 2) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
-            return _INITIALIZE_PARAMETERS_REQUEST_PACK(self._held_actuator_type)
+            return _INITIALIZE_PARAMETERS_REQUEST_PACK(self._word_actuator_type)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("initialize_parameters_request")
@@ -3382,7 +3475,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             if station <= 15:
-                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(6, station, 0x72, self._held_actuator_type)
+                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(6, station, 0x72, self._word_actuator_type)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3400,7 +3493,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
                 part_length,
                 station,
                 _,
-                message._held_actuator_type,
+                message._word_actuator_type,
                 check,
             ) = _UNPACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(data)
         except _StructError:
@@ -3432,7 +3525,7 @@ class ClearAlarmHistoryResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ALARM_HISTORY_RESPONSE_UNPACK(data)
@@ -3441,7 +3534,7 @@ class ClearAlarmHistoryResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ALARM_HISTORY_RESPONSE_PACK()
         except _UNFIT:
@@ -3501,7 +3594,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ALARM_HISTORY_REQUEST_UNPACK(data)
@@ -3510,7 +3603,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ALARM_HISTORY_REQUEST_PACK()
         except _UNFIT:
@@ -3567,7 +3660,7 @@ class ClearAccumulatedTimeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ACCUMULATED_TIME_RESPONSE_UNPACK(data)
@@ -3576,7 +3669,7 @@ class ClearAccumulatedTimeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ACCUMULATED_TIME_RESPONSE_PACK()
         except _UNFIT:
@@ -3636,7 +3729,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ACCUMULATED_TIME_REQUEST_UNPACK(data)
@@ -3645,7 +3738,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ACCUMULATED_TIME_REQUEST_PACK()
         except _UNFIT:
@@ -3702,7 +3795,7 @@ class StopResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _STOP_RESPONSE_UNPACK(data)
@@ -3711,7 +3804,7 @@ class StopResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _STOP_RESPONSE_PACK()
         except _UNFIT:
@@ -3771,7 +3864,7 @@ class StopRequest(_RequestOf["StopResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _STOP_REQUEST_UNPACK(data)
@@ -3780,7 +3873,7 @@ class StopRequest(_RequestOf["StopResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _STOP_REQUEST_PACK()
         except _UNFIT:
@@ -3837,7 +3930,7 @@ class StartHomingResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _START_HOMING_RESPONSE_UNPACK(data)
@@ -3846,7 +3939,7 @@ class StartHomingResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _START_HOMING_RESPONSE_PACK()
         except _UNFIT:
@@ -3906,7 +3999,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _START_HOMING_REQUEST_UNPACK(data)
@@ -3915,7 +4008,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _START_HOMING_REQUEST_PACK()
         except _UNFIT:
@@ -3973,7 +4066,7 @@ class MovePositiveDistanceResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_POSITIVE_DISTANCE_RESPONSE_UNPACK(data)
@@ -3982,7 +4075,7 @@ class MovePositiveDistanceResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_POSITIVE_DISTANCE_RESPONSE_PACK()
         except _UNFIT:
@@ -4047,14 +4140,29 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
     CODE: _ClassVar[int | None] = 0x12
     _RESPONSE = MovePositiveDistanceResponse
 
-    def __init__(self, distance: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, distance: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, distance_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    def __init__(
+        self,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        distance_mm: _Quantity | None = None,
+    ) -> None:
+        if distance is None or speed is None or force is None or distance_mm is not None:
+            self._set_fields(distance, speed, force, distance=("distance_mm", distance_mm))
+            return
         self.distance = distance
         self.speed = speed
         self.force = force
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed, record.force = _MOVE_POSITIVE_DISTANCE_REQUEST_UNPACK(data)
@@ -4063,7 +4171,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -4093,13 +4201,13 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((1, 255),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -4163,7 +4271,7 @@ class MoveNegativeDistanceResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_NEGATIVE_DISTANCE_RESPONSE_UNPACK(data)
@@ -4172,7 +4280,7 @@ class MoveNegativeDistanceResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_NEGATIVE_DISTANCE_RESPONSE_PACK()
         except _UNFIT:
@@ -4237,14 +4345,29 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
     CODE: _ClassVar[int | None] = 0x13
     _RESPONSE = MoveNegativeDistanceResponse
 
-    def __init__(self, distance: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, distance: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, distance_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    def __init__(
+        self,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        distance_mm: _Quantity | None = None,
+    ) -> None:
+        if distance is None or speed is None or force is None or distance_mm is not None:
+            self._set_fields(distance, speed, force, distance=("distance_mm", distance_mm))
+            return
         self.distance = distance
         self.speed = speed
         self.force = force
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed, record.force = _MOVE_NEGATIVE_DISTANCE_REQUEST_UNPACK(data)
@@ -4253,7 +4376,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -4283,13 +4406,13 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((1, 255),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -4353,7 +4476,7 @@ class MoveOpenResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_OPEN_RESPONSE_UNPACK(data)
@@ -4362,7 +4485,7 @@ class MoveOpenResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_OPEN_RESPONSE_PACK()
         except _UNFIT:
@@ -4429,7 +4552,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.speed,) = _MOVE_OPEN_REQUEST_UNPACK(data)
@@ -4438,7 +4561,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             if 1 <= raw_speed <= 100:
@@ -4506,7 +4629,7 @@ class MoveCloseResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_CLOSE_RESPONSE_UNPACK(data)
@@ -4515,7 +4638,7 @@ class MoveCloseResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_CLOSE_RESPONSE_PACK()
         except _UNFIT:
@@ -4581,7 +4704,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.speed,) = _MOVE_CLOSE_REQUEST_UNPACK(data)
@@ -4590,7 +4713,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             if 1 <= raw_speed <= 100:
@@ -4658,7 +4781,7 @@ class MoveRelativeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_RELATIVE_RESPONSE_UNPACK(data)
@@ -4667,7 +4790,7 @@ class MoveRelativeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_RELATIVE_RESPONSE_PACK()
         except _UNFIT:
@@ -4730,13 +4853,27 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
     CODE: _ClassVar[int | None] = 0x16
     _RESPONSE = MoveRelativeResponse
 
-    def __init__(self, distance: int, speed: int) -> None:
+    @_overload
+    def __init__(self, distance: int, speed: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, distance_mm: _Quantity, speed: int) -> None: ...
+
+    def __init__(
+        self,
+        distance: int | None = None,
+        speed: int | None = None,
+        distance_mm: _Quantity | None = None,
+    ) -> None:
+        if distance is None or speed is None or distance_mm is not None:
+            self._set_fields(distance, speed, distance=("distance_mm", distance_mm))
+            return
         self.distance = distance
         self.speed = speed
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed = _MOVE_RELATIVE_REQUEST_UNPACK(data)
@@ -4745,7 +4882,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -4772,13 +4909,13 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -4837,7 +4974,7 @@ class MoveAbsoluteResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_ABSOLUTE_RESPONSE_UNPACK(data)
@@ -4846,7 +4983,7 @@ class MoveAbsoluteResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_ABSOLUTE_RESPONSE_PACK()
         except _UNFIT:
@@ -4909,13 +5046,27 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
     CODE: _ClassVar[int | None] = 0x17
     _RESPONSE = MoveAbsoluteResponse
 
-    def __init__(self, position: int, speed: int) -> None:
+    @_overload
+    def __init__(self, position: int, speed: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, position_mm: _Quantity, speed: int) -> None: ...
+
+    def __init__(
+        self,
+        position: int | None = None,
+        speed: int | None = None,
+        position_mm: _Quantity | None = None,
+    ) -> None:
+        if position is None or speed is None or position_mm is not None:
+            self._set_fields(position, speed, position=("position_mm", position_mm))
+            return
         self.position = position
         self.speed = speed
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.position, record.speed = _MOVE_ABSOLUTE_REQUEST_UNPACK(data)
@@ -4924,7 +5075,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_position = self.position
             raw_speed = self.speed
@@ -4951,13 +5102,13 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
 
     @property
     def position_mm(self) -> float:
-        """`position` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`position` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.position / 100
 
     @position_mm.setter
-    def position_mm(self, value: float) -> None:
+    def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -5016,7 +5167,7 @@ class MoveToPointResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_TO_POINT_RESPONSE_UNPACK(data)
@@ -5025,7 +5176,7 @@ class MoveToPointResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_TO_POINT_RESPONSE_PACK()
         except _UNFIT:
@@ -5094,7 +5245,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.point_number, record.speed = _MOVE_TO_POINT_REQUEST_UNPACK(data)
@@ -5103,7 +5254,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_point_number = self.point_number
             raw_speed = self.speed
@@ -5185,7 +5336,7 @@ class GripOpenResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_OPEN_RESPONSE_UNPACK(data)
@@ -5194,7 +5345,7 @@ class GripOpenResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_OPEN_RESPONSE_PACK()
         except _UNFIT:
@@ -5263,7 +5414,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.speed, record.force = _GRIP_OPEN_REQUEST_UNPACK(data)
@@ -5272,7 +5423,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             raw_force = self.force
@@ -5354,7 +5505,7 @@ class GripCloseResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_CLOSE_RESPONSE_UNPACK(data)
@@ -5363,7 +5514,7 @@ class GripCloseResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_CLOSE_RESPONSE_PACK()
         except _UNFIT:
@@ -5432,7 +5583,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.speed, record.force = _GRIP_CLOSE_REQUEST_UNPACK(data)
@@ -5441,7 +5592,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             raw_force = self.force
@@ -5523,7 +5674,7 @@ class GripRelativeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_RELATIVE_RESPONSE_UNPACK(data)
@@ -5532,7 +5683,7 @@ class GripRelativeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_RELATIVE_RESPONSE_PACK()
         except _UNFIT:
@@ -5597,14 +5748,29 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
     CODE: _ClassVar[int | None] = 0x22
     _RESPONSE = GripRelativeResponse
 
-    def __init__(self, distance: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, distance: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, distance_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    def __init__(
+        self,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        distance_mm: _Quantity | None = None,
+    ) -> None:
+        if distance is None or speed is None or force is None or distance_mm is not None:
+            self._set_fields(distance, speed, force, distance=("distance_mm", distance_mm))
+            return
         self.distance = distance
         self.speed = speed
         self.force = force
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed, record.force = _GRIP_RELATIVE_REQUEST_UNPACK(data)
@@ -5613,7 +5779,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -5643,13 +5809,13 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -5718,7 +5884,7 @@ class GripAbsoluteResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_ABSOLUTE_RESPONSE_UNPACK(data)
@@ -5727,7 +5893,7 @@ class GripAbsoluteResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_ABSOLUTE_RESPONSE_PACK()
         except _UNFIT:
@@ -5792,14 +5958,29 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
     CODE: _ClassVar[int | None] = 0x23
     _RESPONSE = GripAbsoluteResponse
 
-    def __init__(self, position: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, position: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, position_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    def __init__(
+        self,
+        position: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        position_mm: _Quantity | None = None,
+    ) -> None:
+        if position is None or speed is None or force is None or position_mm is not None:
+            self._set_fields(position, speed, force, position=("position_mm", position_mm))
+            return
         self.position = position
         self.speed = speed
         self.force = force
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.position, record.speed, record.force = _GRIP_ABSOLUTE_REQUEST_UNPACK(data)
@@ -5808,7 +5989,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_position = self.position
             raw_speed = self.speed
@@ -5838,13 +6019,13 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
 
     @property
     def position_mm(self) -> float:
-        """`position` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`position` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.position / 100
 
     @position_mm.setter
-    def position_mm(self, value: float) -> None:
+    def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -5914,7 +6095,7 @@ class GripOpenWithZoneResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_OPEN_WITH_ZONE_RESPONSE_UNPACK(data)
@@ -5923,7 +6104,7 @@ class GripOpenWithZoneResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_OPEN_WITH_ZONE_RESPONSE_PACK()
         except _UNFIT:
@@ -5991,7 +6172,47 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
     CODE: _ClassVar[int | None] = 0x24
     _RESPONSE = GripOpenWithZoneResponse
 
-    def __init__(self, zone_limit_1: int, zone_limit_2: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, zone_limit_1: int, zone_limit_2: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, zone_limit_1: int, *, zone_limit_2_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, zone_limit_1_mm: _Quantity, zone_limit_2: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        *,
+        zone_limit_1_mm: _Quantity,
+        zone_limit_2_mm: _Quantity,
+        speed: int,
+        force: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        zone_limit_1: int | None = None,
+        zone_limit_2: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
+    ) -> None:
+        if (
+            zone_limit_1 is None
+            or zone_limit_2 is None
+            or speed is None
+            or force is None
+            or zone_limit_1_mm is not None
+            or zone_limit_2_mm is not None
+        ):
+            self._set_fields(
+                zone_limit_1, zone_limit_2, speed, force, zone_limit_1=("zone_limit_1_mm", zone_limit_1_mm),
+                zone_limit_2=("zone_limit_2_mm", zone_limit_2_mm),
+            )
+            return
         self.zone_limit_1 = zone_limit_1
         self.zone_limit_2 = zone_limit_2
         self.speed = speed
@@ -5999,7 +6220,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6013,7 +6234,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_zone_limit_1 = self.zone_limit_1
             raw_zone_limit_2 = self.zone_limit_2
@@ -6053,24 +6274,24 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
     @zone_limit_1_mm.setter
-    def zone_limit_1_mm(self, value: float) -> None:
+    def zone_limit_1_mm(self, value: _Quantity) -> None:
         self.zone_limit_1 = _counts("zone_limit_1", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
     @zone_limit_2_mm.setter
-    def zone_limit_2_mm(self, value: float) -> None:
+    def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -6143,7 +6364,7 @@ class GripCloseWithZoneResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_CLOSE_WITH_ZONE_RESPONSE_UNPACK(data)
@@ -6152,7 +6373,7 @@ class GripCloseWithZoneResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_CLOSE_WITH_ZONE_RESPONSE_PACK()
         except _UNFIT:
@@ -6220,7 +6441,47 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
     CODE: _ClassVar[int | None] = 0x25
     _RESPONSE = GripCloseWithZoneResponse
 
-    def __init__(self, zone_limit_1: int, zone_limit_2: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, zone_limit_1: int, zone_limit_2: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, zone_limit_1: int, *, zone_limit_2_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, zone_limit_1_mm: _Quantity, zone_limit_2: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        *,
+        zone_limit_1_mm: _Quantity,
+        zone_limit_2_mm: _Quantity,
+        speed: int,
+        force: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        zone_limit_1: int | None = None,
+        zone_limit_2: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
+    ) -> None:
+        if (
+            zone_limit_1 is None
+            or zone_limit_2 is None
+            or speed is None
+            or force is None
+            or zone_limit_1_mm is not None
+            or zone_limit_2_mm is not None
+        ):
+            self._set_fields(
+                zone_limit_1, zone_limit_2, speed, force, zone_limit_1=("zone_limit_1_mm", zone_limit_1_mm),
+                zone_limit_2=("zone_limit_2_mm", zone_limit_2_mm),
+            )
+            return
         self.zone_limit_1 = zone_limit_1
         self.zone_limit_2 = zone_limit_2
         self.speed = speed
@@ -6228,7 +6489,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6242,7 +6503,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_zone_limit_1 = self.zone_limit_1
             raw_zone_limit_2 = self.zone_limit_2
@@ -6282,24 +6543,24 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
     @zone_limit_1_mm.setter
-    def zone_limit_1_mm(self, value: float) -> None:
+    def zone_limit_1_mm(self, value: _Quantity) -> None:
         self.zone_limit_1 = _counts("zone_limit_1", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
     @zone_limit_2_mm.setter
-    def zone_limit_2_mm(self, value: float) -> None:
+    def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -6370,7 +6631,7 @@ class NoOperationResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _NO_OPERATION_RESPONSE_UNPACK(data)
@@ -6379,7 +6640,7 @@ class NoOperationResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _NO_OPERATION_RESPONSE_PACK()
         except _UNFIT:
@@ -6439,7 +6700,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _NO_OPERATION_REQUEST_UNPACK(data)
@@ -6448,7 +6709,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _NO_OPERATION_REQUEST_PACK()
         except _UNFIT:
@@ -6505,7 +6766,7 @@ class SetMotorExcitationResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _SET_MOTOR_EXCITATION_RESPONSE_UNPACK(data)
@@ -6514,7 +6775,7 @@ class SetMotorExcitationResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _SET_MOTOR_EXCITATION_RESPONSE_PACK()
         except _UNFIT:
@@ -6581,7 +6842,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_excited,) = _SET_MOTOR_EXCITATION_REQUEST_UNPACK(data)
@@ -6593,7 +6854,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_excited = self.excited
             if raw_excited <= 1:
@@ -6671,7 +6932,7 @@ class ReadVersionResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_version,) = _READ_VERSION_RESPONSE_UNPACK(data)
@@ -6681,7 +6942,7 @@ class ReadVersionResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_version = self.version
             if len(raw_version) <= 6:
@@ -6755,7 +7016,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_VERSION_REQUEST_UNPACK(data)
@@ -6764,7 +7025,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_VERSION_REQUEST_PACK()
         except _UNFIT:
@@ -6823,12 +7084,21 @@ class ReadCurrentPositionResponse(_Record):
     _SIZE: _ClassVar[int] = 4
     CODE: _ClassVar[int | None] = 0x41
 
-    def __init__(self, position: int) -> None:
+    @_overload
+    def __init__(self, position: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, position_mm: _Quantity) -> None: ...
+
+    def __init__(self, position: int | None = None, position_mm: _Quantity | None = None) -> None:
+        if position is None or position_mm is not None:
+            self._set_fields(position, position=("position_mm", position_mm))
+            return
         self.position = position
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.position,) = _READ_CURRENT_POSITION_RESPONSE_UNPACK(data)
@@ -6837,7 +7107,7 @@ class ReadCurrentPositionResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_position = self.position
             if -134217727 <= raw_position <= 134217727:
@@ -6859,13 +7129,13 @@ class ReadCurrentPositionResponse(_Record):
 
     @property
     def position_mm(self) -> float:
-        """`position` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`position` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.position / 100
 
     @position_mm.setter
-    def position_mm(self, value: float) -> None:
+    def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
@@ -6925,7 +7195,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_CURRENT_POSITION_REQUEST_UNPACK(data)
@@ -6934,7 +7204,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_CURRENT_POSITION_REQUEST_PACK()
         except _UNFIT:
@@ -6998,7 +7268,7 @@ class ReadCurrentPointNumberResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.point_number,) = _READ_CURRENT_POINT_NUMBER_RESPONSE_UNPACK(data)
@@ -7007,7 +7277,7 @@ class ReadCurrentPointNumberResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_point_number = self.point_number
             if 1 <= raw_point_number <= 31:
@@ -7086,7 +7356,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_CURRENT_POINT_NUMBER_REQUEST_UNPACK(data)
@@ -7095,7 +7365,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_CURRENT_POINT_NUMBER_REQUEST_PACK()
         except _UNFIT:
@@ -7158,7 +7428,7 @@ class ReadParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.value,) = _READ_PARAMETER_RESPONSE_UNPACK(data)
@@ -7167,7 +7437,7 @@ class ReadParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_PARAMETER_RESPONSE_PACK(self.value)
         except _UNFIT:
@@ -7247,7 +7517,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.parameter_number,) = _READ_PARAMETER_REQUEST_UNPACK(data)
@@ -7256,7 +7526,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameter_number = self.parameter_number
             if raw_parameter_number <= 31:
@@ -7336,7 +7606,7 @@ class ReadPointResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_point,) = _READ_POINT_RESPONSE_UNPACK(data)
@@ -7346,7 +7616,7 @@ class ReadPointResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_POINT_RESPONSE_PACK(self.point.encode())
         except _UNFIT:
@@ -7421,7 +7691,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.point_number,) = _READ_POINT_REQUEST_UNPACK(data)
@@ -7430,7 +7700,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_point_number = self.point_number
             if 1 <= raw_point_number <= 31:
@@ -7504,7 +7774,7 @@ class ReadHomingStateResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_homing_complete,) = _READ_HOMING_STATE_RESPONSE_UNPACK(data)
@@ -7516,7 +7786,7 @@ class ReadHomingStateResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_homing_complete = self.homing_complete
             if raw_homing_complete <= 1:
@@ -7598,7 +7868,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_HOMING_STATE_REQUEST_UNPACK(data)
@@ -7607,7 +7877,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_HOMING_STATE_REQUEST_PACK()
         except _UNFIT:
@@ -7672,7 +7942,7 @@ class ReadMotorExcitationResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_excited,) = _READ_MOTOR_EXCITATION_RESPONSE_UNPACK(data)
@@ -7684,7 +7954,7 @@ class ReadMotorExcitationResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_excited = self.excited
             if raw_excited <= 1:
@@ -7764,7 +8034,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_MOTOR_EXCITATION_REQUEST_UNPACK(data)
@@ -7773,7 +8043,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_MOTOR_EXCITATION_REQUEST_PACK()
         except _UNFIT:
@@ -7827,38 +8097,38 @@ class ReadAlarmCodeResponse(_Record):
     Source: 9.3.8 L853-856, 851.
     """
 
-    __slots__ = ("_held_alarm_code",)
+    __slots__ = ("_word_alarm_code",)
     __match_args__ = ("alarm_code",)
     _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x47
 
     def __init__(self, alarm_code: AlarmCode | int) -> None:
-        self._held_alarm_code: AlarmCode | int = alarm_code
+        self._word_alarm_code: AlarmCode | int = alarm_code
 
     @property
     def alarm_code(self) -> AlarmCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_alarm_code
-        return _ALARM_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_alarm_code
+        return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @alarm_code.setter
     def alarm_code(self, value: AlarmCode | int) -> None:
-        self._held_alarm_code = value
+        self._word_alarm_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_alarm_code,) = _READ_ALARM_CODE_RESPONSE_UNPACK(data)
+            (record._word_alarm_code,) = _READ_ALARM_CODE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_alarm_code_response", len(data), 1, 1) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
-            return _READ_ALARM_CODE_RESPONSE_PACK(self._held_alarm_code)
+            return _READ_ALARM_CODE_RESPONSE_PACK(self._word_alarm_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_alarm_code_response")
@@ -7878,7 +8148,7 @@ class ReadAlarmCodeResponse(_Record):
         try:
             if station <= 15:
                 data = _PACK_READ_ALARM_CODE_SERIAL_RESPONSE(
-                    5, station, part_status.raw, self._held_alarm_code,
+                    5, station, part_status.raw, self._word_alarm_code,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
@@ -7898,7 +8168,7 @@ class ReadAlarmCodeResponse(_Record):
                 part_length,
                 station,
                 part_status,
-                message._held_alarm_code,
+                message._word_alarm_code,
                 check,
             ) = _UNPACK_READ_ALARM_CODE_SERIAL_RESPONSE(data)
         except _StructError:
@@ -7932,7 +8202,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_ALARM_CODE_REQUEST_UNPACK(data)
@@ -7941,7 +8211,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ALARM_CODE_REQUEST_PACK()
         except _UNFIT:
@@ -8007,7 +8277,7 @@ class ReadAccumulatedTimeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.hours, record.minutes = _READ_ACCUMULATED_TIME_RESPONSE_UNPACK(data)
@@ -8016,7 +8286,7 @@ class ReadAccumulatedTimeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_minutes = self.minutes
             if raw_minutes <= 60:
@@ -8100,7 +8370,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_ACCUMULATED_TIME_REQUEST_UNPACK(data)
@@ -8109,7 +8379,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ACCUMULATED_TIME_REQUEST_PACK()
         except _UNFIT:
@@ -8168,7 +8438,7 @@ class ResetAlarmResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _RESET_ALARM_RESPONSE_UNPACK(data)
@@ -8177,7 +8447,7 @@ class ResetAlarmResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _RESET_ALARM_RESPONSE_PACK()
         except _UNFIT:
@@ -8239,7 +8509,7 @@ class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _RESET_ALARM_REQUEST_UNPACK(data)
@@ -8248,7 +8518,7 @@ class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _RESET_ALARM_REQUEST_PACK()
         except _UNFIT:
@@ -8287,7 +8557,7 @@ class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
 
 
 class SerialResponse(_Response[_M]):
-    """A response on this link, with all parts of its head."""
+    """A response on this link, with all parts of its header."""
 
     __slots__ = ("status",)
     __match_args__ = ("station", "message", "status",)
@@ -8641,7 +8911,7 @@ class SerialLink:
         return message._to_serial(station, status)
 
     def decode_request(self, frame: _Data) -> _Request[AnySerialRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = frame
         try:
             request: _Request[AnySerialRequest] | None = _SERIAL_QUICK_REQUESTS[data[2]](data)
@@ -8866,7 +9136,7 @@ class SerialLink:
     ) -> SerialResponse[_Any]:
         """The response to a request, to its class, or of the message with a number or a name.
 
-        A frame does not say what it answers. Raises CodecError for anything wrong in the bytes, and for a message
+        The frame does not identify it. Raises CodecError for anything wrong in the bytes, and for a message
         that is not sent here.
         """
         data = frame
@@ -8886,7 +9156,7 @@ class SerialLink:
     def request_framer(self) -> _LengthFramer:
         """Finds the requests in a stream.
 
-        The length says where a frame ends; one that fits no message is taken for garbage.
+        The length determines where a frame ends; a length that fits no message is garbage.
         """
         return _LengthFramer(
             _SERIAL_REQUESTS,
@@ -8901,7 +9171,7 @@ class SerialLink:
     def response_framer(self) -> _LengthFramer:
         """Finds the responses in a stream.
 
-        The length says where a frame ends; one that fits no message is taken for garbage.
+        The length determines where a frame ends; a length that fits no message is garbage.
         """
         return _LengthFramer(
             _SERIAL_RESPONSES,

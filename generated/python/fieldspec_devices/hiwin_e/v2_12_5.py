@@ -72,6 +72,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self as _Self
 
     from .._typing import Data as _Data
+    from .._typing import Quantity as _Quantity
     from .._typing import R as _R
     from .._typing import T as _T
     from ..many import Column as _Column
@@ -200,7 +201,7 @@ __all__ = [
 DEVICE: _Final = "hiwin-e"
 VERSION: _Final = "2.12.5"
 IDENTITY: _Final = "b35f43c8ff45f060"
-"""Equal if and only if what is on the wire is."""
+"""Equal for two versions if and only if their bytes on the wire are."""
 
 
 class AlarmCode(_IntEnum):
@@ -599,22 +600,22 @@ class AlarmCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _ALARM_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> AlarmCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("alarm_code", _ALARM_CODE_MEMBERS, _ALARM_CODE_PRINTED_NAMES, text)
 
     @property
     def number(self) -> int | None:
-        """Another number by which the manual knows it; None where it has none."""
+        """Its other number in the manual; None where it has none."""
         return _ALARM_CODE_NUMBERS.get(self.value)
 
     @classmethod
     def by_number(cls, number: int) -> AlarmCode:
-        """The member with that other number. Raises CodecError."""
+        """The member with this other number. Raises CodecError."""
         return _by_number("alarm_code", _ALARM_CODE_MEMBERS, _ALARM_CODE_NUMBERS, number)
 
 
@@ -1063,12 +1064,12 @@ class InternalAlarmCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _INTERNAL_ALARM_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> InternalAlarmCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("internal_alarm_code", _INTERNAL_ALARM_CODE_MEMBERS, _INTERNAL_ALARM_CODE_PRINTED_NAMES, text)
 
 
@@ -2197,12 +2198,12 @@ class WarningCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _WARNING_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> WarningCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("warning_code", _WARNING_CODE_MEMBERS, _WARNING_CODE_PRINTED_NAMES, text)
 
 
@@ -3704,7 +3705,7 @@ class ControlWord2FixedStop(_Flags):
 
 
 class StatusWord1State(_IntEnum):
-    """What the bits of StatusWord1 show together."""
+    """The states that the bits of StatusWord1 form together."""
 
     SWITCHING_ON_INHIBITED = 1
     """Switching on inhibited (S1, Switching On Inhibited).
@@ -3810,7 +3811,7 @@ class StatusWord1(_Flags):
 
     @property
     def state(self) -> StatusWord1State | None:
-        """The first state whose bits are as they are here; None where there is none."""
+        """The first state whose bits match; None where none does."""
         raw = self.raw
         for mask, value, state in self._STATES:
             if raw & mask == value:
@@ -3942,7 +3943,7 @@ class StatusWord1(_Flags):
 
 
 class StatusWord1PositioningState(_IntEnum):
-    """What the bits of StatusWord1Positioning show together."""
+    """The states that the bits of StatusWord1Positioning form together."""
 
     SWITCHING_ON_INHIBITED = 1
     """Switching on inhibited (S1, Switching On Inhibited).
@@ -4057,7 +4058,7 @@ class StatusWord1Positioning(_Flags):
 
     @property
     def state(self) -> StatusWord1PositioningState | None:
-        """The first state whose bits are as they are here; None where there is none."""
+        """The first state whose bits match; None where none does."""
         raw = self.raw
         for mask, value, state in self._STATES:
             if raw & mask == value:
@@ -5434,29 +5435,29 @@ class ParameterError(_Record):
     Source: 4.3.1 L1267-1277.
     """
 
-    __slots__ = ("_held_error_number",)
+    __slots__ = ("_word_error_number",)
     __match_args__ = ("error_number",)
     _SIZE: _ClassVar[int] = 4
 
     def __init__(self, error_number: ParameterErrorNumber | int) -> None:
-        self._held_error_number: ParameterErrorNumber | int = error_number
+        self._word_error_number: ParameterErrorNumber | int = error_number
 
     @property
     def error_number(self) -> ParameterErrorNumber | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_error_number
-        return _PARAMETER_ERROR_NUMBER_MEMBERS.get(held, held) if isinstance(held, int) else held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_error_number
+        return _PARAMETER_ERROR_NUMBER_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @error_number.setter
     def error_number(self, value: ParameterErrorNumber | int) -> None:
-        self._held_error_number = value
+        self._word_error_number = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            raw_format, raw_value_count, record._held_error_number = _PARAMETER_ERROR_UNPACK(data)
+            raw_format, raw_value_count, record._word_error_number = _PARAMETER_ERROR_UNPACK(data)
         except _StructError:
             raise _wrong_length("parameter_error", len(data), 4, 4) from None
         if raw_format != 68:
@@ -5466,9 +5467,9 @@ class ParameterError(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
-            return _PARAMETER_ERROR_PACK(68, 1, self._held_error_number)
+            return _PARAMETER_ERROR_PACK(68, 1, self._word_error_number)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("parameter_error")
@@ -5523,7 +5524,7 @@ class ReadParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         case, raws = _READ_PARAMETER_RESPONSE_STRUCT.unpack(data)
         raw_format, raw_value_count, *raw_values = raws
@@ -5537,7 +5538,7 @@ class ReadParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_format = self.format
             raw_values = self.values
@@ -5598,7 +5599,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -5614,7 +5615,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_PARAMETER_REQUEST_PACK(16, self.element_count, self.parameter_number, self.subindex)
         except _UNFIT:
@@ -5702,7 +5703,7 @@ class WriteParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_PARAMETER_RESPONSE_UNPACK(data)
@@ -5711,7 +5712,7 @@ class WriteParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_PARAMETER_RESPONSE_PACK()
         except _UNFIT:
@@ -5805,7 +5806,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         case, raws = _WRITE_PARAMETER_REQUEST_STRUCT.unpack(data)
         (
@@ -5829,7 +5830,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_format = self.format
             raw_values = self.values
@@ -5885,7 +5886,7 @@ class Telegram3Response(_Record):
     """
 
     __slots__ = (
-        "_held_status_word_1", "speed_actual_b", "_held_status_word_2", "_held_encoder_1_status_word",
+        "_word_status_word_1", "speed_actual_b", "_word_status_word_2", "_word_encoder_1_status_word",
         "encoder_1_position_1", "encoder_1_position_2",
     )
     __match_args__ = (
@@ -5896,6 +5897,7 @@ class Telegram3Response(_Record):
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 3
 
+    @_overload
     def __init__(
         self,
         status_word_1: StatusWord1 | int,
@@ -5904,60 +5906,96 @@ class Telegram3Response(_Record):
         encoder_1_status_word: Encoder1StatusWord | int,
         encoder_1_position_1: int,
         encoder_1_position_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        *,
+        speed_actual_b_percent: _Quantity,
+        status_word_2: StatusWord2 | int,
+        encoder_1_status_word: Encoder1StatusWord | int,
+        encoder_1_position_1: int,
+        encoder_1_position_2: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        speed_actual_b: int | None = None,
+        status_word_2: StatusWord2 | int | None = None,
+        encoder_1_status_word: Encoder1StatusWord | int | None = None,
+        encoder_1_position_1: int | None = None,
+        encoder_1_position_2: int | None = None,
+        speed_actual_b_percent: _Quantity | None = None,
     ) -> None:
-        self._held_status_word_1: StatusWord1 | int = status_word_1
+        if (
+            speed_actual_b is None
+            or status_word_2 is None
+            or encoder_1_status_word is None
+            or encoder_1_position_1 is None
+            or encoder_1_position_2 is None
+            or speed_actual_b_percent is not None
+        ):
+            self._set_fields(
+                status_word_1, speed_actual_b, status_word_2, encoder_1_status_word, encoder_1_position_1,
+                encoder_1_position_2, speed_actual_b=("speed_actual_b_percent", speed_actual_b_percent),
+            )
+            return
+        self._word_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
-        self._held_status_word_2: StatusWord2 | int = status_word_2
-        self._held_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
+        self._word_status_word_2: StatusWord2 | int = status_word_2
+        self._word_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
         self.encoder_1_position_1 = encoder_1_position_1
         self.encoder_1_position_2 = encoder_1_position_2
 
     @property
     def status_word_1(self) -> StatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_1
-        if isinstance(held, int):
-            held = self._held_status_word_1 = StatusWord1(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_status_word_1
+        if isinstance(word, int):
+            word = self._word_status_word_1 = StatusWord1(word)
+        return word
 
     @status_word_1.setter
     def status_word_1(self, value: StatusWord1 | int) -> None:
-        self._held_status_word_1 = value
+        self._word_status_word_1 = value
 
     @property
     def status_word_2(self) -> StatusWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_2
-        if isinstance(held, int):
-            held = self._held_status_word_2 = StatusWord2(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_status_word_2
+        if isinstance(word, int):
+            word = self._word_status_word_2 = StatusWord2(word)
+        return word
 
     @status_word_2.setter
     def status_word_2(self, value: StatusWord2 | int) -> None:
-        self._held_status_word_2 = value
+        self._word_status_word_2 = value
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_status_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_status_word = Encoder1StatusWord(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_encoder_1_status_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
+        return word
 
     @encoder_1_status_word.setter
     def encoder_1_status_word(self, value: Encoder1StatusWord | int) -> None:
-        self._held_encoder_1_status_word = value
+        self._word_encoder_1_status_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_status_word_1,
+                record._word_status_word_1,
                 record.speed_actual_b,
-                record._held_status_word_2,
-                record._held_encoder_1_status_word,
+                record._word_status_word_2,
+                record._word_encoder_1_status_word,
                 record.encoder_1_position_1,
                 record.encoder_1_position_2,
             ) = _TELEGRAM3_RESPONSE_UNPACK(data)
@@ -5966,11 +6004,11 @@ class Telegram3Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM3_RESPONSE_PACK(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
@@ -6001,20 +6039,20 @@ class Telegram3Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
     @speed_actual_b_percent.setter
-    def speed_actual_b_percent(self, value: float) -> None:
+    def speed_actual_b_percent(self, value: _Quantity) -> None:
         self.speed_actual_b = _counts("speed_actual_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_3_CYCLIC_RESPONSE(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
@@ -6025,10 +6063,10 @@ class Telegram3Response(_Record):
         message = _new(Telegram3Response)
         try:
             (
-                message._held_status_word_1,
+                message._word_status_word_1,
                 message.speed_actual_b,
-                message._held_status_word_2,
-                message._held_encoder_1_status_word,
+                message._word_status_word_2,
+                message._word_encoder_1_status_word,
                 message.encoder_1_position_1,
                 message.encoder_1_position_2,
             ) = _UNPACK_TELEGRAM_3_CYCLIC_RESPONSE(data)
@@ -6062,7 +6100,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
     """
 
     __slots__ = (
-        "_held_control_word_1", "speed_setpoint_b", "_held_control_word_2", "_held_encoder_1_control_word",
+        "_word_control_word_1", "speed_setpoint_b", "_word_control_word_2", "_word_encoder_1_control_word",
     )
     __match_args__ = ("control_word_1", "speed_setpoint_b", "control_word_2", "encoder_1_control_word")
     _SIZE: _ClassVar[int] = 10
@@ -6070,75 +6108,106 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
     NUMBER: _ClassVar[int] = 3
     _RESPONSE = Telegram3Response
 
+    @_overload
     def __init__(
         self,
         control_word_1: ControlWord1 | int,
         speed_setpoint_b: int,
         control_word_2: ControlWord2 | int,
         encoder_1_control_word: Encoder1ControlWord | int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        *,
+        speed_setpoint_b_percent: _Quantity,
+        control_word_2: ControlWord2 | int,
+        encoder_1_control_word: Encoder1ControlWord | int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        speed_setpoint_b: int | None = None,
+        control_word_2: ControlWord2 | int | None = None,
+        encoder_1_control_word: Encoder1ControlWord | int | None = None,
+        speed_setpoint_b_percent: _Quantity | None = None,
     ) -> None:
-        self._held_control_word_1: ControlWord1 | int = control_word_1
+        if (
+            speed_setpoint_b is None
+            or control_word_2 is None
+            or encoder_1_control_word is None
+            or speed_setpoint_b_percent is not None
+        ):
+            self._set_fields(
+                control_word_1, speed_setpoint_b, control_word_2, encoder_1_control_word,
+                speed_setpoint_b=("speed_setpoint_b_percent", speed_setpoint_b_percent),
+            )
+            return
+        self._word_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
-        self._held_control_word_2: ControlWord2 | int = control_word_2
-        self._held_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
+        self._word_control_word_2: ControlWord2 | int = control_word_2
+        self._word_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
 
     @property
     def control_word_1(self) -> ControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_1
-        if isinstance(held, int):
-            held = self._held_control_word_1 = ControlWord1(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_control_word_1
+        if isinstance(word, int):
+            word = self._word_control_word_1 = ControlWord1(word)
+        return word
 
     @control_word_1.setter
     def control_word_1(self, value: ControlWord1 | int) -> None:
-        self._held_control_word_1 = value
+        self._word_control_word_1 = value
 
     @property
     def control_word_2(self) -> ControlWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_2
-        if isinstance(held, int):
-            held = self._held_control_word_2 = ControlWord2(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_control_word_2
+        if isinstance(word, int):
+            word = self._word_control_word_2 = ControlWord2(word)
+        return word
 
     @control_word_2.setter
     def control_word_2(self, value: ControlWord2 | int) -> None:
-        self._held_control_word_2 = value
+        self._word_control_word_2 = value
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_control_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_control_word = Encoder1ControlWord(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_encoder_1_control_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
+        return word
 
     @encoder_1_control_word.setter
     def encoder_1_control_word(self, value: Encoder1ControlWord | int) -> None:
-        self._held_encoder_1_control_word = value
+        self._word_encoder_1_control_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_control_word_1,
+                record._word_control_word_1,
                 record.speed_setpoint_b,
-                record._held_control_word_2,
-                record._held_encoder_1_control_word,
+                record._word_control_word_2,
+                record._word_encoder_1_control_word,
             ) = _TELEGRAM3_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("telegram_3_request", len(data), 10, 10) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM3_REQUEST_PACK(
-                self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                self._held_encoder_1_control_word,
+                self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                self._word_encoder_1_control_word,
             )
         except _UNFIT:
             pass
@@ -6165,20 +6234,20 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
 
     @property
     def speed_setpoint_b_percent(self) -> float:
-        """`speed_setpoint_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_setpoint_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_setpoint_b * 25 / 268435456
 
     @speed_setpoint_b_percent.setter
-    def speed_setpoint_b_percent(self, value: float) -> None:
+    def speed_setpoint_b_percent(self, value: _Quantity) -> None:
         self.speed_setpoint_b = _counts("speed_setpoint_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_3_CYCLIC_REQUEST(
-                self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                self._held_encoder_1_control_word,
+                self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                self._word_encoder_1_control_word,
             )
         except _UNFIT:
             pass
@@ -6189,10 +6258,10 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
         message = _new(Telegram3Request)
         try:
             (
-                message._held_control_word_1,
+                message._word_control_word_1,
                 message.speed_setpoint_b,
-                message._held_control_word_2,
-                message._held_encoder_1_control_word,
+                message._word_control_word_2,
+                message._word_encoder_1_control_word,
             ) = _UNPACK_TELEGRAM_3_CYCLIC_REQUEST(data)
         except _StructError:
             return None
@@ -6226,7 +6295,7 @@ class Telegram5Response(_Record):
     """
 
     __slots__ = (
-        "_held_status_word_1", "speed_actual_b", "_held_status_word_2", "_held_encoder_1_status_word",
+        "_word_status_word_1", "speed_actual_b", "_word_status_word_2", "_word_encoder_1_status_word",
         "encoder_1_position_1", "encoder_1_position_2",
     )
     __match_args__ = (
@@ -6237,6 +6306,7 @@ class Telegram5Response(_Record):
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 5
 
+    @_overload
     def __init__(
         self,
         status_word_1: StatusWord1 | int,
@@ -6245,60 +6315,96 @@ class Telegram5Response(_Record):
         encoder_1_status_word: Encoder1StatusWord | int,
         encoder_1_position_1: int,
         encoder_1_position_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        *,
+        speed_actual_b_percent: _Quantity,
+        status_word_2: StatusWord2 | int,
+        encoder_1_status_word: Encoder1StatusWord | int,
+        encoder_1_position_1: int,
+        encoder_1_position_2: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        speed_actual_b: int | None = None,
+        status_word_2: StatusWord2 | int | None = None,
+        encoder_1_status_word: Encoder1StatusWord | int | None = None,
+        encoder_1_position_1: int | None = None,
+        encoder_1_position_2: int | None = None,
+        speed_actual_b_percent: _Quantity | None = None,
     ) -> None:
-        self._held_status_word_1: StatusWord1 | int = status_word_1
+        if (
+            speed_actual_b is None
+            or status_word_2 is None
+            or encoder_1_status_word is None
+            or encoder_1_position_1 is None
+            or encoder_1_position_2 is None
+            or speed_actual_b_percent is not None
+        ):
+            self._set_fields(
+                status_word_1, speed_actual_b, status_word_2, encoder_1_status_word, encoder_1_position_1,
+                encoder_1_position_2, speed_actual_b=("speed_actual_b_percent", speed_actual_b_percent),
+            )
+            return
+        self._word_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
-        self._held_status_word_2: StatusWord2 | int = status_word_2
-        self._held_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
+        self._word_status_word_2: StatusWord2 | int = status_word_2
+        self._word_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
         self.encoder_1_position_1 = encoder_1_position_1
         self.encoder_1_position_2 = encoder_1_position_2
 
     @property
     def status_word_1(self) -> StatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_1
-        if isinstance(held, int):
-            held = self._held_status_word_1 = StatusWord1(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_status_word_1
+        if isinstance(word, int):
+            word = self._word_status_word_1 = StatusWord1(word)
+        return word
 
     @status_word_1.setter
     def status_word_1(self, value: StatusWord1 | int) -> None:
-        self._held_status_word_1 = value
+        self._word_status_word_1 = value
 
     @property
     def status_word_2(self) -> StatusWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_2
-        if isinstance(held, int):
-            held = self._held_status_word_2 = StatusWord2(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_status_word_2
+        if isinstance(word, int):
+            word = self._word_status_word_2 = StatusWord2(word)
+        return word
 
     @status_word_2.setter
     def status_word_2(self, value: StatusWord2 | int) -> None:
-        self._held_status_word_2 = value
+        self._word_status_word_2 = value
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_status_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_status_word = Encoder1StatusWord(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_encoder_1_status_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
+        return word
 
     @encoder_1_status_word.setter
     def encoder_1_status_word(self, value: Encoder1StatusWord | int) -> None:
-        self._held_encoder_1_status_word = value
+        self._word_encoder_1_status_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_status_word_1,
+                record._word_status_word_1,
                 record.speed_actual_b,
-                record._held_status_word_2,
-                record._held_encoder_1_status_word,
+                record._word_status_word_2,
+                record._word_encoder_1_status_word,
                 record.encoder_1_position_1,
                 record.encoder_1_position_2,
             ) = _TELEGRAM5_RESPONSE_UNPACK(data)
@@ -6307,11 +6413,11 @@ class Telegram5Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM5_RESPONSE_PACK(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
@@ -6342,20 +6448,20 @@ class Telegram5Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
     @speed_actual_b_percent.setter
-    def speed_actual_b_percent(self, value: float) -> None:
+    def speed_actual_b_percent(self, value: _Quantity) -> None:
         self.speed_actual_b = _counts("speed_actual_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_5_CYCLIC_RESPONSE(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
@@ -6366,10 +6472,10 @@ class Telegram5Response(_Record):
         message = _new(Telegram5Response)
         try:
             (
-                message._held_status_word_1,
+                message._word_status_word_1,
                 message.speed_actual_b,
-                message._held_status_word_2,
-                message._held_encoder_1_status_word,
+                message._word_status_word_2,
+                message._word_encoder_1_status_word,
                 message.encoder_1_position_1,
                 message.encoder_1_position_2,
             ) = _UNPACK_TELEGRAM_5_CYCLIC_RESPONSE(data)
@@ -6408,7 +6514,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
     """
 
     __slots__ = (
-        "_held_control_word_1", "speed_setpoint_b", "_held_control_word_2", "_held_encoder_1_control_word",
+        "_word_control_word_1", "speed_setpoint_b", "_word_control_word_2", "_word_encoder_1_control_word",
         "position_error", "position_controller_gain",
     )
     __match_args__ = (
@@ -6420,6 +6526,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
     NUMBER: _ClassVar[int] = 5
     _RESPONSE = Telegram5Response
 
+    @_overload
     def __init__(
         self,
         control_word_1: ControlWord1 | int,
@@ -6428,60 +6535,124 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         encoder_1_control_word: Encoder1ControlWord | int,
         position_error: int,
         position_controller_gain: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        speed_setpoint_b: int,
+        control_word_2: ControlWord2 | int,
+        encoder_1_control_word: Encoder1ControlWord | int,
+        position_error: int,
+        *,
+        position_controller_gain_per_s: _Quantity,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        *,
+        speed_setpoint_b_percent: _Quantity,
+        control_word_2: ControlWord2 | int,
+        encoder_1_control_word: Encoder1ControlWord | int,
+        position_error: int,
+        position_controller_gain: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        *,
+        speed_setpoint_b_percent: _Quantity,
+        control_word_2: ControlWord2 | int,
+        encoder_1_control_word: Encoder1ControlWord | int,
+        position_error: int,
+        position_controller_gain_per_s: _Quantity,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        speed_setpoint_b: int | None = None,
+        control_word_2: ControlWord2 | int | None = None,
+        encoder_1_control_word: Encoder1ControlWord | int | None = None,
+        position_error: int | None = None,
+        position_controller_gain: int | None = None,
+        speed_setpoint_b_percent: _Quantity | None = None,
+        position_controller_gain_per_s: _Quantity | None = None,
     ) -> None:
-        self._held_control_word_1: ControlWord1 | int = control_word_1
+        if (
+            speed_setpoint_b is None
+            or control_word_2 is None
+            or encoder_1_control_word is None
+            or position_error is None
+            or position_controller_gain is None
+            or speed_setpoint_b_percent is not None
+            or position_controller_gain_per_s is not None
+        ):
+            self._set_fields(
+                control_word_1, speed_setpoint_b, control_word_2, encoder_1_control_word, position_error,
+                position_controller_gain,
+                speed_setpoint_b=("speed_setpoint_b_percent", speed_setpoint_b_percent),
+                position_controller_gain=("position_controller_gain_per_s", position_controller_gain_per_s),
+            )
+            return
+        self._word_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
-        self._held_control_word_2: ControlWord2 | int = control_word_2
-        self._held_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
+        self._word_control_word_2: ControlWord2 | int = control_word_2
+        self._word_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
         self.position_error = position_error
         self.position_controller_gain = position_controller_gain
 
     @property
     def control_word_1(self) -> ControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_1
-        if isinstance(held, int):
-            held = self._held_control_word_1 = ControlWord1(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_control_word_1
+        if isinstance(word, int):
+            word = self._word_control_word_1 = ControlWord1(word)
+        return word
 
     @control_word_1.setter
     def control_word_1(self, value: ControlWord1 | int) -> None:
-        self._held_control_word_1 = value
+        self._word_control_word_1 = value
 
     @property
     def control_word_2(self) -> ControlWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_2
-        if isinstance(held, int):
-            held = self._held_control_word_2 = ControlWord2(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_control_word_2
+        if isinstance(word, int):
+            word = self._word_control_word_2 = ControlWord2(word)
+        return word
 
     @control_word_2.setter
     def control_word_2(self, value: ControlWord2 | int) -> None:
-        self._held_control_word_2 = value
+        self._word_control_word_2 = value
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_control_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_control_word = Encoder1ControlWord(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_encoder_1_control_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
+        return word
 
     @encoder_1_control_word.setter
     def encoder_1_control_word(self, value: Encoder1ControlWord | int) -> None:
-        self._held_encoder_1_control_word = value
+        self._word_encoder_1_control_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_control_word_1,
+                record._word_control_word_1,
                 record.speed_setpoint_b,
-                record._held_control_word_2,
-                record._held_encoder_1_control_word,
+                record._word_control_word_2,
+                record._word_encoder_1_control_word,
                 record.position_error,
                 record.position_controller_gain,
             ) = _TELEGRAM5_REQUEST_UNPACK(data)
@@ -6490,11 +6661,11 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM5_REQUEST_PACK(
-                self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                self._held_encoder_1_control_word, self.position_error, self.position_controller_gain,
+                self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                self._word_encoder_1_control_word, self.position_error, self.position_controller_gain,
             )
         except _UNFIT:
             pass
@@ -6525,31 +6696,31 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @property
     def speed_setpoint_b_percent(self) -> float:
-        """`speed_setpoint_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_setpoint_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_setpoint_b * 25 / 268435456
 
     @speed_setpoint_b_percent.setter
-    def speed_setpoint_b_percent(self, value: float) -> None:
+    def speed_setpoint_b_percent(self, value: _Quantity) -> None:
         self.speed_setpoint_b = _counts("speed_setpoint_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     @property
     def position_controller_gain_per_s(self) -> float:
-        """`position_controller_gain` in 1/s. Setting it takes the nearest count, of two the even one,
-        and refuses what is out of range.
+        """`position_controller_gain` in 1/s. Setting it stores the nearest count, of two the even one.
+        Raises CodecError out of range.
         """
         return self.position_controller_gain / 1000
 
     @position_controller_gain_per_s.setter
-    def position_controller_gain_per_s(self, value: float) -> None:
+    def position_controller_gain_per_s(self, value: _Quantity) -> None:
         self.position_controller_gain = _counts("position_controller_gain", value, (1, 0, 1000), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_5_CYCLIC_REQUEST(
-                self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                self._held_encoder_1_control_word, self.position_error, self.position_controller_gain,
+                self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                self._word_encoder_1_control_word, self.position_error, self.position_controller_gain,
             )
         except _UNFIT:
             pass
@@ -6560,10 +6731,10 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         message = _new(Telegram5Request)
         try:
             (
-                message._held_control_word_1,
+                message._word_control_word_1,
                 message.speed_setpoint_b,
-                message._held_control_word_2,
-                message._held_encoder_1_control_word,
+                message._word_control_word_2,
+                message._word_encoder_1_control_word,
                 message.position_error,
                 message.position_controller_gain,
             ) = _UNPACK_TELEGRAM_5_CYCLIC_REQUEST(data)
@@ -6594,7 +6765,7 @@ class Telegram9Response(_Record):
     Source: 3.2 L524, 549-560.
     """
 
-    __slots__ = ("_held_status_word_1", "_held_selected_block", "_held_status_word_2", "position_actual_a")
+    __slots__ = ("_word_status_word_1", "_word_selected_block", "_word_status_word_2", "position_actual_a")
     __match_args__ = ("status_word_1", "selected_block", "status_word_2", "position_actual_a")
     _SIZE: _ClassVar[int] = 10
     CODE: _ClassVar[int | None] = None
@@ -6607,56 +6778,56 @@ class Telegram9Response(_Record):
         status_word_2: StatusWord2PulseCommand | int,
         position_actual_a: int,
     ) -> None:
-        self._held_status_word_1: StatusWord1Positioning | int = status_word_1
-        self._held_selected_block: SelectedBlock | int = selected_block
-        self._held_status_word_2: StatusWord2PulseCommand | int = status_word_2
+        self._word_status_word_1: StatusWord1Positioning | int = status_word_1
+        self._word_selected_block: SelectedBlock | int = selected_block
+        self._word_status_word_2: StatusWord2PulseCommand | int = status_word_2
         self.position_actual_a = position_actual_a
 
     @property
     def status_word_1(self) -> StatusWord1Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_1
-        if isinstance(held, int):
-            held = self._held_status_word_1 = StatusWord1Positioning(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_status_word_1
+        if isinstance(word, int):
+            word = self._word_status_word_1 = StatusWord1Positioning(word)
+        return word
 
     @status_word_1.setter
     def status_word_1(self, value: StatusWord1Positioning | int) -> None:
-        self._held_status_word_1 = value
+        self._word_status_word_1 = value
 
     @property
     def selected_block(self) -> SelectedBlock:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_selected_block
-        if isinstance(held, int):
-            held = self._held_selected_block = SelectedBlock(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_selected_block
+        if isinstance(word, int):
+            word = self._word_selected_block = SelectedBlock(word)
+        return word
 
     @selected_block.setter
     def selected_block(self, value: SelectedBlock | int) -> None:
-        self._held_selected_block = value
+        self._word_selected_block = value
 
     @property
     def status_word_2(self) -> StatusWord2PulseCommand:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_2
-        if isinstance(held, int):
-            held = self._held_status_word_2 = StatusWord2PulseCommand(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_status_word_2
+        if isinstance(word, int):
+            word = self._word_status_word_2 = StatusWord2PulseCommand(word)
+        return word
 
     @status_word_2.setter
     def status_word_2(self, value: StatusWord2PulseCommand | int) -> None:
-        self._held_status_word_2 = value
+        self._word_status_word_2 = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_status_word_1,
-                record._held_selected_block,
-                record._held_status_word_2,
+                record._word_status_word_1,
+                record._word_selected_block,
+                record._word_status_word_2,
                 record.position_actual_a,
             ) = _TELEGRAM9_RESPONSE_UNPACK(data)
         except _StructError:
@@ -6664,10 +6835,10 @@ class Telegram9Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM9_RESPONSE_PACK(
-                self._held_status_word_1, self._held_selected_block, self._held_status_word_2,
+                self._word_status_word_1, self._word_selected_block, self._word_status_word_2,
                 self.position_actual_a,
             )
         except _UNFIT:
@@ -6696,7 +6867,7 @@ class Telegram9Response(_Record):
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_9_CYCLIC_RESPONSE(
-                self._held_status_word_1, self._held_selected_block, self._held_status_word_2,
+                self._word_status_word_1, self._word_selected_block, self._word_status_word_2,
                 self.position_actual_a,
             )
         except _UNFIT:
@@ -6708,9 +6879,9 @@ class Telegram9Response(_Record):
         message = _new(Telegram9Response)
         try:
             (
-                message._held_status_word_1,
-                message._held_selected_block,
-                message._held_status_word_2,
+                message._word_status_word_1,
+                message._word_selected_block,
+                message._word_status_word_2,
                 message.position_actual_a,
             ) = _UNPACK_TELEGRAM_9_CYCLIC_RESPONSE(data)
         except _StructError:
@@ -6751,8 +6922,8 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
     """
 
     __slots__ = (
-        "_held_control_word_1", "_held_block_selection", "_held_control_word_2", "mdi_target_position",
-        "mdi_velocity", "mdi_acceleration", "mdi_deceleration", "_held_mdi_mode",
+        "_word_control_word_1", "_word_block_selection", "_word_control_word_2", "mdi_target_position",
+        "mdi_velocity", "mdi_acceleration", "mdi_deceleration", "_word_mdi_mode",
     )
     __match_args__ = (
         "control_word_1", "block_selection", "control_word_2", "mdi_target_position", "mdi_velocity",
@@ -6763,6 +6934,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
     NUMBER: _ClassVar[int] = 9
     _RESPONSE = Telegram9Response
 
+    @_overload
     def __init__(
         self,
         control_word_1: ControlWord1Positioning | int,
@@ -6773,94 +6945,143 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         mdi_acceleration: int,
         mdi_deceleration: int,
         mdi_mode: MdiMode | int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1Positioning | int,
+        block_selection: BlockSelection | int,
+        control_word_2: ControlWord2 | int,
+        mdi_target_position: int,
+        *,
+        mdi_velocity: int | None = None,
+        mdi_velocity_control_unit_per_min: _Quantity | None = None,
+        mdi_acceleration: int | None = None,
+        mdi_acceleration_percent: _Quantity | None = None,
+        mdi_deceleration: int | None = None,
+        mdi_deceleration_percent: _Quantity | None = None,
+        mdi_mode: MdiMode | int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        control_word_1: ControlWord1Positioning | int,
+        block_selection: BlockSelection | int,
+        control_word_2: ControlWord2 | int,
+        mdi_target_position: int,
+        mdi_velocity: int | None = None,
+        mdi_acceleration: int | None = None,
+        mdi_deceleration: int | None = None,
+        mdi_mode: MdiMode | int | None = None,
+        mdi_velocity_control_unit_per_min: _Quantity | None = None,
+        mdi_acceleration_percent: _Quantity | None = None,
+        mdi_deceleration_percent: _Quantity | None = None,
     ) -> None:
-        self._held_control_word_1: ControlWord1Positioning | int = control_word_1
-        self._held_block_selection: BlockSelection | int = block_selection
-        self._held_control_word_2: ControlWord2 | int = control_word_2
+        if (
+            mdi_velocity is None
+            or mdi_acceleration is None
+            or mdi_deceleration is None
+            or mdi_mode is None
+            or mdi_velocity_control_unit_per_min is not None
+            or mdi_acceleration_percent is not None
+            or mdi_deceleration_percent is not None
+        ):
+            self._set_fields(
+                control_word_1, block_selection, control_word_2, mdi_target_position, mdi_velocity,
+                mdi_acceleration, mdi_deceleration, mdi_mode,
+                mdi_velocity=("mdi_velocity_control_unit_per_min", mdi_velocity_control_unit_per_min),
+                mdi_acceleration=("mdi_acceleration_percent", mdi_acceleration_percent),
+                mdi_deceleration=("mdi_deceleration_percent", mdi_deceleration_percent),
+            )
+            return
+        self._word_control_word_1: ControlWord1Positioning | int = control_word_1
+        self._word_block_selection: BlockSelection | int = block_selection
+        self._word_control_word_2: ControlWord2 | int = control_word_2
         self.mdi_target_position = mdi_target_position
         self.mdi_velocity = mdi_velocity
         self.mdi_acceleration = mdi_acceleration
         self.mdi_deceleration = mdi_deceleration
-        self._held_mdi_mode: MdiMode | int = mdi_mode
+        self._word_mdi_mode: MdiMode | int = mdi_mode
 
     @property
     def control_word_1(self) -> ControlWord1Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_1
-        if isinstance(held, int):
-            held = self._held_control_word_1 = ControlWord1Positioning(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_control_word_1
+        if isinstance(word, int):
+            word = self._word_control_word_1 = ControlWord1Positioning(word)
+        return word
 
     @control_word_1.setter
     def control_word_1(self, value: ControlWord1Positioning | int) -> None:
-        self._held_control_word_1 = value
+        self._word_control_word_1 = value
 
     @property
     def block_selection(self) -> BlockSelection:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_block_selection
-        if isinstance(held, int):
-            held = self._held_block_selection = BlockSelection(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_block_selection
+        if isinstance(word, int):
+            word = self._word_block_selection = BlockSelection(word)
+        return word
 
     @block_selection.setter
     def block_selection(self, value: BlockSelection | int) -> None:
-        self._held_block_selection = value
+        self._word_block_selection = value
 
     @property
     def control_word_2(self) -> ControlWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_2
-        if isinstance(held, int):
-            held = self._held_control_word_2 = ControlWord2(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_control_word_2
+        if isinstance(word, int):
+            word = self._word_control_word_2 = ControlWord2(word)
+        return word
 
     @control_word_2.setter
     def control_word_2(self, value: ControlWord2 | int) -> None:
-        self._held_control_word_2 = value
+        self._word_control_word_2 = value
 
     @property
     def mdi_mode(self) -> MdiMode:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_mdi_mode
-        if isinstance(held, int):
-            held = self._held_mdi_mode = MdiMode(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_mdi_mode
+        if isinstance(word, int):
+            word = self._word_mdi_mode = MdiMode(word)
+        return word
 
     @mdi_mode.setter
     def mdi_mode(self, value: MdiMode | int) -> None:
-        self._held_mdi_mode = value
+        self._word_mdi_mode = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_control_word_1,
-                record._held_block_selection,
-                record._held_control_word_2,
+                record._word_control_word_1,
+                record._word_block_selection,
+                record._word_control_word_2,
                 record.mdi_target_position,
                 record.mdi_velocity,
                 record.mdi_acceleration,
                 record.mdi_deceleration,
-                record._held_mdi_mode,
+                record._word_mdi_mode,
             ) = _TELEGRAM9_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("telegram_9_request", len(data), 20, 20) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_mdi_velocity = self.mdi_velocity
             raw_mdi_acceleration = self.mdi_acceleration
             raw_mdi_deceleration = self.mdi_deceleration
             if raw_mdi_velocity >= 0 and raw_mdi_acceleration <= 16384 and raw_mdi_deceleration <= 16384:
                 return _TELEGRAM9_REQUEST_PACK(
-                    self._held_control_word_1, self._held_block_selection, self._held_control_word_2,
+                    self._word_control_word_1, self._word_block_selection, self._word_control_word_2,
                     self.mdi_target_position, raw_mdi_velocity, raw_mdi_acceleration, raw_mdi_deceleration,
-                    self._held_mdi_mode,
+                    self._word_mdi_mode,
                 )
         except _UNFIT:
             pass
@@ -6895,35 +7116,35 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def mdi_velocity_control_unit_per_min(self) -> float:
-        """`mdi_velocity` in control unit/min. Setting it takes the nearest count, of two the even one,
-        and refuses what is out of range.
+        """`mdi_velocity` in control unit/min. Setting it stores the nearest count, of two the even one.
+        Raises CodecError out of range.
         """
         return float(self.mdi_velocity * 1000)
 
     @mdi_velocity_control_unit_per_min.setter
-    def mdi_velocity_control_unit_per_min(self, value: float) -> None:
+    def mdi_velocity_control_unit_per_min(self, value: _Quantity) -> None:
         self.mdi_velocity = _counts("mdi_velocity", value, (1000, 0, 1), ((0, 2147483647),))
 
     @property
     def mdi_acceleration_percent(self) -> float:
-        """`mdi_acceleration` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`mdi_acceleration` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.mdi_acceleration * 25 / 4096
 
     @mdi_acceleration_percent.setter
-    def mdi_acceleration_percent(self, value: float) -> None:
+    def mdi_acceleration_percent(self, value: _Quantity) -> None:
         self.mdi_acceleration = _counts("mdi_acceleration", value, (25, 0, 4096), ((0, 16384),))
 
     @property
     def mdi_deceleration_percent(self) -> float:
-        """`mdi_deceleration` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`mdi_deceleration` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.mdi_deceleration * 25 / 4096
 
     @mdi_deceleration_percent.setter
-    def mdi_deceleration_percent(self, value: float) -> None:
+    def mdi_deceleration_percent(self, value: _Quantity) -> None:
         self.mdi_deceleration = _counts("mdi_deceleration", value, (25, 0, 4096), ((0, 16384),))
 
     def _to_cyclic(self) -> bytes:
@@ -6933,9 +7154,9 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
             raw_mdi_deceleration = self.mdi_deceleration
             if raw_mdi_velocity >= 0 and raw_mdi_acceleration <= 16384 and raw_mdi_deceleration <= 16384:
                 return _PACK_TELEGRAM_9_CYCLIC_REQUEST(
-                    self._held_control_word_1, self._held_block_selection, self._held_control_word_2,
+                    self._word_control_word_1, self._word_block_selection, self._word_control_word_2,
                     self.mdi_target_position, raw_mdi_velocity, raw_mdi_acceleration, raw_mdi_deceleration,
-                    self._held_mdi_mode,
+                    self._word_mdi_mode,
                 )
         except _UNFIT:
             pass
@@ -6946,14 +7167,14 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         message = _new(Telegram9Request)
         try:
             (
-                message._held_control_word_1,
-                message._held_block_selection,
-                message._held_control_word_2,
+                message._word_control_word_1,
+                message._word_block_selection,
+                message._word_control_word_2,
                 message.mdi_target_position,
                 message.mdi_velocity,
                 message.mdi_acceleration,
                 message.mdi_deceleration,
-                message._held_mdi_mode,
+                message._word_mdi_mode,
             ) = _UNPACK_TELEGRAM_9_CYCLIC_REQUEST(data)
         except _StructError:
             return None
@@ -6988,8 +7209,8 @@ class Telegram102Response(_Record):
     """
 
     __slots__ = (
-        "_held_status_word_1", "speed_actual_b", "_held_status_word_2", "_held_message_word",
-        "_held_encoder_1_status_word", "encoder_1_position_1", "encoder_1_position_2",
+        "_word_status_word_1", "speed_actual_b", "_word_status_word_2", "_word_message_word",
+        "_word_encoder_1_status_word", "encoder_1_position_1", "encoder_1_position_2",
     )
     __match_args__ = (
         "status_word_1", "speed_actual_b", "status_word_2", "message_word", "encoder_1_status_word",
@@ -6999,6 +7220,7 @@ class Telegram102Response(_Record):
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 102
 
+    @_overload
     def __init__(
         self,
         status_word_1: StatusWord1 | int,
@@ -7008,74 +7230,114 @@ class Telegram102Response(_Record):
         encoder_1_status_word: Encoder1StatusWord | int,
         encoder_1_position_1: int,
         encoder_1_position_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        *,
+        speed_actual_b_percent: _Quantity,
+        status_word_2: StatusWord2FixedStop | int,
+        message_word: MessageWord | int,
+        encoder_1_status_word: Encoder1StatusWord | int,
+        encoder_1_position_1: int,
+        encoder_1_position_2: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        speed_actual_b: int | None = None,
+        status_word_2: StatusWord2FixedStop | int | None = None,
+        message_word: MessageWord | int | None = None,
+        encoder_1_status_word: Encoder1StatusWord | int | None = None,
+        encoder_1_position_1: int | None = None,
+        encoder_1_position_2: int | None = None,
+        speed_actual_b_percent: _Quantity | None = None,
     ) -> None:
-        self._held_status_word_1: StatusWord1 | int = status_word_1
+        if (
+            speed_actual_b is None
+            or status_word_2 is None
+            or message_word is None
+            or encoder_1_status_word is None
+            or encoder_1_position_1 is None
+            or encoder_1_position_2 is None
+            or speed_actual_b_percent is not None
+        ):
+            self._set_fields(
+                status_word_1, speed_actual_b, status_word_2, message_word, encoder_1_status_word,
+                encoder_1_position_1, encoder_1_position_2,
+                speed_actual_b=("speed_actual_b_percent", speed_actual_b_percent),
+            )
+            return
+        self._word_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
-        self._held_status_word_2: StatusWord2FixedStop | int = status_word_2
-        self._held_message_word: MessageWord | int = message_word
-        self._held_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
+        self._word_status_word_2: StatusWord2FixedStop | int = status_word_2
+        self._word_message_word: MessageWord | int = message_word
+        self._word_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
         self.encoder_1_position_1 = encoder_1_position_1
         self.encoder_1_position_2 = encoder_1_position_2
 
     @property
     def status_word_1(self) -> StatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_1
-        if isinstance(held, int):
-            held = self._held_status_word_1 = StatusWord1(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_status_word_1
+        if isinstance(word, int):
+            word = self._word_status_word_1 = StatusWord1(word)
+        return word
 
     @status_word_1.setter
     def status_word_1(self, value: StatusWord1 | int) -> None:
-        self._held_status_word_1 = value
+        self._word_status_word_1 = value
 
     @property
     def status_word_2(self) -> StatusWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_2
-        if isinstance(held, int):
-            held = self._held_status_word_2 = StatusWord2FixedStop(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_status_word_2
+        if isinstance(word, int):
+            word = self._word_status_word_2 = StatusWord2FixedStop(word)
+        return word
 
     @status_word_2.setter
     def status_word_2(self, value: StatusWord2FixedStop | int) -> None:
-        self._held_status_word_2 = value
+        self._word_status_word_2 = value
 
     @property
     def message_word(self) -> MessageWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_message_word
-        if isinstance(held, int):
-            held = self._held_message_word = MessageWord(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_message_word
+        if isinstance(word, int):
+            word = self._word_message_word = MessageWord(word)
+        return word
 
     @message_word.setter
     def message_word(self, value: MessageWord | int) -> None:
-        self._held_message_word = value
+        self._word_message_word = value
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_status_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_status_word = Encoder1StatusWord(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_encoder_1_status_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
+        return word
 
     @encoder_1_status_word.setter
     def encoder_1_status_word(self, value: Encoder1StatusWord | int) -> None:
-        self._held_encoder_1_status_word = value
+        self._word_encoder_1_status_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_status_word_1,
+                record._word_status_word_1,
                 record.speed_actual_b,
-                record._held_status_word_2,
-                record._held_message_word,
-                record._held_encoder_1_status_word,
+                record._word_status_word_2,
+                record._word_message_word,
+                record._word_encoder_1_status_word,
                 record.encoder_1_position_1,
                 record.encoder_1_position_2,
             ) = _TELEGRAM102_RESPONSE_UNPACK(data)
@@ -7084,11 +7346,11 @@ class Telegram102Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM102_RESPONSE_PACK(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_message_word, self._held_encoder_1_status_word, self.encoder_1_position_1,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_message_word, self._word_encoder_1_status_word, self.encoder_1_position_1,
                 self.encoder_1_position_2,
             )
         except _UNFIT:
@@ -7122,20 +7384,20 @@ class Telegram102Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
     @speed_actual_b_percent.setter
-    def speed_actual_b_percent(self, value: float) -> None:
+    def speed_actual_b_percent(self, value: _Quantity) -> None:
         self.speed_actual_b = _counts("speed_actual_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_102_CYCLIC_RESPONSE(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_message_word, self._held_encoder_1_status_word, self.encoder_1_position_1,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_message_word, self._word_encoder_1_status_word, self.encoder_1_position_1,
                 self.encoder_1_position_2,
             )
         except _UNFIT:
@@ -7147,11 +7409,11 @@ class Telegram102Response(_Record):
         message = _new(Telegram102Response)
         try:
             (
-                message._held_status_word_1,
+                message._word_status_word_1,
                 message.speed_actual_b,
-                message._held_status_word_2,
-                message._held_message_word,
-                message._held_encoder_1_status_word,
+                message._word_status_word_2,
+                message._word_message_word,
+                message._word_encoder_1_status_word,
                 message.encoder_1_position_1,
                 message.encoder_1_position_2,
             ) = _UNPACK_TELEGRAM_102_CYCLIC_RESPONSE(data)
@@ -7188,8 +7450,8 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
     """
 
     __slots__ = (
-        "_held_control_word_1", "speed_setpoint_b", "_held_control_word_2", "torque_reduction",
-        "_held_encoder_1_control_word",
+        "_word_control_word_1", "speed_setpoint_b", "_word_control_word_2", "torque_reduction",
+        "_word_encoder_1_control_word",
     )
     __match_args__ = (
         "control_word_1", "speed_setpoint_b", "control_word_2", "torque_reduction", "encoder_1_control_word",
@@ -7199,6 +7461,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
     NUMBER: _ClassVar[int] = 102
     _RESPONSE = Telegram102Response
 
+    @_overload
     def __init__(
         self,
         control_word_1: ControlWord1 | int,
@@ -7206,73 +7469,131 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         control_word_2: ControlWord2FixedStop | int,
         torque_reduction: int,
         encoder_1_control_word: Encoder1ControlWord | int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        speed_setpoint_b: int,
+        control_word_2: ControlWord2FixedStop | int,
+        *,
+        torque_reduction_percent: _Quantity,
+        encoder_1_control_word: Encoder1ControlWord | int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        *,
+        speed_setpoint_b_percent: _Quantity,
+        control_word_2: ControlWord2FixedStop | int,
+        torque_reduction: int,
+        encoder_1_control_word: Encoder1ControlWord | int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        *,
+        speed_setpoint_b_percent: _Quantity,
+        control_word_2: ControlWord2FixedStop | int,
+        torque_reduction_percent: _Quantity,
+        encoder_1_control_word: Encoder1ControlWord | int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        speed_setpoint_b: int | None = None,
+        control_word_2: ControlWord2FixedStop | int | None = None,
+        torque_reduction: int | None = None,
+        encoder_1_control_word: Encoder1ControlWord | int | None = None,
+        speed_setpoint_b_percent: _Quantity | None = None,
+        torque_reduction_percent: _Quantity | None = None,
     ) -> None:
-        self._held_control_word_1: ControlWord1 | int = control_word_1
+        if (
+            speed_setpoint_b is None
+            or control_word_2 is None
+            or torque_reduction is None
+            or encoder_1_control_word is None
+            or speed_setpoint_b_percent is not None
+            or torque_reduction_percent is not None
+        ):
+            self._set_fields(
+                control_word_1, speed_setpoint_b, control_word_2, torque_reduction, encoder_1_control_word,
+                speed_setpoint_b=("speed_setpoint_b_percent", speed_setpoint_b_percent),
+                torque_reduction=("torque_reduction_percent", torque_reduction_percent),
+            )
+            return
+        self._word_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
-        self._held_control_word_2: ControlWord2FixedStop | int = control_word_2
+        self._word_control_word_2: ControlWord2FixedStop | int = control_word_2
         self.torque_reduction = torque_reduction
-        self._held_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
+        self._word_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
 
     @property
     def control_word_1(self) -> ControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_1
-        if isinstance(held, int):
-            held = self._held_control_word_1 = ControlWord1(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_control_word_1
+        if isinstance(word, int):
+            word = self._word_control_word_1 = ControlWord1(word)
+        return word
 
     @control_word_1.setter
     def control_word_1(self, value: ControlWord1 | int) -> None:
-        self._held_control_word_1 = value
+        self._word_control_word_1 = value
 
     @property
     def control_word_2(self) -> ControlWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_2
-        if isinstance(held, int):
-            held = self._held_control_word_2 = ControlWord2FixedStop(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_control_word_2
+        if isinstance(word, int):
+            word = self._word_control_word_2 = ControlWord2FixedStop(word)
+        return word
 
     @control_word_2.setter
     def control_word_2(self, value: ControlWord2FixedStop | int) -> None:
-        self._held_control_word_2 = value
+        self._word_control_word_2 = value
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_control_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_control_word = Encoder1ControlWord(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_encoder_1_control_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
+        return word
 
     @encoder_1_control_word.setter
     def encoder_1_control_word(self, value: Encoder1ControlWord | int) -> None:
-        self._held_encoder_1_control_word = value
+        self._word_encoder_1_control_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_control_word_1,
+                record._word_control_word_1,
                 record.speed_setpoint_b,
-                record._held_control_word_2,
+                record._word_control_word_2,
                 record.torque_reduction,
-                record._held_encoder_1_control_word,
+                record._word_encoder_1_control_word,
             ) = _TELEGRAM102_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("telegram_102_request", len(data), 12, 12) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_torque_reduction = self.torque_reduction
             if raw_torque_reduction <= 16384:
                 return _TELEGRAM102_REQUEST_PACK(
-                    self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                    raw_torque_reduction, self._held_encoder_1_control_word,
+                    self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                    raw_torque_reduction, self._word_encoder_1_control_word,
                 )
         except _UNFIT:
             pass
@@ -7301,24 +7622,24 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @property
     def speed_setpoint_b_percent(self) -> float:
-        """`speed_setpoint_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_setpoint_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_setpoint_b * 25 / 268435456
 
     @speed_setpoint_b_percent.setter
-    def speed_setpoint_b_percent(self, value: float) -> None:
+    def speed_setpoint_b_percent(self, value: _Quantity) -> None:
         self.speed_setpoint_b = _counts("speed_setpoint_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     @property
     def torque_reduction_percent(self) -> float:
-        """`torque_reduction` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`torque_reduction` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.torque_reduction * 25 / 4096
 
     @torque_reduction_percent.setter
-    def torque_reduction_percent(self, value: float) -> None:
+    def torque_reduction_percent(self, value: _Quantity) -> None:
         self.torque_reduction = _counts("torque_reduction", value, (25, 0, 4096), ((0, 16384),))
 
     def _to_cyclic(self) -> bytes:
@@ -7326,8 +7647,8 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
             raw_torque_reduction = self.torque_reduction
             if raw_torque_reduction <= 16384:
                 return _PACK_TELEGRAM_102_CYCLIC_REQUEST(
-                    self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                    raw_torque_reduction, self._held_encoder_1_control_word,
+                    self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                    raw_torque_reduction, self._word_encoder_1_control_word,
                 )
         except _UNFIT:
             pass
@@ -7338,11 +7659,11 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         message = _new(Telegram102Request)
         try:
             (
-                message._held_control_word_1,
+                message._word_control_word_1,
                 message.speed_setpoint_b,
-                message._held_control_word_2,
+                message._word_control_word_2,
                 message.torque_reduction,
-                message._held_encoder_1_control_word,
+                message._word_encoder_1_control_word,
             ) = _UNPACK_TELEGRAM_102_CYCLIC_REQUEST(data)
         except _StructError:
             return None
@@ -7378,8 +7699,8 @@ class Telegram105Response(_Record):
     """
 
     __slots__ = (
-        "_held_status_word_1", "speed_actual_b", "_held_status_word_2", "_held_message_word",
-        "_held_encoder_1_status_word", "encoder_1_position_1", "encoder_1_position_2",
+        "_word_status_word_1", "speed_actual_b", "_word_status_word_2", "_word_message_word",
+        "_word_encoder_1_status_word", "encoder_1_position_1", "encoder_1_position_2",
     )
     __match_args__ = (
         "status_word_1", "speed_actual_b", "status_word_2", "message_word", "encoder_1_status_word",
@@ -7389,6 +7710,7 @@ class Telegram105Response(_Record):
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 105
 
+    @_overload
     def __init__(
         self,
         status_word_1: StatusWord1 | int,
@@ -7398,74 +7720,114 @@ class Telegram105Response(_Record):
         encoder_1_status_word: Encoder1StatusWord | int,
         encoder_1_position_1: int,
         encoder_1_position_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        *,
+        speed_actual_b_percent: _Quantity,
+        status_word_2: StatusWord2FixedStop | int,
+        message_word: MessageWord | int,
+        encoder_1_status_word: Encoder1StatusWord | int,
+        encoder_1_position_1: int,
+        encoder_1_position_2: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        speed_actual_b: int | None = None,
+        status_word_2: StatusWord2FixedStop | int | None = None,
+        message_word: MessageWord | int | None = None,
+        encoder_1_status_word: Encoder1StatusWord | int | None = None,
+        encoder_1_position_1: int | None = None,
+        encoder_1_position_2: int | None = None,
+        speed_actual_b_percent: _Quantity | None = None,
     ) -> None:
-        self._held_status_word_1: StatusWord1 | int = status_word_1
+        if (
+            speed_actual_b is None
+            or status_word_2 is None
+            or message_word is None
+            or encoder_1_status_word is None
+            or encoder_1_position_1 is None
+            or encoder_1_position_2 is None
+            or speed_actual_b_percent is not None
+        ):
+            self._set_fields(
+                status_word_1, speed_actual_b, status_word_2, message_word, encoder_1_status_word,
+                encoder_1_position_1, encoder_1_position_2,
+                speed_actual_b=("speed_actual_b_percent", speed_actual_b_percent),
+            )
+            return
+        self._word_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
-        self._held_status_word_2: StatusWord2FixedStop | int = status_word_2
-        self._held_message_word: MessageWord | int = message_word
-        self._held_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
+        self._word_status_word_2: StatusWord2FixedStop | int = status_word_2
+        self._word_message_word: MessageWord | int = message_word
+        self._word_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
         self.encoder_1_position_1 = encoder_1_position_1
         self.encoder_1_position_2 = encoder_1_position_2
 
     @property
     def status_word_1(self) -> StatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_1
-        if isinstance(held, int):
-            held = self._held_status_word_1 = StatusWord1(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_status_word_1
+        if isinstance(word, int):
+            word = self._word_status_word_1 = StatusWord1(word)
+        return word
 
     @status_word_1.setter
     def status_word_1(self, value: StatusWord1 | int) -> None:
-        self._held_status_word_1 = value
+        self._word_status_word_1 = value
 
     @property
     def status_word_2(self) -> StatusWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_2
-        if isinstance(held, int):
-            held = self._held_status_word_2 = StatusWord2FixedStop(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_status_word_2
+        if isinstance(word, int):
+            word = self._word_status_word_2 = StatusWord2FixedStop(word)
+        return word
 
     @status_word_2.setter
     def status_word_2(self, value: StatusWord2FixedStop | int) -> None:
-        self._held_status_word_2 = value
+        self._word_status_word_2 = value
 
     @property
     def message_word(self) -> MessageWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_message_word
-        if isinstance(held, int):
-            held = self._held_message_word = MessageWord(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_message_word
+        if isinstance(word, int):
+            word = self._word_message_word = MessageWord(word)
+        return word
 
     @message_word.setter
     def message_word(self, value: MessageWord | int) -> None:
-        self._held_message_word = value
+        self._word_message_word = value
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_status_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_status_word = Encoder1StatusWord(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_encoder_1_status_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
+        return word
 
     @encoder_1_status_word.setter
     def encoder_1_status_word(self, value: Encoder1StatusWord | int) -> None:
-        self._held_encoder_1_status_word = value
+        self._word_encoder_1_status_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_status_word_1,
+                record._word_status_word_1,
                 record.speed_actual_b,
-                record._held_status_word_2,
-                record._held_message_word,
-                record._held_encoder_1_status_word,
+                record._word_status_word_2,
+                record._word_message_word,
+                record._word_encoder_1_status_word,
                 record.encoder_1_position_1,
                 record.encoder_1_position_2,
             ) = _TELEGRAM105_RESPONSE_UNPACK(data)
@@ -7474,11 +7836,11 @@ class Telegram105Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM105_RESPONSE_PACK(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_message_word, self._held_encoder_1_status_word, self.encoder_1_position_1,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_message_word, self._word_encoder_1_status_word, self.encoder_1_position_1,
                 self.encoder_1_position_2,
             )
         except _UNFIT:
@@ -7512,20 +7874,20 @@ class Telegram105Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
     @speed_actual_b_percent.setter
-    def speed_actual_b_percent(self, value: float) -> None:
+    def speed_actual_b_percent(self, value: _Quantity) -> None:
         self.speed_actual_b = _counts("speed_actual_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_105_CYCLIC_RESPONSE(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_message_word, self._held_encoder_1_status_word, self.encoder_1_position_1,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_message_word, self._word_encoder_1_status_word, self.encoder_1_position_1,
                 self.encoder_1_position_2,
             )
         except _UNFIT:
@@ -7537,11 +7899,11 @@ class Telegram105Response(_Record):
         message = _new(Telegram105Response)
         try:
             (
-                message._held_status_word_1,
+                message._word_status_word_1,
                 message.speed_actual_b,
-                message._held_status_word_2,
-                message._held_message_word,
-                message._held_encoder_1_status_word,
+                message._word_status_word_2,
+                message._word_message_word,
+                message._word_encoder_1_status_word,
                 message.encoder_1_position_1,
                 message.encoder_1_position_2,
             ) = _UNPACK_TELEGRAM_105_CYCLIC_RESPONSE(data)
@@ -7583,8 +7945,8 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
     """
 
     __slots__ = (
-        "_held_control_word_1", "speed_setpoint_b", "_held_control_word_2", "torque_reduction",
-        "_held_encoder_1_control_word", "position_error", "position_controller_gain",
+        "_word_control_word_1", "speed_setpoint_b", "_word_control_word_2", "torque_reduction",
+        "_word_encoder_1_control_word", "position_error", "position_controller_gain",
     )
     __match_args__ = (
         "control_word_1", "speed_setpoint_b", "control_word_2", "torque_reduction", "encoder_1_control_word",
@@ -7595,6 +7957,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
     NUMBER: _ClassVar[int] = 105
     _RESPONSE = Telegram105Response
 
+    @_overload
     def __init__(
         self,
         control_word_1: ControlWord1 | int,
@@ -7604,62 +7967,111 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         encoder_1_control_word: Encoder1ControlWord | int,
         position_error: int,
         position_controller_gain: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        *,
+        speed_setpoint_b: int | None = None,
+        speed_setpoint_b_percent: _Quantity | None = None,
+        control_word_2: ControlWord2FixedStop | int,
+        torque_reduction: int | None = None,
+        torque_reduction_percent: _Quantity | None = None,
+        encoder_1_control_word: Encoder1ControlWord | int,
+        position_error: int,
+        position_controller_gain: int | None = None,
+        position_controller_gain_per_s: _Quantity | None = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        speed_setpoint_b: int | None = None,
+        control_word_2: ControlWord2FixedStop | int | None = None,
+        torque_reduction: int | None = None,
+        encoder_1_control_word: Encoder1ControlWord | int | None = None,
+        position_error: int | None = None,
+        position_controller_gain: int | None = None,
+        speed_setpoint_b_percent: _Quantity | None = None,
+        torque_reduction_percent: _Quantity | None = None,
+        position_controller_gain_per_s: _Quantity | None = None,
     ) -> None:
-        self._held_control_word_1: ControlWord1 | int = control_word_1
+        if (
+            speed_setpoint_b is None
+            or control_word_2 is None
+            or torque_reduction is None
+            or encoder_1_control_word is None
+            or position_error is None
+            or position_controller_gain is None
+            or speed_setpoint_b_percent is not None
+            or torque_reduction_percent is not None
+            or position_controller_gain_per_s is not None
+        ):
+            self._set_fields(
+                control_word_1, speed_setpoint_b, control_word_2, torque_reduction, encoder_1_control_word,
+                position_error, position_controller_gain,
+                speed_setpoint_b=("speed_setpoint_b_percent", speed_setpoint_b_percent),
+                torque_reduction=("torque_reduction_percent", torque_reduction_percent),
+                position_controller_gain=("position_controller_gain_per_s", position_controller_gain_per_s),
+            )
+            return
+        self._word_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
-        self._held_control_word_2: ControlWord2FixedStop | int = control_word_2
+        self._word_control_word_2: ControlWord2FixedStop | int = control_word_2
         self.torque_reduction = torque_reduction
-        self._held_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
+        self._word_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
         self.position_error = position_error
         self.position_controller_gain = position_controller_gain
 
     @property
     def control_word_1(self) -> ControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_1
-        if isinstance(held, int):
-            held = self._held_control_word_1 = ControlWord1(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_control_word_1
+        if isinstance(word, int):
+            word = self._word_control_word_1 = ControlWord1(word)
+        return word
 
     @control_word_1.setter
     def control_word_1(self, value: ControlWord1 | int) -> None:
-        self._held_control_word_1 = value
+        self._word_control_word_1 = value
 
     @property
     def control_word_2(self) -> ControlWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_2
-        if isinstance(held, int):
-            held = self._held_control_word_2 = ControlWord2FixedStop(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_control_word_2
+        if isinstance(word, int):
+            word = self._word_control_word_2 = ControlWord2FixedStop(word)
+        return word
 
     @control_word_2.setter
     def control_word_2(self, value: ControlWord2FixedStop | int) -> None:
-        self._held_control_word_2 = value
+        self._word_control_word_2 = value
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_control_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_control_word = Encoder1ControlWord(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_encoder_1_control_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
+        return word
 
     @encoder_1_control_word.setter
     def encoder_1_control_word(self, value: Encoder1ControlWord | int) -> None:
-        self._held_encoder_1_control_word = value
+        self._word_encoder_1_control_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_control_word_1,
+                record._word_control_word_1,
                 record.speed_setpoint_b,
-                record._held_control_word_2,
+                record._word_control_word_2,
                 record.torque_reduction,
-                record._held_encoder_1_control_word,
+                record._word_encoder_1_control_word,
                 record.position_error,
                 record.position_controller_gain,
             ) = _TELEGRAM105_REQUEST_UNPACK(data)
@@ -7668,13 +8080,13 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_torque_reduction = self.torque_reduction
             if raw_torque_reduction <= 16384:
                 return _TELEGRAM105_REQUEST_PACK(
-                    self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                    raw_torque_reduction, self._held_encoder_1_control_word, self.position_error,
+                    self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                    raw_torque_reduction, self._word_encoder_1_control_word, self.position_error,
                     self.position_controller_gain,
                 )
         except _UNFIT:
@@ -7708,35 +8120,35 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def speed_setpoint_b_percent(self) -> float:
-        """`speed_setpoint_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_setpoint_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_setpoint_b * 25 / 268435456
 
     @speed_setpoint_b_percent.setter
-    def speed_setpoint_b_percent(self, value: float) -> None:
+    def speed_setpoint_b_percent(self, value: _Quantity) -> None:
         self.speed_setpoint_b = _counts("speed_setpoint_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     @property
     def torque_reduction_percent(self) -> float:
-        """`torque_reduction` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`torque_reduction` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.torque_reduction * 25 / 4096
 
     @torque_reduction_percent.setter
-    def torque_reduction_percent(self, value: float) -> None:
+    def torque_reduction_percent(self, value: _Quantity) -> None:
         self.torque_reduction = _counts("torque_reduction", value, (25, 0, 4096), ((0, 16384),))
 
     @property
     def position_controller_gain_per_s(self) -> float:
-        """`position_controller_gain` in 1/s. Setting it takes the nearest count, of two the even one,
-        and refuses what is out of range.
+        """`position_controller_gain` in 1/s. Setting it stores the nearest count, of two the even one.
+        Raises CodecError out of range.
         """
         return self.position_controller_gain / 1000
 
     @position_controller_gain_per_s.setter
-    def position_controller_gain_per_s(self, value: float) -> None:
+    def position_controller_gain_per_s(self, value: _Quantity) -> None:
         self.position_controller_gain = _counts("position_controller_gain", value, (1, 0, 1000), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
@@ -7744,8 +8156,8 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
             raw_torque_reduction = self.torque_reduction
             if raw_torque_reduction <= 16384:
                 return _PACK_TELEGRAM_105_CYCLIC_REQUEST(
-                    self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                    raw_torque_reduction, self._held_encoder_1_control_word, self.position_error,
+                    self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                    raw_torque_reduction, self._word_encoder_1_control_word, self.position_error,
                     self.position_controller_gain,
                 )
         except _UNFIT:
@@ -7757,11 +8169,11 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         message = _new(Telegram105Request)
         try:
             (
-                message._held_control_word_1,
+                message._word_control_word_1,
                 message.speed_setpoint_b,
-                message._held_control_word_2,
+                message._word_control_word_2,
                 message.torque_reduction,
-                message._held_encoder_1_control_word,
+                message._word_encoder_1_control_word,
                 message.position_error,
                 message.position_controller_gain,
             ) = _UNPACK_TELEGRAM_105_CYCLIC_REQUEST(data)
@@ -7801,9 +8213,9 @@ class Telegram111Response(_Record):
     """
 
     __slots__ = (
-        "_held_status_word_1", "_held_positioning_status_word_1", "_held_positioning_status_word_2",
-        "_held_status_word_2", "_held_message_word", "position_actual_a", "speed_actual_b",
-        "_held_fault_code", "_held_warning_code",
+        "_word_status_word_1", "_word_positioning_status_word_1", "_word_positioning_status_word_2",
+        "_word_status_word_2", "_word_message_word", "position_actual_a", "speed_actual_b",
+        "_word_fault_code", "_word_warning_code",
     )
     __match_args__ = (
         "status_word_1", "positioning_status_word_1", "positioning_status_word_2", "status_word_2",
@@ -7813,6 +8225,7 @@ class Telegram111Response(_Record):
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 111
 
+    @_overload
     def __init__(
         self,
         status_word_1: StatusWord1Positioning | int,
@@ -7824,124 +8237,165 @@ class Telegram111Response(_Record):
         speed_actual_b: int,
         fault_code: AlarmCode | int,
         warning_code: WarningCode | int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        status_word_1: StatusWord1Positioning | int,
+        positioning_status_word_1: PositioningStatusWord1 | int,
+        positioning_status_word_2: PositioningStatusWord2 | int,
+        status_word_2: StatusWord2Positioning | int,
+        message_word: MessageWord | int,
+        position_actual_a: int,
+        *,
+        speed_actual_b_percent: _Quantity,
+        fault_code: AlarmCode | int,
+        warning_code: WarningCode | int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        status_word_1: StatusWord1Positioning | int,
+        positioning_status_word_1: PositioningStatusWord1 | int,
+        positioning_status_word_2: PositioningStatusWord2 | int,
+        status_word_2: StatusWord2Positioning | int,
+        message_word: MessageWord | int,
+        position_actual_a: int,
+        speed_actual_b: int | None = None,
+        fault_code: AlarmCode | int | None = None,
+        warning_code: WarningCode | int | None = None,
+        speed_actual_b_percent: _Quantity | None = None,
     ) -> None:
-        self._held_status_word_1: StatusWord1Positioning | int = status_word_1
-        self._held_positioning_status_word_1: PositioningStatusWord1 | int = positioning_status_word_1
-        self._held_positioning_status_word_2: PositioningStatusWord2 | int = positioning_status_word_2
-        self._held_status_word_2: StatusWord2Positioning | int = status_word_2
-        self._held_message_word: MessageWord | int = message_word
+        if (
+            speed_actual_b is None
+            or fault_code is None
+            or warning_code is None
+            or speed_actual_b_percent is not None
+        ):
+            self._set_fields(
+                status_word_1, positioning_status_word_1, positioning_status_word_2, status_word_2,
+                message_word, position_actual_a, speed_actual_b, fault_code, warning_code,
+                speed_actual_b=("speed_actual_b_percent", speed_actual_b_percent),
+            )
+            return
+        self._word_status_word_1: StatusWord1Positioning | int = status_word_1
+        self._word_positioning_status_word_1: PositioningStatusWord1 | int = positioning_status_word_1
+        self._word_positioning_status_word_2: PositioningStatusWord2 | int = positioning_status_word_2
+        self._word_status_word_2: StatusWord2Positioning | int = status_word_2
+        self._word_message_word: MessageWord | int = message_word
         self.position_actual_a = position_actual_a
         self.speed_actual_b = speed_actual_b
-        self._held_fault_code: AlarmCode | int = fault_code
-        self._held_warning_code: WarningCode | int = warning_code
+        self._word_fault_code: AlarmCode | int = fault_code
+        self._word_warning_code: WarningCode | int = warning_code
 
     @property
     def status_word_1(self) -> StatusWord1Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_1
-        if isinstance(held, int):
-            held = self._held_status_word_1 = StatusWord1Positioning(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_status_word_1
+        if isinstance(word, int):
+            word = self._word_status_word_1 = StatusWord1Positioning(word)
+        return word
 
     @status_word_1.setter
     def status_word_1(self, value: StatusWord1Positioning | int) -> None:
-        self._held_status_word_1 = value
+        self._word_status_word_1 = value
 
     @property
     def positioning_status_word_1(self) -> PositioningStatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_positioning_status_word_1
-        if isinstance(held, int):
-            held = self._held_positioning_status_word_1 = PositioningStatusWord1(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_positioning_status_word_1
+        if isinstance(word, int):
+            word = self._word_positioning_status_word_1 = PositioningStatusWord1(word)
+        return word
 
     @positioning_status_word_1.setter
     def positioning_status_word_1(self, value: PositioningStatusWord1 | int) -> None:
-        self._held_positioning_status_word_1 = value
+        self._word_positioning_status_word_1 = value
 
     @property
     def positioning_status_word_2(self) -> PositioningStatusWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_positioning_status_word_2
-        if isinstance(held, int):
-            held = self._held_positioning_status_word_2 = PositioningStatusWord2(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_positioning_status_word_2
+        if isinstance(word, int):
+            word = self._word_positioning_status_word_2 = PositioningStatusWord2(word)
+        return word
 
     @positioning_status_word_2.setter
     def positioning_status_word_2(self, value: PositioningStatusWord2 | int) -> None:
-        self._held_positioning_status_word_2 = value
+        self._word_positioning_status_word_2 = value
 
     @property
     def status_word_2(self) -> StatusWord2Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_2
-        if isinstance(held, int):
-            held = self._held_status_word_2 = StatusWord2Positioning(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_status_word_2
+        if isinstance(word, int):
+            word = self._word_status_word_2 = StatusWord2Positioning(word)
+        return word
 
     @status_word_2.setter
     def status_word_2(self, value: StatusWord2Positioning | int) -> None:
-        self._held_status_word_2 = value
+        self._word_status_word_2 = value
 
     @property
     def message_word(self) -> MessageWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_message_word
-        if isinstance(held, int):
-            held = self._held_message_word = MessageWord(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_message_word
+        if isinstance(word, int):
+            word = self._word_message_word = MessageWord(word)
+        return word
 
     @message_word.setter
     def message_word(self, value: MessageWord | int) -> None:
-        self._held_message_word = value
+        self._word_message_word = value
 
     @property
     def fault_code(self) -> AlarmCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_fault_code
-        return _ALARM_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_fault_code
+        return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @fault_code.setter
     def fault_code(self, value: AlarmCode | int) -> None:
-        self._held_fault_code = value
+        self._word_fault_code = value
 
     @property
     def warning_code(self) -> WarningCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_warning_code
-        return _WARNING_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_warning_code
+        return _WARNING_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @warning_code.setter
     def warning_code(self, value: WarningCode | int) -> None:
-        self._held_warning_code = value
+        self._word_warning_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_status_word_1,
-                record._held_positioning_status_word_1,
-                record._held_positioning_status_word_2,
-                record._held_status_word_2,
-                record._held_message_word,
+                record._word_status_word_1,
+                record._word_positioning_status_word_1,
+                record._word_positioning_status_word_2,
+                record._word_status_word_2,
+                record._word_message_word,
                 record.position_actual_a,
                 record.speed_actual_b,
-                record._held_fault_code,
-                record._held_warning_code,
+                record._word_fault_code,
+                record._word_warning_code,
             ) = _TELEGRAM111_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("telegram_111_response", len(data), 24, 24) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM111_RESPONSE_PACK(
-                self._held_status_word_1, self._held_positioning_status_word_1,
-                self._held_positioning_status_word_2, self._held_status_word_2, self._held_message_word,
-                self.position_actual_a, self.speed_actual_b, self._held_fault_code, self._held_warning_code,
+                self._word_status_word_1, self._word_positioning_status_word_1,
+                self._word_positioning_status_word_2, self._word_status_word_2, self._word_message_word,
+                self.position_actual_a, self.speed_actual_b, self._word_fault_code, self._word_warning_code,
             )
         except _UNFIT:
             pass
@@ -7978,21 +8432,21 @@ class Telegram111Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
     @speed_actual_b_percent.setter
-    def speed_actual_b_percent(self, value: float) -> None:
+    def speed_actual_b_percent(self, value: _Quantity) -> None:
         self.speed_actual_b = _counts("speed_actual_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_111_CYCLIC_RESPONSE(
-                self._held_status_word_1, self._held_positioning_status_word_1,
-                self._held_positioning_status_word_2, self._held_status_word_2, self._held_message_word,
-                self.position_actual_a, self.speed_actual_b, self._held_fault_code, self._held_warning_code,
+                self._word_status_word_1, self._word_positioning_status_word_1,
+                self._word_positioning_status_word_2, self._word_status_word_2, self._word_message_word,
+                self.position_actual_a, self.speed_actual_b, self._word_fault_code, self._word_warning_code,
             )
         except _UNFIT:
             pass
@@ -8003,15 +8457,15 @@ class Telegram111Response(_Record):
         message = _new(Telegram111Response)
         try:
             (
-                message._held_status_word_1,
-                message._held_positioning_status_word_1,
-                message._held_positioning_status_word_2,
-                message._held_status_word_2,
-                message._held_message_word,
+                message._word_status_word_1,
+                message._word_positioning_status_word_1,
+                message._word_positioning_status_word_2,
+                message._word_status_word_2,
+                message._word_message_word,
                 message.position_actual_a,
                 message.speed_actual_b,
-                message._held_fault_code,
-                message._held_warning_code,
+                message._word_fault_code,
+                message._word_warning_code,
             ) = _UNPACK_TELEGRAM_111_CYCLIC_RESPONSE(data)
         except _StructError:
             return None
@@ -8054,8 +8508,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
     """
 
     __slots__ = (
-        "_held_control_word_1", "_held_positioning_control_word_1", "_held_positioning_control_word_2",
-        "_held_control_word_2", "velocity_override", "mdi_target_position", "mdi_velocity",
+        "_word_control_word_1", "_word_positioning_control_word_1", "_word_positioning_control_word_2",
+        "_word_control_word_2", "velocity_override", "mdi_target_position", "mdi_velocity",
         "mdi_acceleration", "mdi_deceleration",
     )
     __match_args__ = (
@@ -8067,6 +8521,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
     NUMBER: _ClassVar[int] = 111
     _RESPONSE = Telegram111Response
 
+    @_overload
     def __init__(
         self,
         control_word_1: ControlWord1Positioning | int,
@@ -8078,11 +8533,67 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         mdi_velocity: int,
         mdi_acceleration: int,
         mdi_deceleration: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1Positioning | int,
+        positioning_control_word_1: PositioningControlWord1 | int,
+        positioning_control_word_2: PositioningControlWord2 | int,
+        control_word_2: ControlWord2FixedStop | int,
+        *,
+        velocity_override: int | None = None,
+        velocity_override_percent: _Quantity | None = None,
+        mdi_target_position: int,
+        mdi_velocity: int | None = None,
+        mdi_velocity_control_unit_per_min: _Quantity | None = None,
+        mdi_acceleration: int | None = None,
+        mdi_acceleration_percent: _Quantity | None = None,
+        mdi_deceleration: int | None = None,
+        mdi_deceleration_percent: _Quantity | None = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        control_word_1: ControlWord1Positioning | int,
+        positioning_control_word_1: PositioningControlWord1 | int,
+        positioning_control_word_2: PositioningControlWord2 | int,
+        control_word_2: ControlWord2FixedStop | int,
+        velocity_override: int | None = None,
+        mdi_target_position: int | None = None,
+        mdi_velocity: int | None = None,
+        mdi_acceleration: int | None = None,
+        mdi_deceleration: int | None = None,
+        velocity_override_percent: _Quantity | None = None,
+        mdi_velocity_control_unit_per_min: _Quantity | None = None,
+        mdi_acceleration_percent: _Quantity | None = None,
+        mdi_deceleration_percent: _Quantity | None = None,
     ) -> None:
-        self._held_control_word_1: ControlWord1Positioning | int = control_word_1
-        self._held_positioning_control_word_1: PositioningControlWord1 | int = positioning_control_word_1
-        self._held_positioning_control_word_2: PositioningControlWord2 | int = positioning_control_word_2
-        self._held_control_word_2: ControlWord2FixedStop | int = control_word_2
+        if (
+            velocity_override is None
+            or mdi_target_position is None
+            or mdi_velocity is None
+            or mdi_acceleration is None
+            or mdi_deceleration is None
+            or velocity_override_percent is not None
+            or mdi_velocity_control_unit_per_min is not None
+            or mdi_acceleration_percent is not None
+            or mdi_deceleration_percent is not None
+        ):
+            self._set_fields(
+                control_word_1, positioning_control_word_1, positioning_control_word_2, control_word_2,
+                velocity_override, mdi_target_position, mdi_velocity, mdi_acceleration, mdi_deceleration,
+                velocity_override=("velocity_override_percent", velocity_override_percent),
+                mdi_velocity=("mdi_velocity_control_unit_per_min", mdi_velocity_control_unit_per_min),
+                mdi_acceleration=("mdi_acceleration_percent", mdi_acceleration_percent),
+                mdi_deceleration=("mdi_deceleration_percent", mdi_deceleration_percent),
+            )
+            return
+        self._word_control_word_1: ControlWord1Positioning | int = control_word_1
+        self._word_positioning_control_word_1: PositioningControlWord1 | int = positioning_control_word_1
+        self._word_positioning_control_word_2: PositioningControlWord2 | int = positioning_control_word_2
+        self._word_control_word_2: ControlWord2FixedStop | int = control_word_2
         self.velocity_override = velocity_override
         self.mdi_target_position = mdi_target_position
         self.mdi_velocity = mdi_velocity
@@ -8091,62 +8602,62 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_1
-        if isinstance(held, int):
-            held = self._held_control_word_1 = ControlWord1Positioning(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_control_word_1
+        if isinstance(word, int):
+            word = self._word_control_word_1 = ControlWord1Positioning(word)
+        return word
 
     @control_word_1.setter
     def control_word_1(self, value: ControlWord1Positioning | int) -> None:
-        self._held_control_word_1 = value
+        self._word_control_word_1 = value
 
     @property
     def positioning_control_word_1(self) -> PositioningControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_positioning_control_word_1
-        if isinstance(held, int):
-            held = self._held_positioning_control_word_1 = PositioningControlWord1(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_positioning_control_word_1
+        if isinstance(word, int):
+            word = self._word_positioning_control_word_1 = PositioningControlWord1(word)
+        return word
 
     @positioning_control_word_1.setter
     def positioning_control_word_1(self, value: PositioningControlWord1 | int) -> None:
-        self._held_positioning_control_word_1 = value
+        self._word_positioning_control_word_1 = value
 
     @property
     def positioning_control_word_2(self) -> PositioningControlWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_positioning_control_word_2
-        if isinstance(held, int):
-            held = self._held_positioning_control_word_2 = PositioningControlWord2(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_positioning_control_word_2
+        if isinstance(word, int):
+            word = self._word_positioning_control_word_2 = PositioningControlWord2(word)
+        return word
 
     @positioning_control_word_2.setter
     def positioning_control_word_2(self, value: PositioningControlWord2 | int) -> None:
-        self._held_positioning_control_word_2 = value
+        self._word_positioning_control_word_2 = value
 
     @property
     def control_word_2(self) -> ControlWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_2
-        if isinstance(held, int):
-            held = self._held_control_word_2 = ControlWord2FixedStop(held)
-        return held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_control_word_2
+        if isinstance(word, int):
+            word = self._word_control_word_2 = ControlWord2FixedStop(word)
+        return word
 
     @control_word_2.setter
     def control_word_2(self, value: ControlWord2FixedStop | int) -> None:
-        self._held_control_word_2 = value
+        self._word_control_word_2 = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_control_word_1,
-                record._held_positioning_control_word_1,
-                record._held_positioning_control_word_2,
-                record._held_control_word_2,
+                record._word_control_word_1,
+                record._word_positioning_control_word_1,
+                record._word_positioning_control_word_2,
+                record._word_control_word_2,
                 record.velocity_override,
                 record.mdi_target_position,
                 record.mdi_velocity,
@@ -8158,7 +8669,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_velocity_override = self.velocity_override
             raw_mdi_velocity = self.mdi_velocity
@@ -8171,8 +8682,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
                 and raw_mdi_deceleration <= 16384
             ):
                 return _TELEGRAM111_REQUEST_PACK(
-                    self._held_control_word_1, self._held_positioning_control_word_1,
-                    self._held_positioning_control_word_2, self._held_control_word_2, raw_velocity_override,
+                    self._word_control_word_1, self._word_positioning_control_word_1,
+                    self._word_positioning_control_word_2, self._word_control_word_2, raw_velocity_override,
                     self.mdi_target_position, raw_mdi_velocity, raw_mdi_acceleration, raw_mdi_deceleration,
                 )
         except _UNFIT:
@@ -8210,46 +8721,46 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def velocity_override_percent(self) -> float:
-        """`velocity_override` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`velocity_override` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.velocity_override * 25 / 4096
 
     @velocity_override_percent.setter
-    def velocity_override_percent(self, value: float) -> None:
+    def velocity_override_percent(self, value: _Quantity) -> None:
         self.velocity_override = _counts("velocity_override", value, (25, 0, 4096), ((0, 32767),))
 
     @property
     def mdi_velocity_control_unit_per_min(self) -> float:
-        """`mdi_velocity` in control unit/min. Setting it takes the nearest count, of two the even one,
-        and refuses what is out of range.
+        """`mdi_velocity` in control unit/min. Setting it stores the nearest count, of two the even one.
+        Raises CodecError out of range.
         """
         return float(self.mdi_velocity * 1000)
 
     @mdi_velocity_control_unit_per_min.setter
-    def mdi_velocity_control_unit_per_min(self, value: float) -> None:
+    def mdi_velocity_control_unit_per_min(self, value: _Quantity) -> None:
         self.mdi_velocity = _counts("mdi_velocity", value, (1000, 0, 1), ((0, 2147483647),))
 
     @property
     def mdi_acceleration_percent(self) -> float:
-        """`mdi_acceleration` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`mdi_acceleration` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.mdi_acceleration * 25 / 4096
 
     @mdi_acceleration_percent.setter
-    def mdi_acceleration_percent(self, value: float) -> None:
+    def mdi_acceleration_percent(self, value: _Quantity) -> None:
         self.mdi_acceleration = _counts("mdi_acceleration", value, (25, 0, 4096), ((0, 16384),))
 
     @property
     def mdi_deceleration_percent(self) -> float:
-        """`mdi_deceleration` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`mdi_deceleration` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.mdi_deceleration * 25 / 4096
 
     @mdi_deceleration_percent.setter
-    def mdi_deceleration_percent(self, value: float) -> None:
+    def mdi_deceleration_percent(self, value: _Quantity) -> None:
         self.mdi_deceleration = _counts("mdi_deceleration", value, (25, 0, 4096), ((0, 16384),))
 
     def _to_cyclic(self) -> bytes:
@@ -8265,8 +8776,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
                 and raw_mdi_deceleration <= 16384
             ):
                 return _PACK_TELEGRAM_111_CYCLIC_REQUEST(
-                    self._held_control_word_1, self._held_positioning_control_word_1,
-                    self._held_positioning_control_word_2, self._held_control_word_2, raw_velocity_override,
+                    self._word_control_word_1, self._word_positioning_control_word_1,
+                    self._word_positioning_control_word_2, self._word_control_word_2, raw_velocity_override,
                     self.mdi_target_position, raw_mdi_velocity, raw_mdi_acceleration, raw_mdi_deceleration,
                 )
         except _UNFIT:
@@ -8278,10 +8789,10 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         message = _new(Telegram111Request)
         try:
             (
-                message._held_control_word_1,
-                message._held_positioning_control_word_1,
-                message._held_positioning_control_word_2,
-                message._held_control_word_2,
+                message._word_control_word_1,
+                message._word_positioning_control_word_1,
+                message._word_positioning_control_word_2,
+                message._word_control_word_2,
                 message.velocity_override,
                 message.mdi_target_position,
                 message.mdi_velocity,
@@ -8320,12 +8831,25 @@ class Telegram750Response(_Record):
     NUMBER: _ClassVar[int] = 750
     SUPPLEMENTS: _ClassVar[tuple[str, ...]] = ("telegram_3", "telegram_5", "telegram_9", "telegram_102", "telegram_105", "telegram_111")
 
-    def __init__(self, torque_actual: int) -> None:
+    @_overload
+    def __init__(self, torque_actual: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, torque_actual_percent: _Quantity) -> None: ...
+
+    def __init__(
+        self,
+        torque_actual: int | None = None,
+        torque_actual_percent: _Quantity | None = None,
+    ) -> None:
+        if torque_actual is None or torque_actual_percent is not None:
+            self._set_fields(torque_actual, torque_actual=("torque_actual_percent", torque_actual_percent))
+            return
         self.torque_actual = torque_actual
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.torque_actual,) = _TELEGRAM750_RESPONSE_UNPACK(data)
@@ -8334,7 +8858,7 @@ class Telegram750Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM750_RESPONSE_PACK(self.torque_actual)
         except _UNFIT:
@@ -8354,13 +8878,13 @@ class Telegram750Response(_Record):
 
     @property
     def torque_actual_percent(self) -> float:
-        """`torque_actual` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`torque_actual` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.torque_actual * 25 / 4096
 
     @torque_actual_percent.setter
-    def torque_actual_percent(self, value: float) -> None:
+    def torque_actual_percent(self, value: _Quantity) -> None:
         self.torque_actual = _counts("torque_actual", value, (25, 0, 4096), ((-32768, 32767),))
 
     def _to_cyclic(self) -> bytes:
@@ -8414,19 +8938,57 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
     SUPPLEMENTS: _ClassVar[tuple[str, ...]] = ("telegram_3", "telegram_5", "telegram_9", "telegram_102", "telegram_105", "telegram_111")
     _RESPONSE = Telegram750Response
 
+    @_overload
     def __init__(
         self,
         additional_torque: int,
         positive_torque_limit: int,
         negative_torque_limit: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        *,
+        additional_torque: int | None = None,
+        additional_torque_percent: _Quantity | None = None,
+        positive_torque_limit: int | None = None,
+        positive_torque_limit_percent: _Quantity | None = None,
+        negative_torque_limit: int | None = None,
+        negative_torque_limit_percent: _Quantity | None = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        additional_torque: int | None = None,
+        positive_torque_limit: int | None = None,
+        negative_torque_limit: int | None = None,
+        additional_torque_percent: _Quantity | None = None,
+        positive_torque_limit_percent: _Quantity | None = None,
+        negative_torque_limit_percent: _Quantity | None = None,
     ) -> None:
+        if (
+            additional_torque is None
+            or positive_torque_limit is None
+            or negative_torque_limit is None
+            or additional_torque_percent is not None
+            or positive_torque_limit_percent is not None
+            or negative_torque_limit_percent is not None
+        ):
+            self._set_fields(
+                additional_torque, positive_torque_limit, negative_torque_limit,
+                additional_torque=("additional_torque_percent", additional_torque_percent),
+                positive_torque_limit=("positive_torque_limit_percent", positive_torque_limit_percent),
+                negative_torque_limit=("negative_torque_limit_percent", negative_torque_limit_percent),
+            )
+            return
         self.additional_torque = additional_torque
         self.positive_torque_limit = positive_torque_limit
         self.negative_torque_limit = negative_torque_limit
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -8439,7 +9001,7 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_positive_torque_limit = self.positive_torque_limit
             raw_negative_torque_limit = self.negative_torque_limit
@@ -8470,35 +9032,35 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
 
     @property
     def additional_torque_percent(self) -> float:
-        """`additional_torque` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`additional_torque` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.additional_torque * 25 / 4096
 
     @additional_torque_percent.setter
-    def additional_torque_percent(self, value: float) -> None:
+    def additional_torque_percent(self, value: _Quantity) -> None:
         self.additional_torque = _counts("additional_torque", value, (25, 0, 4096), ((-32768, 32767),))
 
     @property
     def positive_torque_limit_percent(self) -> float:
-        """`positive_torque_limit` in %. Setting it takes the nearest count, of two the even one, and
-        refuses what is out of range.
+        """`positive_torque_limit` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.positive_torque_limit * 25 / 4096
 
     @positive_torque_limit_percent.setter
-    def positive_torque_limit_percent(self, value: float) -> None:
+    def positive_torque_limit_percent(self, value: _Quantity) -> None:
         self.positive_torque_limit = _counts("positive_torque_limit", value, (25, 0, 4096), ((0, 32767),))
 
     @property
     def negative_torque_limit_percent(self) -> float:
-        """`negative_torque_limit` in %. Setting it takes the nearest count, of two the even one, and
-        refuses what is out of range.
+        """`negative_torque_limit` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.negative_torque_limit * 25 / 4096
 
     @negative_torque_limit_percent.setter
-    def negative_torque_limit_percent(self, value: float) -> None:
+    def negative_torque_limit_percent(self, value: _Quantity) -> None:
         self.negative_torque_limit = _counts("negative_torque_limit", value, (25, 0, 4096), ((-32768, 0),))
 
     def _to_cyclic(self) -> bytes:
@@ -8716,7 +9278,7 @@ class CyclicLink:
     def decode_request(self, frame: _Data, message: int | str) -> _Request[AnyCyclicRequest]: ...
 
     def decode_request(self, frame: _Data, message: type[_Any] | int | str) -> _Request[_Any]:
-        """A request of a known class, or of the message with a number or a name: a frame does not say which it is.
+        """A request of a known class, or of the message with a number or a name: the frame does not identify it.
 
         Raises CodecError for anything wrong in the bytes, and for a message that is not sent here.
         """
@@ -8728,8 +9290,8 @@ class CyclicLink:
                 return request
         kind = message if isinstance(message, type) else _CYCLIC_REQUESTS.named(_CYCLIC_REQUEST_CLASSES, message)
         head, body = _CYCLIC_REQUESTS.split(data)
-        found = _CYCLIC_REQUESTS.body(kind, body)
-        return _Request(0, found)
+        record = _CYCLIC_REQUESTS.body(kind, body)
+        return _Request(0, record)
 
     @_overload
     def decode_response(
@@ -8779,7 +9341,7 @@ class CyclicLink:
     ) -> _Response[_Any]:
         """The response to a request, to its class, or of the message with a number or a name.
 
-        A frame does not say what it answers. Raises CodecError for anything wrong in the bytes, and for a message
+        The frame does not identify it. Raises CodecError for anything wrong in the bytes, and for a message
         that is not sent here.
         """
         data = frame
@@ -8801,7 +9363,7 @@ cyclic: _Final = CyclicLink()
 
 
 class ParameterChannelRequest(_Request[_M]):
-    """A request on this link, with all parts of its head."""
+    """A request on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
     __match_args__ = ("station", "message", "request_reference",)
@@ -8812,7 +9374,7 @@ class ParameterChannelRequest(_Request[_M]):
 
 
 class ParameterChannelResponse(_Response[_M]):
-    """A response on this link, with all parts of its head."""
+    """A response on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
     __match_args__ = ("station", "message", "request_reference",)
@@ -8823,7 +9385,7 @@ class ParameterChannelResponse(_Response[_M]):
 
 
 class ParameterChannelErrorReply(_ErrorReply[_M]):
-    """A refusal on this link, with all parts of its head."""
+    """An exception response on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
     __match_args__ = ("station", "code", "exception", "request_reference",)
@@ -8907,7 +9469,7 @@ class ParameterChannelLink:
         return message._to_parameter_channel(request_reference)
 
     def decode_request(self, frame: _Data) -> ParameterChannelRequest[AnyParameterChannelRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = frame
         try:
             request: ParameterChannelRequest[AnyParameterChannelRequest] | None = _PARAMETER_CHANNEL_QUICK_REQUESTS[data[1]](data)
@@ -8930,7 +9492,7 @@ class ParameterChannelLink:
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
     ) -> ParameterChannelResponse[_Any] | ParameterChannelErrorReply[ParameterError]:
-        """A response, or a refusal as an ErrorReply; to one request, or to its class, where that is given.
+        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -8952,7 +9514,7 @@ class ParameterChannelLink:
         return ParameterChannelResponse(0, message, head[0])
 
     def encode_error(self, code: int, exception: ParameterError, *, request_reference: int) -> bytes:
-        """The refusal of the request with a code. Raises CodecError for values that are out of range."""
+        """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         part_request_reference = request_reference
         error = (
@@ -8966,10 +9528,9 @@ class ParameterChannelLink:
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
 
-        No part of write_parameter says how long it is: only `idle` ends such a frame.
+        No part of write_parameter determines its length: only `idle` ends such a frame.
         """
         return _CodeFramer(
             _PARAMETER_CHANNEL_REQUESTS,
@@ -8985,10 +9546,9 @@ class ParameterChannelLink:
     def response_framer(self) -> _CodeFramer:
         """Finds the responses in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
 
-        No part of read_parameter says how long it is: only `idle` ends such a frame.
+        No part of read_parameter determines its length: only `idle` ends such a frame.
         """
         return _CodeFramer(
             _PARAMETER_CHANNEL_RESPONSES,
@@ -9010,7 +9570,7 @@ parameter_channel: _Final = ParameterChannelLink()
 _COMMANDED_SPEED_CONVERSION = _Conversion("commanded_speed", 0x40000000, ((-2147483648, 2147483647),))
 
 
-def commanded_speed(raw: int, reference: float) -> float:
+def commanded_speed(raw: int, reference: _Quantity) -> float:
     """Speed from NSOLL_B: reference * raw / 0x40000000.
 
     The reference is Pt317 for rotary motors, in rpm, and Pt386 for linear ones, in mm/s.
@@ -9027,7 +9587,7 @@ def commanded_speed(raw: int, reference: float) -> float:
     return _COMMANDED_SPEED_CONVERSION.quantity(raw, reference)
 
 
-def commanded_speed_to_raw(quantity: float, reference: float) -> int:
+def commanded_speed_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Speed from NSOLL_B.
 
     The count is that of `speed_setpoint_b`.
@@ -9043,7 +9603,7 @@ def commanded_speed_to_raw(quantity: float, reference: float) -> int:
 _ACTUAL_SPEED_CONVERSION = _Conversion("actual_speed", 0x40000000, ((-2147483648, 2147483647),))
 
 
-def actual_speed(raw: int, reference: float) -> float:
+def actual_speed(raw: int, reference: _Quantity) -> float:
     """Speed from NIST_B: reference * raw / 0x40000000.
 
     The reference is Pt317 for rotary motors, in rpm, and Pt386 for linear ones, in mm/s.
@@ -9060,7 +9620,7 @@ def actual_speed(raw: int, reference: float) -> float:
     return _ACTUAL_SPEED_CONVERSION.quantity(raw, reference)
 
 
-def actual_speed_to_raw(quantity: float, reference: float) -> int:
+def actual_speed_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Speed from NIST_B.
 
     The count is that of `speed_actual_b`.
@@ -9076,7 +9636,7 @@ def actual_speed_to_raw(quantity: float, reference: float) -> int:
 _COMMANDED_SPEED_A_CONVERSION = _Conversion("commanded_speed_a", 0x4000, ((-32768, 32767),))
 
 
-def commanded_speed_a(raw: int, reference: float) -> float:
+def commanded_speed_a(raw: int, reference: _Quantity) -> float:
     """Speed from NSOLL_A: reference * raw / 0x4000.
 
     The form of 16 bits, which is in no telegram of this drive. The reference is Pt317 for rotary
@@ -9097,7 +9657,7 @@ def commanded_speed_a(raw: int, reference: float) -> float:
     return _COMMANDED_SPEED_A_CONVERSION.quantity(raw, reference)
 
 
-def commanded_speed_a_to_raw(quantity: float, reference: float) -> int:
+def commanded_speed_a_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Speed from NSOLL_A.
 
     The count is of type i16.
@@ -9113,7 +9673,7 @@ def commanded_speed_a_to_raw(quantity: float, reference: float) -> int:
 _ACTUAL_SPEED_A_CONVERSION = _Conversion("actual_speed_a", 0x4000, ((-32768, 32767),))
 
 
-def actual_speed_a(raw: int, reference: float) -> float:
+def actual_speed_a(raw: int, reference: _Quantity) -> float:
     """Speed from NIST_A: reference * raw / 0x4000.
 
     The form of 16 bits, which is in no telegram of this drive. The reference is Pt317 for rotary
@@ -9134,7 +9694,7 @@ def actual_speed_a(raw: int, reference: float) -> float:
     return _ACTUAL_SPEED_A_CONVERSION.quantity(raw, reference)
 
 
-def actual_speed_a_to_raw(quantity: float, reference: float) -> int:
+def actual_speed_a_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Speed from NIST_A.
 
     The count is of type i16.
@@ -9150,7 +9710,7 @@ def actual_speed_a_to_raw(quantity: float, reference: float) -> int:
 _OUTPUT_TORQUE_CONVERSION = _Conversion("output_torque", 0x4000, ((0, 16384),), complement=True)
 
 
-def output_torque(raw: int, reference: float) -> float:
+def output_torque(raw: int, reference: _Quantity) -> float:
     """Torque that MOMRED leaves: reference * (1 - raw / 0x4000).
 
     The reference is Pt42A for rotary motors, a torque in Nm, and Pt43A for linear ones, a force in N.
@@ -9167,7 +9727,7 @@ def output_torque(raw: int, reference: float) -> float:
     return _OUTPUT_TORQUE_CONVERSION.quantity(raw, reference)
 
 
-def output_torque_to_raw(quantity: float, reference: float) -> int:
+def output_torque_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Torque that MOMRED leaves.
 
     The count is that of `torque_reduction`.
@@ -9183,7 +9743,7 @@ def output_torque_to_raw(quantity: float, reference: float) -> int:
 _TORQUE_REDUCED_BY_CONVERSION = _Conversion("torque_reduced_by", 0x4000, ((0, 16384),))
 
 
-def torque_reduced_by(raw: int, reference: float) -> float:
+def torque_reduced_by(raw: int, reference: _Quantity) -> float:
     """Torque that MOMRED takes away: reference * raw / 0x4000.
 
     The reference is Pt42A for rotary motors, a torque in Nm, and Pt43A for linear ones, a force in N.
@@ -9200,7 +9760,7 @@ def torque_reduced_by(raw: int, reference: float) -> float:
     return _TORQUE_REDUCED_BY_CONVERSION.quantity(raw, reference)
 
 
-def torque_reduced_by_to_raw(quantity: float, reference: float) -> int:
+def torque_reduced_by_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Torque that MOMRED takes away.
 
     The count is that of `torque_reduction`.
@@ -9216,7 +9776,7 @@ def torque_reduced_by_to_raw(quantity: float, reference: float) -> int:
 _MOTOR_TORQUE_CONVERSION = _Conversion("motor_torque", 0x4000, ((-32768, 32767),))
 
 
-def motor_torque(raw: int, reference: float) -> float:
+def motor_torque(raw: int, reference: _Quantity) -> float:
     """Torque from M_ACT: reference * raw / 0x4000.
 
     The reference is Pt42A for rotary motors, a torque in Nm, and Pt43A for linear ones, a force in N.
@@ -9233,7 +9793,7 @@ def motor_torque(raw: int, reference: float) -> float:
     return _MOTOR_TORQUE_CONVERSION.quantity(raw, reference)
 
 
-def motor_torque_to_raw(quantity: float, reference: float) -> int:
+def motor_torque_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Torque from M_ACT.
 
     The count is that of `torque_actual`.
@@ -9249,7 +9809,7 @@ def motor_torque_to_raw(quantity: float, reference: float) -> int:
 _TORQUE_VALUE_CONVERSION = _Conversion("torque_value", 0x4000, ((-32768, 32767),))
 
 
-def torque_value(raw: int, reference: float) -> float:
+def torque_value(raw: int, reference: _Quantity) -> float:
     """Torque from M_ADD1, M_LIMIT_POS and M_LIMIT_NEG: reference * raw / 0x4000.
 
     The reference is Pt42A for rotary motors, a torque in Nm, and Pt43A for linear ones, a force in N.
@@ -9271,7 +9831,7 @@ def torque_value(raw: int, reference: float) -> float:
     return _TORQUE_VALUE_CONVERSION.quantity(raw, reference)
 
 
-def torque_value_to_raw(quantity: float, reference: float) -> int:
+def torque_value_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Torque from M_ADD1, M_LIMIT_POS and
     M_LIMIT_NEG.
 
@@ -9288,7 +9848,7 @@ def torque_value_to_raw(quantity: float, reference: float) -> int:
 _SHARE_OF_ACCELERATION_CONVERSION = _Conversion("share_of_acceleration", 0x4000, ((0, 16384),))
 
 
-def share_of_acceleration(raw: int, reference: float) -> float:
+def share_of_acceleration(raw: int, reference: _Quantity) -> float:
     """What MDI_ACC and MDI_DEC leave of the acceleration: reference * raw / 0x4000.
 
     The reference is the acceleration or the deceleration that the time in Pt534 or Pt537 gives.
@@ -9305,7 +9865,7 @@ def share_of_acceleration(raw: int, reference: float) -> float:
     return _SHARE_OF_ACCELERATION_CONVERSION.quantity(raw, reference)
 
 
-def share_of_acceleration_to_raw(quantity: float, reference: float) -> int:
+def share_of_acceleration_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. What MDI_ACC and MDI_DEC leave of
     the acceleration.
 
@@ -9321,7 +9881,7 @@ def share_of_acceleration_to_raw(quantity: float, reference: float) -> int:
 _OVERRIDDEN_VELOCITY_CONVERSION = _Conversion("overridden_velocity", 0x4000, ((0, 32767),))
 
 
-def overridden_velocity(raw: int, reference: float) -> float:
+def overridden_velocity(raw: int, reference: _Quantity) -> float:
     """What the override leaves of a speed: reference * raw / 0x4000.
 
     The reference is the speed of the MDI command or, for jogging with telegram 111, Pt533 for rotary
@@ -9337,7 +9897,7 @@ def overridden_velocity(raw: int, reference: float) -> float:
     return _OVERRIDDEN_VELOCITY_CONVERSION.quantity(raw, reference)
 
 
-def overridden_velocity_to_raw(quantity: float, reference: float) -> int:
+def overridden_velocity_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. What the override leaves of a speed.
 
     The count is that of `velocity_override`.

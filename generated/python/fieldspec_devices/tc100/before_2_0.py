@@ -47,7 +47,7 @@ from .._refusals import unfit as _unfit
 from .._registers import Register as _Register
 from .._registers import RegisterArray as _RegisterArray
 from .._registers import Table as _Table
-from .._registers import found as _found
+from .._registers import find as _find
 from .._registers import only as _only
 from .._registers import spans as _spans
 from .._registers import writable as _writable
@@ -75,6 +75,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self as _Self
 
     from .._typing import Data as _Data
+    from .._typing import Quantity as _Quantity
     from .._typing import R as _R
     from .._typing import T as _T
     from ..many import Column as _Column
@@ -243,7 +244,7 @@ _X0, _X1, _X2, _X3, _X4, _X5, _X6, _X7 = _CRC_EXCHANGED
 DEVICE: _Final = "tc100"
 VERSION: _Final = "before-2.0"
 IDENTITY: _Final = "6f4511cfdbc65a9f"
-"""Equal if and only if what is on the wire is."""
+"""Equal for two versions if and only if their bytes on the wire are."""
 
 
 class ExceptionCode(_IntEnum):
@@ -1752,37 +1753,37 @@ class ExceptionRecord(_Record):
     Source: 8.3 L1750-1752.
     """
 
-    __slots__ = ("_held_exception_code",)
+    __slots__ = ("_word_exception_code",)
     __match_args__ = ("exception_code",)
     _SIZE: _ClassVar[int] = 1
 
     def __init__(self, exception_code: ExceptionCode | int) -> None:
-        self._held_exception_code: ExceptionCode | int = exception_code
+        self._word_exception_code: ExceptionCode | int = exception_code
 
     @property
     def exception_code(self) -> ExceptionCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_exception_code
-        return _EXCEPTION_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_exception_code
+        return _EXCEPTION_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @exception_code.setter
     def exception_code(self, value: ExceptionCode | int) -> None:
-        self._held_exception_code = value
+        self._word_exception_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_exception_code,) = _EXCEPTION_RECORD_UNPACK(data)
+            (record._word_exception_code,) = _EXCEPTION_RECORD_UNPACK(data)
         except _StructError:
             raise _wrong_length("exception", len(data), 1, 1) from None
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
-            raw_exception_code = _index(self._held_exception_code)
+            raw_exception_code = _index(self._word_exception_code)
             if 1 <= raw_exception_code <= 3:
                 return _EXCEPTION_RECORD_PACK(raw_exception_code)
         except _UNFIT:
@@ -1838,7 +1839,7 @@ class Point(_Record):
     """
 
     __slots__ = (
-        "_held_mode", "position", "speed", "torque_limit", "zone_lower_limit", "zone_upper_limit",
+        "_word_mode", "position", "speed", "torque_limit", "zone_lower_limit", "zone_upper_limit",
         "wait_time", "next_point",
     )
     __match_args__ = (
@@ -1851,6 +1852,7 @@ class Point(_Record):
     NEXT_POINT_END: _Final = -1
     """`next_point`: The program ends."""
 
+    @_overload
     def __init__(
         self,
         mode: PointMode | int,
@@ -1861,8 +1863,48 @@ class Point(_Record):
         zone_upper_limit: int,
         wait_time: int,
         next_point: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        mode: PointMode | int,
+        position: int,
+        speed: int,
+        *,
+        torque_limit_percent: _Quantity,
+        zone_lower_limit: int,
+        zone_upper_limit: int,
+        wait_time: int,
+        next_point: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        mode: PointMode | int,
+        position: int,
+        speed: int,
+        torque_limit: int | None = None,
+        zone_lower_limit: int | None = None,
+        zone_upper_limit: int | None = None,
+        wait_time: int | None = None,
+        next_point: int | None = None,
+        torque_limit_percent: _Quantity | None = None,
     ) -> None:
-        self._held_mode: PointMode | int = mode
+        if (
+            torque_limit is None
+            or zone_lower_limit is None
+            or zone_upper_limit is None
+            or wait_time is None
+            or next_point is None
+            or torque_limit_percent is not None
+        ):
+            self._set_fields(
+                mode, position, speed, torque_limit, zone_lower_limit, zone_upper_limit, wait_time,
+                next_point, torque_limit=("torque_limit_percent", torque_limit_percent),
+            )
+            return
+        self._word_mode: PointMode | int = mode
         self.position = position
         self.speed = speed
         self.torque_limit = torque_limit
@@ -1873,21 +1915,21 @@ class Point(_Record):
 
     @property
     def mode(self) -> PointMode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_mode
-        return _POINT_MODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        """The value of the raw number, converted when it is read; its class documents it."""
+        word = self._word_mode
+        return _POINT_MODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @mode.setter
     def mode(self, value: PointMode | int) -> None:
-        self._held_mode = value
+        self._word_mode = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                record._held_mode,
+                record._word_mode,
                 record.position,
                 record.speed,
                 record.torque_limit,
@@ -1901,9 +1943,9 @@ class Point(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
-            raw_mode = _index(self._held_mode)
+            raw_mode = _index(self._word_mode)
             raw_speed = self.speed
             raw_torque_limit = self.torque_limit
             raw_wait_time = self.wait_time
@@ -1953,13 +1995,13 @@ class Point(_Record):
 
     @property
     def torque_limit_percent(self) -> float:
-        """`torque_limit` in %. Setting it takes the nearest count, of two the even one, and refuses what
-        is out of range.
+        """`torque_limit` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.torque_limit / 10
 
     @torque_limit_percent.setter
-    def torque_limit_percent(self, value: float) -> None:
+    def torque_limit_percent(self, value: _Quantity) -> None:
         self.torque_limit = _counts("torque_limit", value, (1, 0, 10), ((0, 1000),))
 
 
@@ -1985,7 +2027,7 @@ class ReadRegistersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 3 <= len(data) <= 121 or (len(data) - 1) % 2:
             raise _wrong_length("read_registers_response", len(data), 3, 121, 1, 2)
         record = _new(cls)
@@ -1995,7 +2037,7 @@ class ReadRegistersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_values = self.values
             if 1 <= len(raw_values) <= 60 and 2 <= len(raw_values) * 2 <= 120:
@@ -2026,7 +2068,7 @@ class ReadRegistersResponse(_Record):
 
 
 _PACK_READ_REGISTERS_RTU_REQUEST, _UNPACK_READ_REGISTERS_RTU_REQUEST = _packing(">BBHHH")
-_STATIONS_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ share for share in _X5[:17])
+_STATIONS_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ term for term in _X5[:17])
 _PACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHH").pack
 _UNPACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHHx").unpack
 _READ_REGISTERS_REQUEST_PACK, _READ_REGISTERS_REQUEST_UNPACK = _packing(">HH")
@@ -2055,7 +2097,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.word_count = _READ_REGISTERS_REQUEST_UNPACK(data)
@@ -2064,7 +2106,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_word_count = self.word_count
             if 1 <= raw_word_count <= 60:
@@ -2160,7 +2202,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
 
 
 _PACK_WRITE_REGISTER_RTU_RESPONSE, _UNPACK_WRITE_REGISTER_RTU_RESPONSE = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ share for share in _X5[:17])
+_STATIONS_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHHx").unpack
 _WRITE_REGISTER_RESPONSE_PACK, _WRITE_REGISTER_RESPONSE_UNPACK = _packing(">HH")
@@ -2188,7 +2230,7 @@ class WriteRegisterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.value = _WRITE_REGISTER_RESPONSE_UNPACK(data)
@@ -2197,7 +2239,7 @@ class WriteRegisterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_REGISTER_RESPONSE_PACK(self.address, self.value)
         except _UNFIT:
@@ -2291,7 +2333,7 @@ class WriteRegisterResponse(_Record):
 
 
 _PACK_WRITE_REGISTER_RTU_REQUEST, _UNPACK_WRITE_REGISTER_RTU_REQUEST = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ share for share in _X5[:17])
+_STATIONS_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHHx").unpack
 _WRITE_REGISTER_REQUEST_PACK, _WRITE_REGISTER_REQUEST_UNPACK = _packing(">HH")
@@ -2321,7 +2363,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.value = _WRITE_REGISTER_REQUEST_UNPACK(data)
@@ -2330,7 +2372,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_REGISTER_REQUEST_PACK(self.address, self.value)
         except _UNFIT:
@@ -2424,7 +2466,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
 
 _PACK_WRITE_REGISTERS_RTU_RESPONSE, _UNPACK_WRITE_REGISTERS_RTU_RESPONSE = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ share for share in _X5[:17])
+_STATIONS_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHHx").unpack
 _WRITE_REGISTERS_RESPONSE_PACK, _WRITE_REGISTERS_RESPONSE_UNPACK = _packing(">HH")
@@ -2453,7 +2495,7 @@ class WriteRegistersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.word_count = _WRITE_REGISTERS_RESPONSE_UNPACK(data)
@@ -2462,7 +2504,7 @@ class WriteRegistersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_word_count = self.word_count
             if 1 <= raw_word_count <= 59:
@@ -2582,7 +2624,7 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 7 <= len(data) <= 123 or (len(data) - 5) % 2:
             raise _wrong_length("write_registers_request", len(data), 7, 123, 5, 2)
         record = _new(cls)
@@ -2599,7 +2641,7 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_values = self.values
             if 1 <= len(raw_values) <= 59 and 1 <= len(raw_values) <= 59 and 2 <= len(raw_values) * 2 <= 118:
@@ -2696,7 +2738,7 @@ class RtuLink:
         return message._to_rtu(station)
 
     def decode_request(self, frame: _Data) -> _Request[AnyRtuRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = frame
         try:
             request: _Request[AnyRtuRequest] | None = _RTU_QUICK_REQUESTS[data[1]](data)
@@ -2719,7 +2761,7 @@ class RtuLink:
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
     ) -> _Response[_Any] | _ErrorReply[ExceptionRecord]:
-        """A response, or a refusal as an ErrorReply; to one request, or to its class, where that is given.
+        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -2741,7 +2783,7 @@ class RtuLink:
         return _Response(head[0], message)
 
     def encode_error(self, station: int, code: int, exception: ExceptionRecord) -> bytes:
-        """The refusal of the request with a code. Raises CodecError for values that are out of range."""
+        """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         error = (
             _refused_number("station", station, 0, 255, ((1, 16),), (0,))
@@ -2754,8 +2796,7 @@ class RtuLink:
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
         """
         return _CodeFramer(
             _RTU_REQUESTS,
@@ -2775,8 +2816,7 @@ class RtuLink:
     def response_framer(self) -> _CodeFramer:
         """Finds the responses in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
         """
         return _CodeFramer(
             _RTU_RESPONSES,
@@ -2869,7 +2909,7 @@ class AsciiLink:
         return message._to_ascii(station)
 
     def decode_request(self, frame: _Data) -> _Request[AnyAsciiRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = _ASCII_REQUESTS.unmarked(frame)
         try:
             request: _Request[AnyAsciiRequest] | None = _ASCII_QUICK_REQUESTS[data[1]](data)
@@ -2892,7 +2932,7 @@ class AsciiLink:
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
     ) -> _Response[_Any] | _ErrorReply[ExceptionRecord]:
-        """A response, or a refusal as an ErrorReply; to one request, or to its class, where that is given.
+        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -2914,7 +2954,7 @@ class AsciiLink:
         return _Response(head[0], message)
 
     def encode_error(self, station: int, code: int, exception: ExceptionRecord) -> bytes:
-        """The refusal of the request with a code. Raises CodecError for values that are out of range."""
+        """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         error = (
             _refused_number("station", station, 0, 255, ((1, 16),), (0,))
@@ -2927,7 +2967,7 @@ class AsciiLink:
     def request_framer(self) -> _MarkFramer:
         """Finds the requests in a stream.
 
-        A start mark within a frame begins another one.
+        A start delimiter within a frame begins another frame.
         """
         return _MarkFramer(
             _ASCII_REQUESTS,
@@ -2941,7 +2981,7 @@ class AsciiLink:
     def response_framer(self) -> _MarkFramer:
         """Finds the responses in a stream.
 
-        A start mark within a frame begins another one.
+        A start delimiter within a frame begins another frame.
         """
         return _MarkFramer(
             _ASCII_RESPONSES,
@@ -4860,5 +4900,5 @@ TABLES: tuple[_Table[_Any], ...] = (points, )
 
 def register_at(address: int) -> _Register[_Any] | None:
     """The register, or the element of an array or a table, that begins at an address; None where there is none."""
-    return _found(address, REGISTERS, TABLES)
+    return _find(address, REGISTERS, TABLES)
 

@@ -1,9 +1,9 @@
-"""Check algorithms.
+"""Checksums.
 
-A CRC is linear in the bits of its data. So a byte's share of it depends only on the byte and on how many bytes
-follow: `CRC[d][byte]` is the share of a byte that `d` bytes follow. Frames of a fixed length take one
-look-up for each byte that varies; other data take eight look-ups for eight bytes at once. `CRC_EXCHANGED` holds
-the same shares with their two bytes exchanged, for Structs whose order is not that of the check.
+A CRC is linear in the bits of its data, so the term of a byte depends only on the byte and on how many bytes follow:
+`CRC[d][byte]` is the term of a byte that `d` bytes follow. Frames of fixed length need one look-up for each byte that
+varies; other data need eight look-ups for eight bytes at once. `CRC_EXCHANGED` has the same terms with their two bytes
+exchanged, for Structs whose byte order differs from that of the checksum.
 """
 
 from __future__ import annotations
@@ -16,21 +16,21 @@ if TYPE_CHECKING:
     from ._typing import Data
 
 
-def _shares() -> list[list[int]]:
-    bits, share = [], 1
+def _tables() -> list[list[int]]:
+    bits, term = [], 1
     for _ in range(8):
-        share = share >> 1 ^ (0xA001 if share & 1 else 0)
-        bits.append(share)
+        term = term >> 1 ^ (0xA001 if term & 1 else 0)
+        bits.append(term)
     table = [0]
-    for share in reversed(bits):
-        table += [share ^ other for other in table]
+    for term in reversed(bits):
+        table += [term ^ other for other in table]
     tables = [table]
     for _ in range(7):
         tables.append([crc >> 8 ^ table[crc & 0xFF] for crc in tables[-1]])
     return tables
 
 
-_TABLES = _shares()
+_TABLES = _tables()
 CRC = tuple(map(tuple, _TABLES))
 CRC_EXCHANGED = tuple(tuple((crc & 0xFF) << 8 | crc >> 8 for crc in table) for table in _TABLES)
 BYTES = tuple(bytes((number,)) for number in range(256))
@@ -39,7 +39,7 @@ _EIGHTS = Struct("<H6B").iter_unpack
 
 
 def _starts() -> list[tuple[bytes, int]]:
-    """Zeros to put before data, and the start value that these zeros make 0xFFFF: for none to seven of them."""
+    """Zeros to prepend to data, from none to seven, each with the start value that these zeros turn into 0xFFFF."""
     highs = {crc >> 8: byte for byte, crc in enumerate(_T0)}
     crc, starts = 0xFFFF, []
     for number in range(8):
@@ -55,7 +55,7 @@ _STARTS = _starts()
 def crc16_modbus(data: Data) -> int:
     """CRC-16 with polynomial 0xA001, reflected, start value 0xFFFF.
 
-    It is sent low byte first; so the CRC of data with their CRC is 0.
+    It is sent low byte first, so the CRC over data and their CRC is 0.
     """
     zeros, crc = _STARTS[-len(data) % 8]
     for word, c, d, e, f, g, h in _EIGHTS(zeros + data):

@@ -1,4 +1,4 @@
-"""From raw values to those of attributes and back, for all that `struct` cannot do alone."""
+"""Conversions between raw values and attributes that `struct` cannot do alone."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from ._typing import Data
+    from ._typing import Data, Quantity
 
     class _Decodes(Protocol):
         @classmethod
@@ -24,15 +24,15 @@ if TYPE_CHECKING:
 
 new = object.__new__
 UNFIT = (StructError, TypeError, AttributeError, OverflowError, ValueError, IndexError)
-"""What straight-line code raises for values that cannot be encoded, `CodecError` among them."""
+"""The exceptions of generated code for values that cannot be encoded; `CodecError` is a ValueError."""
 
 
 UNREAD = (StructError, IndexError)
-"""What straight-line code raises for frames that it does not read: of another length, or with greater numbers."""
+"""The exceptions of generated code for frames that it does not read: of another length, or with greater numbers."""
 
 
 def packing(letters: str) -> tuple[Callable[..., bytes], Callable[[Data], tuple[Any, ...]]]:
-    """`pack` and `unpack` of a Struct: to take them from it at each call would be a tenth of the time."""
+    """`pack` and `unpack` of a Struct. Looking them up at each call would take a tenth of the time."""
     struct = Struct(letters)
     return struct.pack, struct.unpack
 
@@ -51,26 +51,26 @@ class Repeated(dict[int, Struct]):
 
 
 def f32_of(raw: bytes, letters: str, words_turned: bool) -> float:
-    """A floating-point number that the Struct of its record cannot read."""
+    """A floating-point number in a byte order that the Struct of its record cannot read."""
     number: float = unpack(letters, turned(raw) if words_turned else raw)[0]
     return number
 
 
 def f32_bytes(number: float, letters: str, words_turned: bool) -> bytes:
-    """The other way round."""
+    """The bytes of a floating-point number in such a byte order."""
     data = pack(letters, number)
     return turned(data) if words_turned else data
 
 
 def turned(data: bytes) -> bytes:
-    """The same 16-bit words with the two bytes of each exchanged."""
+    """16-bit words with the two bytes of each exchanged."""
     mixed = bytearray(data)
     mixed[0::2], mixed[1::2] = data[1::2], data[0::2]
     return bytes(mixed)
 
 
 def text(name: str, raw: bytes, at: int) -> str:
-    """The ASCII characters before the zeros that fill the field."""
+    """The ASCII characters before the zeros that fill the field. Raises CodecError."""
     try:
         return raw.rstrip(b"\0").decode("ascii")
     except UnicodeDecodeError:
@@ -78,12 +78,12 @@ def text(name: str, raw: bytes, at: int) -> str:
 
 
 def texts(name: str, raws: Sequence[bytes], at: int, size: int) -> list[str]:
-    """The same for a list, whose elements are `size` bytes each from byte `at` on."""
+    """The texts of a list, whose elements have `size` bytes each from byte `at` on. Raises CodecError."""
     return [text(name, raw, at + number * size) for number, raw in enumerate(raws)]
 
 
 def members(name: str, raws: Sequence[int], table: dict[int, R], enum: str, at: int, size: int) -> list[R]:
-    """The members of a closed enum."""
+    """The members of a closed enum. Raises CodecError."""
     try:
         return [table[raw] for raw in raws]
     except KeyError:
@@ -92,7 +92,7 @@ def members(name: str, raws: Sequence[int], table: dict[int, R], enum: str, at: 
 
 
 def booleans(name: str, raws: Sequence[int], at: int, size: int) -> list[bool]:
-    """Truth values."""
+    """Booleans. Raises CodecError for numbers above 1."""
     for number, raw in enumerate(raws):
         if raw > 1:
             raise no_boolean(name, raw, at + number * size)
@@ -100,14 +100,14 @@ def booleans(name: str, raws: Sequence[int], at: int, size: int) -> list[bool]:
 
 
 def constants(name: str, raws: Sequence[int], const: int, at: int, size: int) -> None:
-    """Elements that must all be one constant."""
+    """Raises CodecError unless all elements are equal to a constant."""
     for number, raw in enumerate(raws):
         if raw != const:
             raise wrong_const(name, raw, const, at + number * size)
 
 
 def decoded_at(record: type[Part], data: Data, at: int) -> Part:
-    """A record that lies at byte `at` of another one."""
+    """The record at byte `at` of another one. Raises CodecError with the offset in the whole."""
     try:
         return record.decode(data)
     except CodecError as error:
@@ -115,21 +115,23 @@ def decoded_at(record: type[Part], data: Data, at: int) -> Part:
 
 
 def decoded_each(record: type[Part], raws: Sequence[bytes], at: int, size: int) -> list[Part]:
-    """Records of `size` bytes, one behind the other from byte `at` on."""
+    """Consecutive records of `size` bytes from byte `at` on. Raises CodecError with the offset in the whole."""
     return [decoded_at(record, raw, at + number * size) for number, raw in enumerate(raws)]
 
 
-def counts(name: str, value: float, ratio: tuple[int, int, int], ranges: tuple[tuple[int, int], ...]) -> int:
+def counts(name: str, value: Quantity, ratio: tuple[int, int, int], ranges: tuple[tuple[int, int], ...]) -> int:
     """The count that is nearest to a value in the unit; of two equally near ones the even one.
 
-    `ratio` is (a, b, c) of value = (count * a + b) / c. The value counts as exactly the number that it is: the
-    float 0.015 is a little less than its digits say. Raises CodecError outside of `ranges`.
+    `ratio` is (a, b, c) of value = (count * a + b) / c. The computation is exact: the float
+    0.015 is a little less than its digits say. Raises CodecError outside of `ranges`, and for what is no number.
     """
     a, b, c = ratio
     try:
         over, under = value.as_integer_ratio()
     except (ValueError, OverflowError):
         raise CodecError("out_of_range", f"{name} is {value}") from None
+    except AttributeError:
+        raise CodecError("wrong_type", f"{name} is a number, not {value!r}") from None
     whole, rest = divmod(over * c - b * under, under * a)
     double = 2 * rest - under * a
     if a < 0:

@@ -10,10 +10,10 @@ if TYPE_CHECKING:
 
 
 def _bits() -> tuple[tuple[bool, ...], ...]:
-    held: list[tuple[bool, ...]] = [()]
+    patterns: list[tuple[bool, ...]] = [()]
     for _ in range(8):
-        held = [(*bits, value) for value in (False, True) for bits in held]
-    return tuple(held)
+        patterns = [(*bits, value) for value in (False, True) for bits in patterns]
+    return tuple(patterns)
 
 
 BITS_OF = _bits()
@@ -21,9 +21,9 @@ BITS_OF = _bits()
 
 
 class Flags:
-    """A word, and its bits as properties. It keeps the bits that have no name.
+    """A word with its bits as properties. Bits without a name are kept in `raw`.
 
-    Bits given by name are changed in `raw`; fields of several bits take numbers. Raises CodecError where a number
+    Arguments by name set bits of `raw`; fields of several bits take numbers. Raises CodecError where a number
     does not fit its bits. An `IntFlag` would keep every value that it ever saw, and take several times as long.
     """
 
@@ -58,8 +58,8 @@ class Flags:
         return hash((self.__class__, self.raw))
 
     def __repr__(self) -> str:
-        shown = [name if held is True else f"{name}={int(held)}" for name, held in self.flags().items() if held]
-        return f"<{self.__class__.__name__} {self.raw:#x}: {', '.join(shown) or 'none'}>"
+        texts = [name if value is True else f"{name}={int(value)}" for name, value in self.flags().items() if value]
+        return f"<{self.__class__.__name__} {self.raw:#x}: {', '.join(texts) or 'none'}>"
 
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""

@@ -1,13 +1,13 @@
-"""Finds the frames in a stream of bytes that come in pieces of any size, with garbage between them.
+"""Framers find the frames in a stream of bytes that arrives in pieces of any size, with garbage between frames.
 
-A framer is for one direction: requests and responses look alike, and what the other side sends is garbage to it. It
-keeps no more than one frame's worth of bytes. Where what looks like a frame is none, it drops one byte and looks
-again, so each byte is looked at no more often than a frame is long. Bytes that cannot begin a frame are passed over by
-a regular expression.
+A framer is for one direction: requests and responses look alike, and the bytes of the other direction are garbage to
+it. It keeps at most the bytes of one frame. Where bytes look like a frame and are none, it drops one byte and tries
+again, so it examines each byte no more often than a frame has bytes. A regular expression skips bytes that cannot begin
+a frame.
 
 Garbage may look like the beginning of a frame. Then the frames behind it wait until that frame would be complete, or
-until the line has been silent and `idle` is called. Garbage that has the right check by chance is taken for a frame;
-with an 8-bit check that happens once in 256 times.
+until the line has been silent and `idle` is called. Garbage with the right checksum by chance counts as a frame;
+with an 8-bit checksum that happens once in 256 times.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 
 
 class Framer:
-    """Takes bytes as they come and gives whole frames: right marks, length, characters and check, a known station.
+    """Takes bytes as they arrive and returns whole frames: all parts and the checksum are right, the address is valid.
 
-    `shortest` and `longest` are frames in bytes. `stations` are those that may occur; empty for all. `dropped`
-    counts the bytes that belong to no frame.
+    `shortest` and `longest` are the sizes of frames in bytes. `stations` are the valid unit addresses; empty for
+    all. `dropped` counts the bytes that belong to no frame.
     """
 
     def __init__(
@@ -46,7 +46,7 @@ class Framer:
         self._prepare()
 
     def _prepare(self) -> None:
-        """Makes what finds the next byte that may begin a frame."""
+        """Compiles the search for the next byte that may begin a frame."""
         from re import DOTALL, compile  # takes longer to import than a device, and few programs need it
 
         known = self._known()
@@ -55,7 +55,7 @@ class Framer:
         self._search = compile(pattern, DOTALL).search
 
     def _known(self) -> dict[int, frozenset[int]]:
-        """What single bytes at the beginning of a frame can be, by their place."""
+        """The possible values of single bytes at the beginning of a frame, by their place."""
         start = self.frames.start
         known = {place: frozenset((byte,)) for place, byte in enumerate(start)}
         if self.stations and self.station_size == 1:
@@ -63,10 +63,10 @@ class Framer:
         return known
 
     def feed(self, data: Data) -> list[bytes]:
-        """The frames that these bytes complete, each with its marks and check."""
+        """The frames that these bytes complete, each with its delimiters and checksum."""
         buffer = self._buffer
         buffer += data
-        found: list[bytes] = []
+        frames: list[bytes] = []
         at, size, shortest = 0, len(buffer), self.shortest
         while size - at >= shortest:
             extent = self._extent(buffer, at)
@@ -76,7 +76,7 @@ class Framer:
                 if size - at < self.longest:
                     break
             elif extent and self._holds(frame := bytes(buffer[at : at + extent])):
-                found.append(frame)
+                frames.append(frame)
                 at += extent
                 continue
             seen = self._search(buffer, at + 1)
@@ -84,28 +84,28 @@ class Framer:
             self.dropped += begins - at
             at = begins
         del buffer[:at]
-        return found
+        return frames
 
     def idle(self) -> list[bytes]:
-        """The line has been silent: what has come so far will not go on. Gives the frames in it, drops the rest."""
-        found: list[bytes] = []
+        """Call it when the line has been silent: it returns the frames in the bytes so far, and drops the rest."""
+        frames: list[bytes] = []
         while self._buffer:
             whole = bytes(self._buffer)
             if len(whole) >= self.shortest and self._extent(self._buffer, 0) < 0 and self._holds(whole):
                 self._buffer.clear()
-                found.append(whole)
+                frames.append(whole)
                 break
             del self._buffer[:1]
             self.dropped += 1
-            found += self.feed(b"")
-        return found
+            frames += self.feed(b"")
+        return frames
 
     def reset(self) -> None:
-        """Forgets what has come so far."""
+        """Drops all bytes so far."""
         self._buffer.clear()
 
     def _extent(self, buffer: bytearray, at: int) -> int:
-        """The length of the frame that seems to begin at a byte: 0 for none, -1 where it does not show."""
+        """The length of the frame that seems to begin at a byte: 0 for none, -1 where it is unknown."""
         raise NotImplementedError
 
     def _number(self, buffer: bytearray, at: int, size: int) -> int:
@@ -114,16 +114,16 @@ class Framer:
         return int.from_bytes(buffer[at : at + size], "little" if self.little else "big")
 
     def _foreign(self, buffer: bytearray, at: int) -> bool:
-        """Whether the parts that begin at a byte are of a station that there is not."""
+        """Whether the parts that begin at a byte have an invalid unit address."""
         if not self.stations:
             return False
         at += self.station_offset
-        # Nearly all stations are one byte; a call for each would take as long as the rest.
+        # Nearly all addresses are one byte; a call for each would take as long as all the rest.
         number = buffer[at] if self.station_size == 1 else self._number(buffer, at, self.station_size)
         return number not in self.stations
 
     def _holds(self, frame: bytes) -> bool:
-        """Whether the end mark and the check are right."""
+        """Whether the end delimiter and the checksum are right."""
         frames = self.frames
         if self._marked:
             if not frame.endswith(frames.end):
@@ -133,7 +133,7 @@ class Framer:
 
 
 class LengthFramer(Framer):
-    """For frames that say how long they are."""
+    """For frames with a length."""
 
     def __init__(
         self,
@@ -182,7 +182,7 @@ class LengthFramer(Framer):
 
 
 class CodeFramer(Framer):
-    """For frames whose code says how long they are.
+    """For frames whose code determines their length.
 
     `extents` has for each code: the length of the whole frame without its repeated part; then the offset and the
     size of the part or field that measures the repeated part, and the bytes for each unit of the measure; a size
@@ -245,16 +245,16 @@ class CodeFramer(Framer):
 
 
 class MarkFramer(Framer):
-    """For frames of characters between a start mark and an end mark, neither of which occurs within."""
+    """For frames of characters between a start and an end delimiter, neither of which occurs within."""
 
     def _prepare(self) -> None:
-        """Marks are found as they are."""
+        """Delimiters are searched literally, so there is nothing to prepare."""
 
     def feed(self, data: Data) -> list[bytes]:
-        """The frames that these bytes complete, each with its marks and check."""
+        """The frames that these bytes complete, each with its delimiters and checksum."""
         buffer, start, end = self._buffer, self.frames.start, self.frames.end
         buffer += data
-        found: list[bytes] = []
+        frames: list[bytes] = []
         at = done = 0
         while (close := buffer.find(end, at)) >= 0:
             at = close + len(end)
@@ -262,21 +262,21 @@ class MarkFramer(Framer):
             if open_ >= 0:
                 frame = bytes(buffer[open_:at])
                 if self._holds(frame):
-                    found.append(frame)
+                    frames.append(frame)
                     self.dropped += open_ - done
                     done = at
                     continue
             self.dropped += at - done
             done = at
-        # Of what is left, only what follows the last start mark can become a frame; or a part of a mark.
+        # Only the bytes after the last start delimiter, or a part of a delimiter, can still become a frame.
         open_ = buffer.rfind(start, done)
         keep = open_ if open_ >= 0 and len(buffer) - open_ < self.longest else max(done, len(buffer) - len(start) + 1)
         self.dropped += keep - done
         del buffer[:keep]
-        return found
+        return frames
 
     def idle(self) -> list[bytes]:
-        """The line has been silent. Frames with marks may pause, so that decides nothing here."""
+        """Nothing: frames with delimiters may pause, so silence decides nothing."""
         return []
 
     def _holds(self, frame: bytes) -> bool:

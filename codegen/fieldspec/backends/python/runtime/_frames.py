@@ -1,4 +1,4 @@
-"""Frames: marks, characters, head, body and check."""
+"""Frames: delimiters, characters, header, body and checksum."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class RequestOf(Record, Generic[R]):
 
 
 class Request(Record, Generic[M]):
-    """A request to a station. `station` is 0 on links that have none."""
+    """A request to a unit address, `station`, which is 0 on links without addresses."""
 
     __slots__ = ("message", "station")
     __match_args__ = ("station", "message")
@@ -44,7 +44,7 @@ class Request(Record, Generic[M]):
 
 
 class Response(Record, Generic[M]):
-    """A response from a station. `station` is 0 on links that have none."""
+    """A response from a unit address, `station`, which is 0 on links without addresses."""
 
     __slots__ = ("message", "station")
     __match_args__ = ("station", "message")
@@ -54,7 +54,7 @@ class Response(Record, Generic[M]):
 
 
 class ErrorReply(Record, Generic[M]):
-    """A station's refusal of a request: the code of that request, and the record that says why."""
+    """An exception response: the code of the request, and the record with the reason."""
 
     __slots__ = ("code", "exception", "station")
     __match_args__ = ("station", "code", "exception")
@@ -64,11 +64,11 @@ class ErrorReply(Record, Generic[M]):
 
 
 class Frames:
-    """The frames of one link in one direction: start mark, head, body, check, end mark.
+    """The frames of one link in one direction: start delimiter, header, body, checksum, end delimiter.
 
-    `head` is the format of the head's Struct; `code` and `length` are the places of these parts in it, -1 where
-    there is none. The length is that of all parts. `constants` are parts of the head that are always the same: place,
-    name, value and offset of each.
+    `head` is the format of the Struct of the header; `code` and `length` are the places of these parts in it, -1 where
+    there is none. The length counts all parts. `constants` are the constant header parts: place, name, value and offset
+    of each.
     """
 
     __slots__ = (
@@ -112,14 +112,14 @@ class Frames:
         self.algorithm: Callable[[Data], int] | None
         self.algorithm, self.tail_size = _CHECKS.get(check, (None, 0))
         self.check_order: Literal["big", "little"] = check_order
-        # Over data with their check, these give 0.
+        # Over data with their checksum, these are 0.
         self.vanishes = check == "lrc" or (check == "crc16_modbus" and check_order == "little")
         self.code, self.code_offset = code, code_offset
         self.length, self.length_offset, self.length_name, self.longest = length, length_offset, length_name, longest
         self.start, self.end, self.hexadecimal, self.constants = start, end, hexadecimal, constants
 
     def unmarked(self, frame: Data) -> Data:
-        """A frame without its marks, as bytes instead of characters. Raises CodecError."""
+        """A frame without its delimiters, as bytes instead of characters. Raises CodecError."""
         first, last = len(self.start), len(frame) - len(self.end)
         if frame[:first] != self.start:
             raise CodecError("wrong_mark", f"the frame does not start with {self.start.hex(' ')}", 0)
@@ -138,12 +138,12 @@ class Frames:
             raise CodecError("wrong_length", "an odd number of characters", last) from None
 
     def marked(self, data: bytes) -> bytes:
-        """Parts with the marks around them, as characters where the link has them."""
+        """Parts with the delimiters around them, as characters on links of characters."""
         inner = hexlify(data).upper() if self.hexadecimal else data
         return self.start + inner + self.end
 
     def agrees(self, data: Data) -> bool:
-        """Whether the check at the end of a frame's parts is right."""
+        """Whether the checksum at the end of the parts is right."""
         algorithm = self.algorithm
         if algorithm is None:
             return True
@@ -153,7 +153,7 @@ class Frames:
         return algorithm(data[:at]) == int.from_bytes(data[at:], self.check_order)
 
     def split(self, data: Data) -> tuple[tuple[int, ...], Data]:
-        """The head and the body of a frame's parts, whose length and check are right. Raises CodecError."""
+        """The header and the body of the parts of a frame. Raises CodecError for a wrong length or checksum."""
         size = len(data)
         if size < self.head_size + self.tail_size:
             least = self.head_size + self.tail_size
@@ -174,7 +174,7 @@ class Frames:
         return head, data[self.head_size : size - self.tail_size]
 
     def joined(self, head: list[int], body: bytes) -> bytes:
-        """The whole frame of a head, whose length is filled in, and a body. Raises CodecError."""
+        """The whole frame of a header and a body; it fills in the length. Raises CodecError."""
         if self.length >= 0:
             total = self.head_size + len(body) + self.tail_size
             if total > self.longest:
@@ -187,19 +187,19 @@ class Frames:
 
     def message(self, classes: dict[int, Any], code: int, body: Data, wanted: int | None = None) -> Any:
         """The data of the message with a code, which must be the `wanted` one, if any. Raises CodecError."""
-        found = classes.get(code)
-        if found is None:
+        message_class = classes.get(code)
+        if message_class is None:
             raise CodecError("unknown_code", f"no message has the code {code:#04x}", self.code_offset)
         if wanted is not None and wanted != code:
             raise CodecError("unknown_code", f"the code {code:#04x} answers another request", self.code_offset)
-        return self.body(found, body)
+        return self.body(message_class, body)
 
     def named(self, classes: dict[int | str, Any], name: int | str) -> Any:
         """The class of the message with a number or a name. Raises CodecError."""
-        found = classes.get(name)
-        if found is None:
+        message_class = classes.get(name)
+        if message_class is None:
             raise CodecError("unknown_code", f"no message here is {name!r}")
-        return found
+        return message_class
 
     def body(self, record: Any, body: Data) -> Any:
         """The data of a known message. Raises CodecError."""

@@ -1,4 +1,4 @@
-"""Frames whose parts are not as in most: something follows the check, or it covers or a length counts other parts."""
+"""Frames with unusual parts: after the checksum, or with a checksum or a length over other parts than all before."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 
 
 class PartFrames(Frames):
-    """The frames of one link in one direction, as rows of parts: those before the body, and those behind it.
+    """The frames of one link in one direction, as rows of parts: those before the body, and those after it.
 
-    A row is the name, the size in bytes, the order, whether it has a sign, what is always sent, and whether anything
-    else is refused. `check` is the place of the check in these rows, `covers` the bytes that it is worked out over. A
-    length of n is that of a frame whose parts have `unit` * n + `base` bytes.
+    A row is the name, the size in bytes, the order, whether it has a sign, the constant, and whether any other number
+    is refused. `check` is the place of the checksum in these rows, `covers` are the bytes that it covers. A length of n
+    means that the parts have `unit` * n + `base` bytes.
     """
 
     __slots__ = ("base", "check", "covers", "rows", "tail", "unit")
@@ -63,19 +63,19 @@ class PartFrames(Frames):
         self.tail_size = sum(row[1] for row in tail)
 
     def _numbers(self, data: Data) -> list[tuple[Part, int, int]]:
-        """Each part of a frame that is long enough: its row, its offset and its number."""
-        found = []
+        """The row, the offset and the number of each part of a frame that is long enough."""
+        numbers = []
         at = 0
         for place, row in enumerate((*self.rows, *self.tail)):
             if place == len(self.rows):
                 at = len(data) - self.tail_size
             _, size, order, signed, _, _ = row
-            found.append((row, at, int.from_bytes(data[at : at + size], order, signed=signed)))
+            numbers.append((row, at, int.from_bytes(data[at : at + size], order, signed=signed)))
             at += size
-        return found
+        return numbers
 
     def _wrong(self, data: Data, numbers: list[tuple[Part, int, int]]) -> CodecError | None:
-        """What is wrong with the check, or else with the first constant that is another number."""
+        """The error of the checksum, or of the first constant with another number; None where all are right."""
         if self.algorithm is not None:
             (_, size, _, _, _, _), at, have = numbers[self.check]
             want = self.algorithm(data[self.covers[0] : self.covers[1]])
@@ -88,11 +88,11 @@ class PartFrames(Frames):
         return None
 
     def agrees(self, data: Data) -> bool:
-        """Whether the check and the constants of a frame's parts are right."""
+        """Whether the checksum and the constants are right."""
         return len(data) >= self.head_size + self.tail_size and self._wrong(data, self._numbers(data)) is None
 
     def split(self, data: Data) -> tuple[tuple[int, ...], Data]:
-        """The head and the body of a frame's parts. Raises CodecError."""
+        """The header and the body of the parts of a frame. Raises CodecError."""
         size = len(data)
         if size < self.head_size + self.tail_size:
             least = self.head_size + self.tail_size
@@ -111,7 +111,7 @@ class PartFrames(Frames):
         return head, data[self.head_size : size - self.tail_size]
 
     def joined(self, head: list[int], body: bytes) -> bytes:
-        """The whole frame of a head, whose length and check are filled in, and a body. Raises CodecError."""
+        """The whole frame of a header and a body; it fills in length and checksum. Raises CodecError."""
         numbers = [*head, *(row[4] or 0 for row in self.tail)]
         if self.length >= 0:
             total = self.head_size + len(body) + self.tail_size
@@ -135,7 +135,7 @@ class PartFrames(Frames):
 
 
 class CountFramer(LengthFramer):
-    """For frames whose length counts something else than all bytes of their parts."""
+    """For frames whose length counts other units than all bytes of their parts."""
 
     def _known(self) -> dict[int, frozenset[int]]:
         known = super()._known()

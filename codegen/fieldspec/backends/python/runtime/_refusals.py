@@ -1,7 +1,7 @@
-"""Why a value cannot be encoded. Each function gives None for a value that can.
+"""Why a value cannot be encoded. Each function returns None for a value that can be.
 
-The generated `encode` methods test all fields in one expression; only where that fails do they ask here, field by
-field, which one it was.
+The generated `encode` methods test all fields in one expression. Only where that fails do they call these functions,
+field by field, to find the wrong one.
 """
 
 from __future__ import annotations
@@ -58,14 +58,14 @@ def refused_float(
         _F32.pack(value)
     except OverflowError:
         return CodecError("out_of_range", f"{name} is {value}, more than 32 bits can hold")
-    if not ranges or any(least <= value <= most for least, most in ranges) or is_one_of(value, others):
+    if not ranges or any(least <= value <= most for least, most in ranges) or is_among(value, others):
         return None
     allowed = ", ".join(f"{a}" if a == b else f"{a}..{b}" for a, b in ranges)
     return CodecError("out_of_range", f"{name} is {value}, not in {allowed}")
 
 
-def is_one_of(value: float, others: tuple[float, ...]) -> bool:
-    """Whether a number is one of some others, of which every NaN is like any other NaN."""
+def is_among(value: float, others: tuple[float, ...]) -> bool:
+    """Whether a number is one of some others, where every NaN equals every other NaN."""
     return any(value == other or (value != value and other != other) for other in others)
 
 
@@ -90,7 +90,7 @@ def refused_bytes(name: str, value: Any, size: int) -> CodecError | None:
 
 
 def refused_record(name: str, value: Any, record: type) -> CodecError | None:
-    """A record, whose own fields are all right."""
+    """A record whose fields can all be encoded."""
     if not isinstance(value, record):
         return CodecError("wrong_type", f"{name} is a {record.__name__}, not {value!r}")
     try:
@@ -103,7 +103,7 @@ def refused_record(name: str, value: Any, record: type) -> CodecError | None:
 def refused_list(
     name: str, values: Any, least: int, most: int, refused: Callable[..., CodecError | None], *limits: Any
 ) -> CodecError | None:
-    """`least` to `most` elements, each of which is all right by a function and its `limits`."""
+    """`least` to `most` elements, none of which the function refuses with its `limits`."""
     if not isinstance(values, (list, tuple)):
         return CodecError("wrong_type", f"{name} is a list, not {values!r}")
     if not least <= len(values) <= most:
@@ -117,5 +117,5 @@ def refused_list(
 
 
 def unfit(name: str) -> CodecError:
-    """A record that holds something of a type that cannot be written."""
+    """The error for a record with a value of a type that cannot be encoded."""
     return CodecError("wrong_type", f"{name} holds a value of a type that it cannot have")

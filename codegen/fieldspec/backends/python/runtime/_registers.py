@@ -12,16 +12,16 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
     from typing import Any
 
-    from ._typing import Data
+    from ._typing import Data, Quantity
 
 
 class Register(Generic[T]):
-    """`words` registers from `address` on that hold one value of type T.
+    """`words` registers from `address` on with one value of type T.
 
-    `access` is ro, rw or wo, and empty where the manual does not say it. The words of an `atomic` register must be
-    accessed in one request. `trigger` says that writing starts something, and that reading gives nothing back.
-    `number` is the one under which the manual lists it elsewhere, `copy_of` the name of the register whose copy it is.
-    `space` is the address space in which it lies, empty where the device has only one.
+    `access` is ro, rw or wo, and empty where the manual does not state it. The words of an `atomic` register must be
+    accessed in one request. `trigger`: writing starts an action, and reading returns no meaningful value.
+    `number` is its number in another list of the manual, `copy_of` the name of the register that it copies.
+    `space` is its address space, empty where the device has only one.
     """
 
     __slots__ = (
@@ -73,12 +73,12 @@ class Register(Generic[T]):
 
     @property
     def scale(self) -> float:
-        """What one count is worth in the unit."""
+        """The value of one count in the unit."""
         return self.value.ratio[0] / self.value.ratio[2]
 
     @property
     def offset(self) -> float:
-        """What a count of 0 is in the unit."""
+        """The value of a count of 0 in the unit."""
         return self.value.ratio[1] / self.value.ratio[2]
 
     def decode(self, data: Data) -> T:
@@ -101,7 +101,7 @@ class Register(Generic[T]):
         """A count in the unit; None for one that stands for an absent value."""
         return self.value.in_unit(count)
 
-    def from_unit(self, value: float) -> int:
+    def from_unit(self, value: Quantity) -> int:
         """The count that is nearest to a value in the unit, of two the even one.
 
         Raises CodecError out of range, and where that count stands for an absent value.
@@ -110,7 +110,7 @@ class Register(Generic[T]):
 
 
 class RegisterArray(Generic[T]):
-    """Equal registers, `stride` words apart, by the number that the manual gives them."""
+    """Equal registers, `stride` words apart, by their numbers in the manual."""
 
     __slots__ = ("_registers", "access", "address", "copy_of", "first", "name", "number", "space", "stride")
 
@@ -156,7 +156,7 @@ class RegisterArray(Generic[T]):
 
 
 class Table(Generic[T]):
-    """Records in an address space, `stride` words apart, by the number that the manual gives them."""
+    """Records in an address space, `stride` words apart, by their numbers in the manual."""
 
     __slots__ = ("_order", "_value", "access", "base", "count", "first", "name", "record", "space", "stride", "words")
 
@@ -218,39 +218,39 @@ def writable(register: Register[Any]) -> None:
 
 
 def unreachable(register: Register[Any], operation: str) -> CodecError:
-    """A register in a space that no message reads or writes."""
+    """The error for a register in a space that no message reads or writes."""
     return CodecError("no_message", f"no message {operation}s {register.name} in {register.space}")
 
 
 def replies(register: Register[Any], responses: Iterable[object], kind: type[T]) -> list[T]:
-    """Responses that carry words of the space of a register. Raises CodecError for others."""
-    found = []
+    """Responses with words of the space of a register. Raises CodecError for others."""
+    checked = []
     for response in responses:
         if not isinstance(response, kind):
-            text = f"{register.name} lies in {register.space}, of which {type(response).__name__} carries nothing"
+            text = f"{register.name} is in {register.space}, of which {type(response).__name__} carries nothing"
             raise CodecError("wrong_type", text)
-        found.append(response)
-    return found
+        checked.append(response)
+    return checked
 
 
 def only(name: str, requests: list[T]) -> T:
-    """The one request of a list. Raises CodecError where it takes several."""
+    """The only request of a list. Raises CodecError where there are several."""
     if len(requests) != 1:
         raise CodecError("wrong_length", f"{name} takes {len(requests)} requests")
     return requests[0]
 
 
-def found(
+def find(
     address: int,
     registers: Iterable[Register[Any] | RegisterArray[Any]],
     tables: Iterable[Table[Any]],
     space: str = "",
 ) -> Register[Any] | None:
     """The register, or the element of a table, that begins at an address of a space."""
-    for one in registers:
-        if one.space != space:
+    for entry in registers:
+        if entry.space != space:
             continue
-        for register in (one,) if isinstance(one, Register) else one:
+        for register in (entry,) if isinstance(entry, Register) else entry:
             if register.address == address:
                 return register
     return next(

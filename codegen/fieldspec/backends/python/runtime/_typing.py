@@ -1,18 +1,21 @@
-"""Generic classes without the module `typing`, whose import takes longer than that of a whole device.
+"""Generic classes without the module `typing`, which takes longer to import than a whole device.
 
-Type checkers take `TYPE_CHECKING` for true, whoever assigns it.
+Type checkers treat `TYPE_CHECKING` as true, whatever is assigned to it.
 """
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from decimal import Decimal
+    from fractions import Fraction
     from typing import Any, Generic, TypeAlias, TypeVar, overload
 
     T = TypeVar("T")
     R = TypeVar("R")
     M = TypeVar("M", covariant=True)
     Data: TypeAlias = bytes | bytearray | memoryview
+    Quantity: TypeAlias = float | Decimal | Fraction
 else:
-    T = R = M = Any = Data = None
+    T = R = M = Any = Data = Quantity = None
 
     def overload(function):
         """Stands in for `typing.overload`."""
@@ -27,4 +30,4 @@ else:
             return cls
 
 
-__all__ = ["TYPE_CHECKING", "Any", "Data", "Generic", "M", "R", "T", "overload"]
+__all__ = ["TYPE_CHECKING", "Any", "Data", "Generic", "M", "Quantity", "R", "T", "overload"]

@@ -6,8 +6,8 @@
     speed = in_unit(Telegram111Response, "speed_actual_b", columns["speed_actual_b"])
     enabled = bits(StatusWord1Positioning, columns["status_word_1"])["operation_enabled"]
 
-A column holds what is on the wire: numbers of enums, words of flags, counts. A field that is a list has a second
-dimension, a record within the record has columns of its own.
+A column has the raw values: numbers of enums, words of flags, counts. A field that is a list has a second
+dimension, and a record within the record has columns of its own.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from ._typing import Data
 
     class Record(Protocol):
-        """A generated class whose records have all the same size."""
+        """A generated class of records of one size."""
 
         _SIZE: ClassVar[int]
 
@@ -48,9 +48,9 @@ _TYPES = {"b": "i1", "B": "u1", "h": "i2", "H": "u2", "i": "i4", "I": "u4", "q":
 
 
 class Column:
-    """Where a field lies: the letter of `struct` for one element, and its offset in bytes.
+    """The place of a field: the letter of `struct` for one element, and its offset in bytes.
 
-    `count` is the number of elements of a list, 0 for a single one. `swapped` says that the 16-bit words lie in the
+    `count` is the number of elements of a list, 0 for a single one. `swapped`: the 16-bit words are in the
     other order than the bytes in them. `tests` are the intervals outside of which a number is refused. `ratio` is
     (a, b, c) of value = (count * a + b) / c in the unit; `absent` are the counts that are no quantity. A field
     without a name is tested only.
@@ -104,31 +104,31 @@ class Column:
 
 
 def arrays(record: type[Record], data: Data) -> Arrays:
-    """The columns of all records as `array.array`, with nothing but Python; bytes and texts as lists of bytes.
+    """The columns of all records as `array.array`, with Python alone; bytes and texts as lists of bytes.
 
     The elements of a list follow each other. Raises CodecError for bytes left over, and for what `decode` refuses.
     """
     number = _number(record, data)
-    held = data if isinstance(data, bytes) else bytes(data)
-    return _arrays(record, held, 0, record._SIZE, number, record)
+    buffer = data if isinstance(data, bytes) else bytes(data)
+    return _arrays(record, buffer, 0, record._SIZE, number, record)
 
 
 def _arrays(record: type[Record], data: bytes, base: int, size: int, number: int, whole: type[Record]) -> Arrays:
-    found: Arrays = {}
+    columns: Arrays = {}
     for column in record._columns():
         if column.record is not None:
             each = [
                 _arrays(column.record, data, base + column.offset + element * column.size, size, number, whole)
                 for element in range(column.count or 1)
             ]
-            found[column.name] = each[0] if not column.count else _interleaved(each, number)
+            columns[column.name] = each[0] if not column.count else _interleaved(each, number)
             continue
-        held = _array(column, data, base, size, number)
+        values = _array(column, data, base, size, number)
         if column.tests or column.text:
-            _test_each(column, held, data, size, whole)
+            _test_each(column, values, data, size, whole)
         if column.name:
-            found[column.name] = held
-    return found
+            columns[column.name] = values
+    return columns
 
 
 def _array(column: Column, data: bytes, base: int, size: int, number: int) -> array[Any] | list[bytes]:
@@ -144,36 +144,36 @@ def _array(column: Column, data: bytes, base: int, size: int, number: int) -> ar
             places.reverse()
         for place, at in enumerate(places):
             joined[element * width + place :: width * count] = data[base + at :: size]
-    held: array[Any] = array(column.letter)
-    held.frombytes(joined)
-    return held
+    values: array[Any] = array(column.letter)
+    values.frombytes(joined)
+    return values
 
 
 def _interleaved(each: list[Arrays], number: int) -> Arrays:
     """The columns of records in a list, whose elements then follow each other."""
-    found: Arrays = {}
+    columns: Arrays = {}
     for name, first in each[0].items():
-        parts: list[Any] = [one[name] for one in each]
+        parts: list[Any] = [part[name] for part in each]
         if isinstance(first, dict):
-            found[name] = _interleaved(parts, number)
+            columns[name] = _interleaved(parts, number)
             continue
         share = len(first) // number if number else 0
         together = (item for at in range(number) for part in parts for item in part[at * share : (at + 1) * share])
-        found[name] = list(together) if isinstance(first, list) else array(first.typecode, together)
-    return found
+        columns[name] = list(together) if isinstance(first, list) else array(first.typecode, together)
+    return columns
 
 
-def _test_each(column: Column, held: array[Any] | list[bytes], data: bytes, size: int, whole: type[Record]) -> None:
-    if isinstance(held, list):
-        right = not column.text or all(map(bytes.isascii, held))
+def _test_each(column: Column, values: array[Any] | list[bytes], data: bytes, size: int, whole: type[Record]) -> None:
+    if isinstance(values, list):
+        right = not column.text or all(map(bytes.isascii, values))
     else:
-        right = all(any(low <= value <= high for low, high in column.tests) for value in {*held})
+        right = all(any(low <= value <= high for low, high in column.tests) for value in {*values})
     if not right:
         _refuse(whole, data, size)
 
 
 def decode_many(record: type[Record], data: Data) -> Columns:
-    """The columns of all records as NumPy arrays in the machine's own order; bytes and texts have the type `S`.
+    """The columns of all records as NumPy arrays in the byte order of the machine; bytes and texts have the type `S`.
 
     Raises CodecError for bytes left over, and for the first record that `decode` refuses.
     """
@@ -192,16 +192,16 @@ def decode_many(record: type[Record], data: Data) -> Columns:
 def _empty(record: type[Record], number: int, *lists: int) -> Columns:
     import numpy
 
-    found: Columns = {}
+    columns: Columns = {}
     for place, column in enumerate(record._columns()):
         shape = (number, *lists, column.count) if column.count else (number, *lists)
         key = column.name or f" {place}"
         if column.record is not None:
-            found[key] = _empty(column.record, number, *shape[1:])
+            columns[key] = _empty(column.record, number, *shape[1:])
         else:
             kind = f"S{column.size}" if column.letter == "s" else _TYPES[column.letter]
-            found[key] = numpy.empty(shape, kind)
-    return found
+            columns[key] = numpy.empty(shape, kind)
+    return columns
 
 
 def _fill(record: type[Record], raw: np.ndarray[Any, Any], columns: Columns, where: slice) -> None:
@@ -214,13 +214,13 @@ def _fill(record: type[Record], raw: np.ndarray[Any, Any], columns: Columns, whe
             columns[key][where] = _straight(column, raw[key])
 
 
-def _straight(column: Column, held: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """Numbers whose words lie in the other order than their bytes, as numbers; others as they are."""
+def _straight(column: Column, values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """A column with its numbers assembled where their words are in the other order than their bytes."""
     if not column.swapped:
-        return held
+        return values
     import numpy
 
-    words = held.astype(f"u{column.size}")
+    words = values.astype(f"u{column.size}")
     shifts = numpy.arange(0, 8 * column.size, 16, dtype=words.dtype)
     if column.order == "little":
         shifts = shifts[::-1]
@@ -233,17 +233,17 @@ def _allowed(record: type[Record], columns: Columns) -> bool:
     import numpy
 
     for place, column in enumerate(record._columns()):
-        held = columns[column.name or f" {place}"]
+        values = columns[column.name or f" {place}"]
         if column.record is not None:
-            if not _allowed(column.record, held):
+            if not _allowed(column.record, values):
                 return False
         elif column.text:
-            if held.size and int(numpy.ascontiguousarray(held).view("u1").max(initial=0)) > 127:
+            if values.size and int(numpy.ascontiguousarray(values).view("u1").max(initial=0)) > 127:
                 return False
         elif column.tests:
-            inside = numpy.zeros(held.shape, bool)
+            inside = numpy.zeros(values.shape, bool)
             for low, high in column.tests:
-                inside |= (held >= low) & (held <= high)
+                inside |= (values >= low) & (values <= high)
             if not inside.all():
                 return False
     return True
@@ -251,14 +251,14 @@ def _allowed(record: type[Record], columns: Columns) -> bool:
 
 def _named(columns: Columns) -> Columns:
     return {
-        name: _named(held) if isinstance(held, dict) else held
-        for name, held in columns.items()
+        name: _named(column) if isinstance(column, dict) else column
+        for name, column in columns.items()
         if not name.startswith(" ")
     }
 
 
 def dtype(record: type[Record]) -> np.dtype[Any]:
-    """The type of a record as it is on the wire. Numbers whose words are exchanged are lists of words."""
+    """The NumPy type of a record on the wire. Numbers with exchanged words are lists of words."""
     import numpy
 
     names, formats, offsets = [], [], []
@@ -285,7 +285,7 @@ def _format(column: Column) -> Any:
 
 
 def view(record: type[Record], data: Data) -> np.ndarray[Any, Any]:
-    """The records where they are: nothing is copied and nothing is tested, in a time that does not grow with them.
+    """The records in the buffer itself, in constant time: nothing is copied, and nothing is tested.
 
     Raises CodecError for bytes left over.
     """
@@ -296,12 +296,12 @@ def view(record: type[Record], data: Data) -> np.ndarray[Any, Any]:
 
 
 def records(record: type[Record], data: Data) -> np.ndarray[Any, Any]:
-    """The records one behind the other in the machine's own order, as one structured array; nothing is tested.
+    """A copy of the records in the byte order of the machine, as one structured array; nothing is tested.
 
     Raises CodecError for bytes left over.
     """
-    held: np.ndarray[Any, Any] = view(record, data).astype(dtype(record).newbyteorder("="))
-    return held
+    copy: np.ndarray[Any, Any] = view(record, data).astype(dtype(record).newbyteorder("="))
+    return copy
 
 
 def bits(word: type[Flags], column: np.ndarray[Any, Any]) -> Columns:
@@ -317,24 +317,24 @@ def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np
 
     A count that stands for an absent value becomes NaN.
     """
-    for one in record._columns():
-        if one.name == name and one.ratio is not None:
-            a, b, c = one.ratio
-            held = column.astype("f8")
+    for candidate in record._columns():
+        if candidate.name == name and candidate.ratio is not None:
+            a, b, c = candidate.ratio
+            quantities = column.astype("f8")
             if a != 1:
-                held *= a
+                quantities *= a
             if b:
-                held += b
+                quantities += b
             if c != 1:
-                held /= c
-            for count in one.absent:
-                held[column == count] = float("nan")
-            return held
+                quantities /= c
+            for count in candidate.absent:
+                quantities[column == count] = float("nan")
+            return quantities
     raise KeyError(f"{name} is no field of {record.__name__} that counts in parts of a unit")
 
 
 def _number(record: type[Record], data: Data) -> int:
-    """How many records there are."""
+    """The number of records. Raises CodecError for bytes left over."""
     if not hasattr(record, "_columns"):
         raise TypeError(f"the length of {record.__name__} varies; decode one after the other")
     size = len(data) if isinstance(data, (bytes, bytearray)) else memoryview(data).nbytes
@@ -346,7 +346,7 @@ def _number(record: type[Record], data: Data) -> int:
 
 
 def _refuse(record: type[Record], data: bytes, size: int) -> None:
-    """Raises what decoding the first wrong record raises."""
+    """Raises the error of the first record that cannot be decoded."""
     at = 0
     try:
         for at in range(0, len(data), size):

@@ -1,0 +1,72 @@
+"""The imports of a version's module: of the private names that its text uses, and of no others."""
+
+from __future__ import annotations
+
+import re
+
+from fieldspec.classes import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class ImportsView:
+    """The lines that import from the standard library and from the shared modules, and those that define tables."""
+
+    standard: list[str]
+    shared: list[str]
+    tables: list[str]
+
+
+def imports_view(body: str) -> ImportsView:
+    """What the text of a module needs; the tables are defined from names that are imported too."""
+    used = _private_names(body)
+    tables = [line for names, line in _TABLES if not used.isdisjoint(names)]
+    used |= _private_names("\n".join(tables))
+    shared = [
+        f"from ..{module} import {name} as _{name}"
+        for module, names in _SHARED.items()
+        for name in sorted(names.split())
+        if f"_{name}" in used
+    ]
+    standard = [f"from {module} import {name} as {alias}" for alias, module, name in _STANDARD if alias in used]
+    return ImportsView(standard, shared, tables)
+
+
+def _private_names(text: str) -> set[str]:
+    return set(re.findall(r"\b_[A-Za-z0-9]\w*", text))
+
+
+_STANDARD = (
+    ("_IntEnum", "enum", "IntEnum"),
+    ("_Struct", "struct", "Struct"),
+    ("_index", "operator", "index"),
+    ("_StructError", "struct", "error"),
+)
+_SHARED = {
+    "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
+    "_choices": "Choice",
+    "_codes": "by_number by_printed_name",
+    "_conversions": (
+        "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each f32_bytes f32_of members new packing"
+        " text texts turned"
+    ),
+    "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
+    "_flags": "BITS_OF Flags",
+    "_framers": "CodeFramer LengthFramer MarkFramer",
+    "_frames": "ErrorReply Frames Request RequestOf Response",
+    "_parameters": "Parameter ParameterSet ParameterSpace Subindex selected single",
+    "_part_frames": "CountFramer PartFrames",
+    "_quantities": "Conversion",
+    "_record": "Record",
+    "_refusals": (
+        "refused_bytes refused_flags refused_float refused_list refused_number refused_record refused_text unfit"
+    ),
+    "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
+    "_values": "Boolean Bytes Closed Constant Float Number Open Setting Text Trigger Word",
+}
+_CRC = [f"_C{place}" for place in range(8)]
+_CRC_EXCHANGED = [f"_X{place}" for place in range(8)]
+_TABLES = (
+    (["_int_of"], "_int_of = int.from_bytes"),
+    (_CRC, f"{', '.join(_CRC)} = _CRC"),
+    (_CRC_EXCHANGED, f"{', '.join(_CRC_EXCHANGED)} = _CRC_EXCHANGED"),
+)

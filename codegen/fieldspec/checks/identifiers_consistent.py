@@ -1,0 +1,90 @@
+"""No two printed identifiers differ in one letter that is missing, or in two that have changed places.
+
+Why: two identifiers of that kind are one, misspelt in one place. Whoever searches the manual for it misses that place.
+Identifiers are words of six letters or more, in capitals or with capitals inside; of letters that are doubled, any
+number is right.
+
+Example: the signal SOFTLIMIT in one table, and SOFLIMIT in another.
+
+Cure: Write the name in one way, and an erratum with the other one. If they are two names, say `allow:
+{identifiers_consistent: <reason>}`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from fieldspec.checks.facts import facts
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Place
+
+_WORD = re.compile(r"[A-Za-z_]{6,}")
+_INNER_CAPITAL = re.compile(r"[a-z][A-Z]")
+
+_Used = dict[str, list[tuple[Place, str]]]
+
+
+def identifiers_consistent(device: Device) -> Iterator[Diagnostic]:
+    used: _Used = {}
+    for place, key, text in _printed(device):
+        for word in _WORD.findall(text):
+            if word.isupper() or _INNER_CAPITAL.search(word):
+                used.setdefault(word, []).append((place, key))
+    alike: dict[str, str] = {}
+    for word in used:
+        for variant in {word, *_shorter(word), *_swapped(word)}:
+            other = alike.setdefault(variant.casefold(), word)
+            if other != word and _misspelt(word, other):
+                yield _finding(used, word, other)
+                break
+
+
+def _printed(device: Device) -> Iterator[tuple[Place, str, str]]:
+    """The texts that may hold identifiers, with the places where they are printed."""
+    for fact in facts(device):
+        if fact.printed_name:
+            yield fact.place, "printed_name", fact.printed_name
+        for claim in fact.restated:
+            yield claim.place, "printed_name", str(claim.values.get("printed_name", ""))
+    for lookup in device.lookups:
+        for row in lookup.rows:
+            for cell in row.cells:
+                if isinstance(cell, str):
+                    yield row.place, "cells", cell
+
+
+def _shorter(word: str) -> Iterator[str]:
+    """A word without one of its letters, unless that is doubled."""
+    for at, letter in enumerate(word):
+        if letter.casefold() not in word[max(at - 1, 0) : at].casefold() + word[at + 1 : at + 2].casefold():
+            yield word[:at] + word[at + 1 :]
+
+
+def _swapped(word: str) -> Iterator[str]:
+    """A word with two neighbouring letters in the other order."""
+    for at in range(len(word) - 1):
+        if word[at] != word[at + 1]:
+            yield word[:at] + word[at + 1] + word[at] + word[at + 2 :]
+
+
+def _misspelt(word: str, other: str) -> bool:
+    """Whether one of two words is the other with a letter missing or with two in the other order."""
+    variants = {variant.casefold() for variant in (*_shorter(word), *_swapped(word))}
+    return other.casefold() in variants or word.casefold() in {variant.casefold() for variant in _shorter(other)}
+
+
+def _finding(used: _Used, word: str, other: str) -> Diagnostic:
+    """A finding at the rarer of two words; or at the shorter, or at the later one."""
+    rare, usual = sorted((word, other), key=lambda spelling: (len(used[spelling]), len(spelling)))
+    (place, key), (there, its_key) = used[rare][0], used[usual][0]
+    return finding(
+        "identifiers_consistent",
+        place,
+        key,
+        f"`{rare}` is `{usual}` but for a letter",
+        "write it in one way, or allow it with a reason",
+        label(there, its_key, f"`{usual}`"),
+    )

@@ -1,0 +1,156 @@
+"""Plans a build and carries it out: of every device only the outputs that are out of date."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import partial
+from typing import TYPE_CHECKING
+
+from fieldspec.classes import dataclass, replace
+from fieldspec.commands import spec_files
+from fieldspec.commands.freshness import BuildRequest, BuildResult, Built, EarlierBuild, Hashes, devices_in
+from fieldspec.commands.spec_files import INDEX
+from fieldspec.commands.usage import UsageError
+from fieldspec.source import Refused
+
+if TYPE_CHECKING:
+    from fieldspec.audit.manual_lines import ManualIndex
+    from fieldspec.commands.placement import Staging
+    from fieldspec.diagnostics import Diagnostic
+
+
+TEMPLATES = "templates"
+"""The kind of entries of the cache that are compiled templates."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Plan:
+    """What a build does for a device: whether it is checked, which outputs are rebuilt, and which are reused."""
+
+    check: bool
+    outputs: tuple[str, ...]
+    reused: dict[str, Hashes]
+
+
+def build_result(
+    wanted: BuildRequest, path: str, files: Mapping[str, bytes], earlier: EarlierBuild, beside: Staging | None = None
+) -> BuildResult:
+    """Builds what is out of date; nothing where a finding stops the build.
+
+    Files that differ from the ones in place are written to `beside`. Raises UsageError.
+    """
+    plans = {device: _plan(device, wanted, earlier) for device in sorted(wanted.devices) or devices_in(files)}
+    reusable = {name: earlier.unchanged(earlier.shared.get(name)) for name in wanted.outputs}
+    shared = {name: hashes for name, hashes in reusable.items() if hashes is not None}
+    stale = frozenset(device for device, plan in plans.items() if plan.check or plan.outputs)
+    everything = wanted.whole and not earlier.confined()
+    if not stale and not everything and len(shared) == len(wanted.outputs):
+        return BuildResult([], {device: earlier.devices[device] for device in plans}, shared, [], True)
+    return _anew(wanted, plans, shared, frozenset() if everything else stale, path, files, earlier, beside)
+
+
+def _plan(device: str, wanted: BuildRequest, earlier: EarlierBuild) -> _Plan:
+    if earlier.changed(device):
+        return _Plan(True, wanted.outputs, {})
+    before = earlier.devices[device]
+    checked = {name: earlier.unchanged(files) for name, files in before.outputs.items()}
+    reused = {name: files for name, files in checked.items() if files is not None}
+    return _Plan(before.warned, tuple(name for name in wanted.outputs if name not in reused), reused)
+
+
+def _anew(
+    wanted: BuildRequest,
+    plans: Mapping[str, _Plan],
+    shared: Mapping[str, Hashes],
+    only: frozenset[str],
+    path: str,
+    files: Mapping[str, bytes],
+    earlier: EarlierBuild,
+    beside: Staging | None,
+) -> BuildResult:
+    """Reads the specs, of all devices or of `only` some, and carries out the plans."""
+    from fieldspec import pipeline
+    from fieldspec.backends import templates
+    from fieldspec.commands import cache_folder, specs
+    from fieldspec.commands.plugin_loading import load_checks
+    from fieldspec.commands.workers import DOCUMENTATION, Task, Work, stage_changes, task_results
+    from fieldspec.diagnostics import has_errors, in_order
+    from fieldspec.reading.project import read
+
+    load_checks()
+    if earlier.trusted:
+        templates.use_cache(partial(cache_folder.cached, TEMPLATES), partial(cache_folder.store, TEMPLATES))
+    project = read(files, only)  # without the folder, which outputs must not depend on
+    outputs = not has_errors(project.findings)
+    tasks = []
+    for spec in project.devices.values():
+        plan = plans.get(spec.id, _Plan(True, (), {}))
+        versions = frozenset(specs.picked(spec, version) for version in wanted.devices.get(spec.id, ()))
+        if plan.check or plan.outputs:
+            manual = _manual(spec.id, files) if DOCUMENTATION in plan.outputs else None
+            tasks.append(Task(spec.id, versions, plan.check, plan.outputs if outputs else (), manual))
+    lacking = [name for name in wanted.outputs if name not in shared] if outputs else []
+    common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
+    work = Work(project, earlier.out, beside)
+    done = {result.device: result for result in task_results(work, tasks, sum(map(len, files.values())))}
+    findings = in_order([*project.findings, *(finding for result in done.values() for finding in result.findings)])
+    located = _from_here(findings, spec_files.relative_path(path), spec_files.origins(files))
+    if has_errors(findings):
+        return BuildResult(located, {}, {}, [], False)
+    stale = [path for result in done.values() for path in result.stale]
+    hashes = {name: stage_changes(work, contents, stale) for name, contents in common.items()}
+    marked = {finding.span.file.path for finding in findings}
+    devices = {}
+    for device, plan in plans.items():
+        if device not in done:
+            devices[device] = earlier.devices[device]
+            continue
+        files_read = project.devices[device].files | ({f"{device}/{INDEX}"} & files.keys())
+        result = done[device]
+        devices[device] = Built(
+            {file: earlier.now[file] for file in sorted(files_read)},
+            result.identities or earlier.devices[device].identities,
+            not marked.isdisjoint(files_read),
+            {**plan.reused, **result.hashes},
+        )
+    return BuildResult(located, devices, {**shared, **hashes}, stale, not findings)
+
+
+def _from_here(findings: Iterable[Diagnostic], folder: str, origins: Mapping[str, str]) -> list[Diagnostic]:
+    """Findings that show the files by the paths by which they are found from here."""
+    from fieldspec.source import SourceFile, Span
+
+    files: dict[str, SourceFile] = {}
+
+    def moved(span: Span) -> Span:
+        file = span.file
+        if file.path not in files:
+            path = origins.get(file.path) or (f"{folder}/{file.path}" if folder else file.path)
+            files[file.path] = SourceFile(path, file.text)
+        return Span(files[file.path], span.start, span.end)
+
+    return [
+        replace(
+            finding,
+            span=moved(finding.span),
+            labels=tuple(replace(label, span=moved(label.span)) for label in finding.labels),
+        )
+        for finding in findings
+    ]
+
+
+def _manual(device: str, files: Mapping[str, bytes]) -> ManualIndex | None:
+    """The index of a device's manual, where there is one among its files."""
+    from fieldspec.audit.manual_lines import ManualError, parsed
+
+    path = f"{device}/{INDEX}"
+    if path not in files:
+        return None
+    if isinstance(refused := files[path], Refused):
+        raise UsageError(f"cannot read {path}: {refused.decode()}; {refused.help}")
+    try:
+        return parsed(path, files[path].decode("utf-8").replace("\r\n", "\n"))
+    except UnicodeDecodeError:
+        raise UsageError(f"cannot read {path}: it is not UTF-8") from None
+    except ManualError as error:
+        raise UsageError(f"{path} {error}") from None

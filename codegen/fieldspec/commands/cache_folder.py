@@ -1,0 +1,218 @@
+"""The cache folder, and the hash of the compiler that its entries depend on."""
+
+from __future__ import annotations
+
+import os
+import stat
+import sys
+from contextlib import suppress
+from importlib.machinery import PathFinder
+
+from fieldspec.classes import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+
+# A file in the cache begins with the hash of its content: one that is half written, or changed by hand, is ignored, and
+# so is one that another user owns or could write to. The content is never executed, but for compiled
+# templates. Where the folder cannot be written to, nothing is cached.
+
+try:
+    from _blake2 import blake2b  # `hashlib` loads OpenSSL first, which takes as long as to read a compiled device
+except ImportError:
+    from hashlib import blake2b
+
+VARIABLE = "FIELDSPEC_CACHE"
+MOST = 100
+"""The most files of one kind in the cache; older ones are removed."""
+
+
+def folder() -> str:
+    """The folder: FIELDSPEC_CACHE, or where the system keeps caches. Raises OSError for a user without a home."""
+    if named := os.environ.get(VARIABLE):
+        return named
+    home = os.path.expanduser("~")
+    if home == "~":
+        raise FileNotFoundError("this user has no home")
+    if sys.platform == "win32":
+        local = os.environ.get("LOCALAPPDATA") or os.path.join(home, "AppData", "Local")
+        return os.path.join(local, "fieldspec", "cache")
+    return os.path.join(os.environ.get("XDG_CACHE_HOME") or os.path.join(home, ".cache"), "fieldspec")
+
+
+def checksum(*contents: bytes) -> str:
+    """A hash of contents in their order, and of their sizes."""
+    hasher = blake2b(digest_size=24)
+    for content in contents:
+        hasher.update(b"%d\n" % len(content))
+        hasher.update(content)
+    return hasher.hexdigest()
+
+
+def cached(kind: str, name: str) -> bytes | None:
+    """The content stored under a name; None where there is none, or where it is damaged."""
+    try:
+        number = os.open(_path(kind, name), _READ)
+        try:
+            state = os.fstat(number)
+            if not _ours(state):
+                return None
+            with open(number, "rb", closefd=False) as file:
+                expected, _, content = file.read(state.st_size + 1).partition(b"\n")
+        finally:
+            os.close(number)
+    except OSError:
+        return None
+    return content if expected == checksum(content).encode() else None
+
+
+def store(kind: str, name: str, content: bytes) -> None:
+    """Stores a content under a name, replacing an earlier one. Does nothing where that is not possible."""
+    try:
+        _write(_path(kind, name), checksum(content).encode() + b"\n" + content)
+    except OSError:
+        return
+
+
+_READ = os.O_RDONLY | getattr(os, "O_BINARY", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0)
+_LARGEST = 1 << 30
+_BESIDE = ".new"
+
+
+def _write(path: str, content: bytes) -> None:
+    """Writes a file all or nothing, one process at a time. Raises OSError."""
+    from fieldspec.commands.storage import lock, unlock, write_through
+
+    within = os.path.dirname(path)
+    os.makedirs(within, mode=0o700, exist_ok=True)
+    number = lock(within, patient=False)
+    try:
+        for entry in [*os.scandir(within)]:
+            if not entry.name.isalnum():  # left by a process that was killed while it wrote
+                os.unlink(entry)
+        try:
+            write_through(path + _BESIDE, content, 0o600)
+            os.replace(path + _BESIDE, path)
+        except BaseException:
+            with suppress(OSError):
+                os.unlink(path + _BESIDE)
+            raise
+        files = sorted(os.scandir(within), key=lambda entry: entry.stat().st_mtime_ns)
+        for old in files[:-MOST]:
+            os.unlink(old)
+    finally:
+        unlock(number)
+
+
+def _ours(state: os.stat_result) -> bool:
+    """Whether a file is regular, not too large, and writable by nobody else."""
+    if not stat.S_ISREG(state.st_mode) or state.st_size > _LARGEST:
+        return False
+    if os.name != "posix":
+        return True
+    return state.st_uid == os.geteuid() and not state.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+
+
+def _path(kind: str, name: str) -> str:
+    return os.path.join(folder(), kind, checksum(name.encode("utf-8", "surrogateescape"))[:32])
+
+
+LIBRARIES = {
+    "construct": "construct",
+    "jinja2": "jinja2",
+    "jsonschema_rs": "jsonschema_rs",
+    "markupsafe": "markupsafe",
+    "openpyxl": "openpyxl",
+    "xlsxwriter": "xlsxwriter",
+    "yaml": "pyyaml",
+}
+"""The libraries that outputs and findings depend on: the module, and the name of the distribution."""
+
+
+LAYING_OUT = (
+    *("checks", "commands", "layout", "model", "reading", "schema"),
+    *("classes.py", "diagnostics.py", "names.py", "reserved.py", "source.py"),
+)
+"""The parts of the compiler that turn specs into a layout."""
+WHOLE = ("",)
+"""All of the compiler."""
+
+_PACKAGE = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
+_OTHERS = ("__pycache__", "_specs")
+"""Folders of the package that do not belong to the compiler."""
+
+
+def identity() -> str:
+    """A hash of every file of the compiler, of the versions of its libraries, and of Python.
+
+    Files are taken as they are on disk now. Raises OSError where they cannot be read.
+    """
+    contents = [_python()]
+    for path in _files(_PACKAGE):
+        with open(path, "rb") as file:
+            contents += [os.path.relpath(path, _PACKAGE).encode(), file.read()]
+    contents += [f"{module} {_version(module, distribution)}".encode() for module, distribution in LIBRARIES.items()]
+    return checksum(*contents)
+
+
+def state(parts: Sequence[str] = LAYING_OUT) -> str:
+    """A hash of the names, sizes and times of some files of the compiler, of the folders of libraries, and of Python.
+
+    It changes whenever one of them does, and takes a tenth of the time of `identity`; it also changes when files are
+    only copied. Raises OSError where they cannot be read.
+    """
+    lines: list[str] = []
+    for name in parts:
+        path = os.path.join(_PACKAGE, name)
+        lines += _states(path, name) if os.path.isdir(path) else [_state(name, os.stat(path))]
+    for folder in sys.path[1:]:  # the first is that of the script, or the current one
+        if os.path.isdir(folder):
+            lines.append(f"{folder} {os.stat(folder).st_mtime_ns}")
+    return checksum(_python(), "\n".join(lines).encode("utf-8", "surrogateescape"))
+
+
+def _python() -> bytes:
+    return f"{sys.version} {sys.flags.optimize}".encode()
+
+
+def _states(folder: str, within: str) -> Iterator[str]:
+    with os.scandir(folder) as entries:
+        for entry in sorted(entries, key=lambda entry: entry.name):
+            if entry.is_dir():
+                if entry.name not in _OTHERS:
+                    yield from _states(entry.path, f"{within}/{entry.name}")
+            else:
+                yield _state(f"{within}/{entry.name}", entry.stat())
+
+
+def _state(name: str, status: os.stat_result) -> str:
+    return f"{name} {status.st_size} {status.st_mtime_ns} {status.st_ctime_ns} {status.st_ino}"
+
+
+def _files(package: str) -> list[str]:
+    """All files of the compiler, without compiled ones, in order."""
+    paths = []
+    for folder, inner, names in os.walk(package, onerror=_raised):
+        inner[:] = sorted(name for name in inner if name not in _OTHERS)
+        paths += [os.path.join(folder, name) for name in sorted(names) if not name.endswith((".pyc", ".pyo"))]
+    return paths
+
+
+def _raised(error: OSError) -> None:
+    raise error
+
+
+def _version(module: str, distribution: str) -> str:
+    """The version of a library: the name of its metadata folder, or else a hash of its first file."""
+    spec = PathFinder.find_spec(module)
+    if spec is None or not spec.origin:
+        return ""
+    around, name = os.path.split(spec.origin)
+    around = os.path.dirname(around) if name.startswith("__init__.") else around
+    for name in sorted(os.listdir(around)):
+        lower_name = name.lower().replace("-", "_")
+        if lower_name.startswith(f"{distribution}_") and lower_name.endswith("_info"):
+            return name
+    with open(spec.origin, "rb") as file:
+        return checksum(file.read())

@@ -1,0 +1,150 @@
+"""Loads the outputs and checks of installed packages, and guards the compiler against what is wrong with them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from importlib import import_module
+from typing import Any
+
+from fieldspec.backends import BUILT_IN, OUTPUTS, Files, Output
+from fieldspec.commands.plugins import CHECKS as CHECK_GROUP
+from fieldspec.commands.plugins import OUTPUTS as OUTPUT_GROUP
+from fieldspec.commands.plugins import Plugin, plugins
+from fieldspec.commands.usage import UsageError
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.device import Device
+from fieldspec.spreadsheet import Workbook
+
+
+def load_outputs(anew: bool = False) -> None:
+    """Adds the outputs of installed packages to those of fieldspec. Raises UsageError."""
+    installed = plugins(OUTPUT_GROUP, BUILT_IN, anew)
+    for name in [name for name in OUTPUTS if name not in BUILT_IN]:
+        del OUTPUTS[name]
+    for name, plugin in installed.items():
+        OUTPUTS[name] = Output(name, f"of the package {plugin.package}", backend=PluginBackend(plugin))
+
+
+def outputs_help(arguments: Sequence[str]) -> str:
+    """What `build --help` says of the outputs, those of installed packages too. Raises UsageError."""
+    load_outputs()
+    titles = {
+        name: output.backend.title() if isinstance(output.backend, PluginBackend) else output.title
+        for name, output in OUTPUTS.items()
+    }
+    return "The outputs are " + "; ".join(f"{name}: {title}" for name, title in titles.items()) + "."
+
+
+class PluginBackend:
+    """The module of an output in an installed package. Where it fails, a UsageError names the package."""
+
+    def __init__(self, plugin: Plugin) -> None:
+        self.plugin = plugin
+
+    def files(self, versions: Sequence[DeviceLayout]) -> Files:
+        """The files for all versions of one device. Raises UsageError."""
+        return _checked_files(self.plugin, self._call("files", versions))
+
+    def shared(self) -> Files:
+        """The files that belong to no device, none where the module has no such function. Raises UsageError."""
+        return _checked_files(self.plugin, self._call("shared")) if hasattr(self._module(), "shared") else {}
+
+    def refusals(self, versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+        """What forbids the files, nothing where the module has no such function. Raises UsageError."""
+        if not hasattr(self._module(), "refusals"):
+            return []
+        return _checked_findings(self.plugin, self._call("refusals", versions))
+
+    def title(self) -> str:
+        """What the output writes, in a line. Raises UsageError."""
+        return str(self._module().TITLE)
+
+    def _module(self) -> Any:
+        module = _loaded(self.plugin)
+        if not isinstance(getattr(module, "TITLE", None), str) or not callable(getattr(module, "files", None)):
+            raise self.plugin.error(f"the module {self.plugin.value} needs a text TITLE and a function files")
+        return module
+
+    def _call(self, function: str, *arguments: object) -> Any:
+        try:
+            return getattr(self._module(), function)(*arguments)
+        except UsageError:
+            raise
+        except Exception as error:
+            raise self.plugin.failed(error) from error
+
+
+def _checked_files(plugin: Plugin, files: Any) -> Files:
+    """The files of an output, if they are what an output may give: texts and workbooks, by paths below its folder."""
+    if not isinstance(files, dict):
+        raise plugin.error("its files are no dict of contents by path")
+    for path, value in files.items():
+        if not isinstance(path, str) or not all(step not in ("", ".", "..") for step in re.split(r"[/\\:]", path)):
+            raise plugin.error(f"{path!r} is no path of a file below the folder of the output")
+        if not isinstance(value, (str, Workbook)):
+            raise plugin.error(f"the content of {path} is neither a text nor a workbook")
+    return files
+
+
+def _checked_findings(plugin: Plugin, findings: Any) -> list[Diagnostic]:
+    try:
+        result = list(findings)
+    except UsageError:
+        raise
+    except Exception as error:
+        raise plugin.failed(error) from error
+    if not all(isinstance(finding, Diagnostic) for finding in result):
+        raise plugin.error("it yields what is no Diagnostic")
+    return result
+
+
+def _loaded(plugin: Plugin) -> Any:
+    """The module, or the object in a module, that an entry point refers to. Raises UsageError."""
+    module, _, path = plugin.value.partition(":")
+    try:
+        target: Any = import_module(module.strip())
+        for name in filter(None, path.partition("[")[0].strip().split(".")):
+            target = getattr(target, name)
+    except Exception as error:  # whatever it raises, it is the package that is broken
+        raise plugin.failed(error) from None
+    return target
+
+
+def load_checks(anew: bool = False) -> None:
+    """Adds the checks of installed packages to those of fieldspec. Raises UsageError."""
+    from fieldspec.checks import table
+
+    table.INSTALLED.clear()
+    if not plugins(CHECK_GROUP, (), anew):
+        return
+    from fieldspec import rules
+
+    built_in = {rule.code for rule in (*rules.all_rules(), *rules.change_rules())}
+    for name, plugin in plugins(CHECK_GROUP, built_in, anew).items():
+        function = _loaded(plugin)
+        if not callable(function):
+            raise plugin.error(f"{plugin.value} is no function")
+        try:
+            rules.check_rule(name, function)
+        except ValueError as error:
+            raise plugin.error(str(error)) from None
+        table.INSTALLED[name] = _guarded(plugin, function)
+
+
+def _guarded(plugin: Plugin, function: Callable[[Device], Iterator[Diagnostic]]) -> Any:
+    """A check whose failures name its package, and whose findings have its code."""
+
+    def check(device: Device) -> Iterator[Diagnostic]:
+        try:
+            findings = function(device)
+        except Exception as error:
+            raise plugin.failed(error) from error
+        for finding in _checked_findings(plugin, findings):
+            if finding.code != plugin.name:
+                raise plugin.error(f"its finding has the code {finding.code}, and not {plugin.name}")
+            yield finding
+
+    check.__module__, check.__doc__ = function.__module__, function.__doc__
+    return check

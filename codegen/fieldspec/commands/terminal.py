@@ -1,0 +1,72 @@
+"""Prints findings, lines and tables: styled on a terminal, as bare text elsewhere."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterable, Sequence
+from functools import cache
+from importlib import import_module
+from itertools import zip_longest
+
+from fieldspec.classes import TYPE_CHECKING
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.render.blocks import Block, Line, aligned, visible_text
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+FORMATS = ("text", "json", "sarif", "github", "junit")
+
+
+def on_terminal() -> bool:
+    """Whether the output is a terminal and colours are welcome."""
+    return sys.stdout.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+
+
+def print_findings(findings: Sequence[Diagnostic], form: str, when_none: str) -> None:
+    """Prints findings in one of FORMATS. As text, `when_none` is printed where there are none."""
+    if form == "text" and not findings:
+        print(when_none)
+    elif form == "text" and on_terminal():
+        from rich.text import Text
+
+        from fieldspec.render.text import rendered
+
+        _console().print(Text.from_ansi(rendered(findings, coloured=True)), soft_wrap=True)
+    else:
+        print(import_module(f"fieldspec.render.{form}").rendered(findings), end="")
+
+
+def print_blocks(blocks: Iterable[Block]) -> None:
+    """Prints lines and tables: on a terminal styled and wrapped, else as bare text."""
+    pretty = on_terminal()
+    for block in blocks:
+        if pretty:
+            _print_pretty(block)
+        elif isinstance(block, Line):
+            print(visible_text(block.text))
+        else:
+            print(aligned(block.headings, block.rows), end="")
+
+
+def _print_pretty(block: Block) -> None:
+    from rich.table import Table
+    from rich.text import Text
+
+    if isinstance(block, Line):
+        _console().print(Text(visible_text(block.text), block.style), soft_wrap=block.drawn)
+        return
+    table = Table(box=None, header_style="bold", pad_edge=False)
+    for heading in block.headings:
+        table.add_column(heading)
+    for row, style in zip_longest(block.rows, block.styles, fillvalue=""):
+        table.add_row(*(Text(visible_text(cell)) for cell in row), style=style)
+    _console().print(table)
+
+
+@cache
+def _console() -> Console:
+    from rich.console import Console
+
+    return Console(highlight=False)

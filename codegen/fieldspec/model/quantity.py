@@ -1,0 +1,25 @@
+"""Numbers and quantities as people write them: `8`, `-0x1F`, `20.00 mm`.
+
+A decimal number has no leading zeros: `007` may be a name, a number of octal digits or a slip, so nothing guesses.
+"""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+
+_HEXADECIMAL = "0x[0-9A-Fa-f]{1,16}"
+_WHOLE = "0|[1-9][0-9]{0,19}"
+_COUNT = re.compile(rf"[-+]?(?:{_HEXADECIMAL}|{_WHOLE})")
+_QUANTITY = re.compile(r"([-+]?(?:0|[1-9][0-9]{0,29})(?:\.[0-9]{1,30})?)(?: (?=.)|(?=[^0-9 ]))(.*)")
+
+
+def count_of(text: str) -> int | None:
+    """The whole number that a text is, in decimal or hexadecimal; None where it is none."""
+    return int(text, 0) if _COUNT.fullmatch(text) else None
+
+
+def quantity_of(text: str) -> tuple[Decimal, str] | None:
+    """The number and the unit of a text such as `20.00 mm` or `50%`; None where it is no quantity."""
+    match = _QUANTITY.fullmatch(text)
+    return (Decimal(match[1]), match[2]) if match is not None else None

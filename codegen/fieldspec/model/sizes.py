@@ -1,0 +1,142 @@
+"""Sizes of records, of the parts of frames and of frames in bytes, as far as the spec determines them."""
+
+from __future__ import annotations
+
+from fieldspec.classes import dataclass
+from fieldspec.model.device import Device
+from fieldspec.model.link import CHECKSUM_SIZES, Link, Part
+from fieldspec.model.record import Field, Message, Record
+
+MOST_LEVELS = 64
+"""How deep records may be nested."""
+
+
+class RecordSizes:
+    """The sizes of a device's records, whether the device makes sense or not; nothing recurses."""
+
+    def __init__(self, device: Device) -> None:
+        self._bounds: dict[str, tuple[int, int] | None] = {}
+        self._open: set[str] = set()
+        waiting = dict(device.records)
+        for _ in range(MOST_LEVELS):
+            ready = [record for record in waiting.values() if all(f.record not in waiting for f in record.fields)]
+            for record in ready:
+                del waiting[record.name]
+                self._bounds[record.name] = self.bounds(record)
+                if any(field.repeat is not None for field in record.fields):
+                    self._open.add(record.name)
+            if not ready:
+                break
+        self.endless = frozenset(waiting)
+        """Records that lie in themselves, or are nested more than `MOST_LEVELS` deep, or hold such a one."""
+
+    def element(self, field: Field) -> int | None:
+        """The bytes of one element of a field, None where they are not fixed."""
+        sizes = self.elements(field)
+        return sizes[0] if len(sizes) == 1 else None
+
+    def elements(self, field: Field) -> tuple[int, ...]:
+        """The sizes in bytes that the elements of a field may have, the least first; none where they are not fixed."""
+        if field.choice is not None:
+            return tuple(sorted({case.value.size for case in field.choice.cases}))
+        if field.value is not None:
+            return (field.value.size,)
+        both = self._bounds.get(field.record)
+        return (both[0],) if both is not None and both[0] == both[1] and field.record not in self._open else ()
+
+    def field(self, field: Field) -> tuple[int, int] | None:
+        """The least and the most bytes of a field, None where nothing decides them."""
+        sizes = self.elements(field)
+        both = (sizes[0], sizes[-1]) if sizes else self._bounds.get(field.record)
+        if both is None:
+            return None
+        if field.repeat is not None:
+            return field.repeat.low * both[0], field.repeat.high * both[1]
+        return (field.count or 1) * both[0], (field.count or 1) * both[1]
+
+    def bounds(self, record: Record) -> tuple[int, int] | None:
+        """The least and the most bytes of a record, None where nothing decides them."""
+        least = most = 0
+        for field in record.fields:
+            both = self.field(field)
+            if both is None:
+                return None
+            least, most = least + both[0], most + both[1]
+        return least, most
+
+    def fixed(self, record: Record) -> int | None:
+        """The bytes of a record that always has the same size."""
+        both = self.bounds(record)
+        return both[0] if both is not None and both[0] == both[1] else None
+
+    def named(self, name: str) -> int | None:
+        """The bytes of the record with a name, if it always has the same size."""
+        both = self._bounds.get(name)
+        return both[0] if both is not None and both[0] == both[1] else None
+
+    def offsets(self, record: Record) -> list[tuple[Field, int]]:
+        """The fields of a record with their offsets in bytes, as far as the fields before them are fixed."""
+        at = 0
+        placed = []
+        for field in record.fields:
+            placed.append((field, at))
+            both = self.field(field)
+            if both is None or both[0] != both[1]:
+                break
+            at += both[0]
+        return placed
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """The bytes around the data, before they are written as characters and marked."""
+
+    link: Link
+    direction: str
+    around: int
+    has_length: bool
+
+    def length(self, data: int) -> int:
+        """The bytes of a whole frame with so much data, as they are on the line."""
+        parts = self.around + data
+        coded = 2 * parts if self.link.encoding == "hex_ascii" else parts
+        return len(self.link.start) + coded + len(self.link.end)
+
+    def span_size(self, part: Part, data: int) -> int:
+        """The bytes that a length part counts where there is so much data."""
+        parts = self.link.parts(self.direction)
+        first, last = self.link.span(self.direction, part) or (0, len(parts) - 1)
+        inside = any(part.role == "body" for part in parts[first : last + 1])
+        return sum(part_size(part) for part in parts[first : last + 1]) + inside * data
+
+
+def coded(link: Link) -> bool:
+    """Whether the requests of a link carry the code of their message."""
+    return any(part.role == "code" for part in link.request)
+
+
+def sent_on(link: Link, message: Message) -> bool:
+    """Whether a message is sent on a link."""
+    return not message.links or link.name in message.links
+
+
+def messages_on(device: Device, link: Link) -> list[Message]:
+    """The messages that are sent on a link."""
+    return [message for message in device.messages.values() if sent_on(link, message)]
+
+
+def shapes(device: Device, direction: str) -> list[Shape]:
+    """The frames in one direction; only those with a length part, where a link has one."""
+    all_shapes = []
+    for link in device.links.values():
+        parts = link.parts(direction)
+        has_length = any(part.role == "length" for part in parts)
+        all_shapes.append(Shape(link, direction, sum(part_size(part) for part in parts), has_length))
+    return [shape for shape in all_shapes if shape.has_length] or all_shapes
+
+
+def part_size(part: Part) -> int:
+    """The bytes of a part of a frame; 0 for the body, whose data have sizes of their own."""
+    if part.algorithm:
+        return CHECKSUM_SIZES.get(part.algorithm, 0)
+    return part.value.size if part.value is not None else 0

@@ -1,0 +1,1 @@
+"""What a made-up company adds to fieldspec."""

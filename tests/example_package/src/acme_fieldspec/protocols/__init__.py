@@ -1,0 +1,1 @@
+"""The protocols of a made-up company, as specs."""
