@@ -25,6 +25,18 @@ enums:
       - {value: 0, name: slow, doc: Moves slowly., source: 1 L1}
       - {value: 1, name: fast, doc: Moves fast., source: 1 L2%s}
 """
+PINS = """
+lookups:
+  - name: pins
+    title: Pins
+    source: 1 L1-3
+    %s
+    columns: [{name: pin}, {name: signal}, {name: meaning}]
+    rows:
+      - {cells: [1, stop +, contact], source: 1 L1}
+      - {cells: [2, stop, contact], source: 1 L2}
+      - {cells: [3, stop -, contact], source: "1 L1, 3"}
+"""
 
 
 def subject(spec: DeviceSpec) -> Subject:
@@ -71,7 +83,14 @@ def test_what_is_not_printed_has_tables_of_its_own() -> None:
 def test_an_empty_cell_that_somebody_has_filled_is_listed(key: str, expected: list[str]) -> None:
     index = index_of("gadget.txt", b"0 | slow | 5 | stops\n1 | fast | | stops 7\n")
     model = subject(gadget(MODES % key)).device
-    assert [empty_cell.fact.name for empty_cell in empty_cells(model, index)] == expected
+    assert [empty_cell.place.path.rpartition("/")[2] for empty_cell in empty_cells(model, index)] == expected
+
+
+@pytest.mark.parametrize(("key", "expected"), [("", ["lookups/pins/rows/2"]), ("inferred: {rows: As above.}", [])])
+def test_an_empty_cell_that_a_row_of_a_lookup_has_filled_is_listed(key: str, expected: list[str]) -> None:
+    index = index_of("gadget.txt", b"1\tstop +\tcontact 3\n\t2\tstop 4\n3\tstop -\n")
+    model = subject(gadget(PINS % key)).device
+    assert [empty_cell.place.path for empty_cell in empty_cells(model, index)] == expected
 
 
 @pytest.mark.parametrize(("label", "expected"), [("Speed limit", []), ("Speedlimit", []), ("Torque", ["speed"])])

@@ -4,29 +4,43 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Iterator
+from statistics import median_low
 
 from fieldspec.audit.manual_lines import CELL, ManualIndex
 from fieldspec.checks.facts import facts, values
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Member
-from fieldspec.model.fact import Fact
+from fieldspec.model.fact import Citation, Fact, Place
 from fieldspec.model.link import Part
 from fieldspec.model.record import Field
 from fieldspec.model.registers import Register
+from fieldspec.model.texts import Lookup, LookupRow
 from fieldspec.model.value import Kind
 
 
 @dataclass(frozen=True, slots=True)
 class EmptyCell:
-    """A fact that the spec explains although its row has an empty cell where another row of the table has a text."""
+    """A fact, or a row of a lookup, that somebody has explained although its row in print has an empty cell.
 
-    fact: Fact
+    A row beside it has the cell filled. `print` is the row as the index of the manual has it.
+    """
+
+    place: Place
+    sources: tuple[Citation, ...]
     print: str
 
 
 def empty_cells(device: Device, index: ManualIndex) -> Iterator[EmptyCell]:
-    """Members and bits with an empty cell between filled ones, and without an inferred key."""
+    """Members, bits and rows of lookups with an empty cell, of which nothing is inferred."""
+    yield from _empty_cells_of_values(device, index)
+    for lookup in device.lookups:
+        if not lookup.inferred:
+            yield from _empty_cells_of_lookup(lookup, index)
+
+
+def _empty_cells_of_values(device: Device, index: ManualIndex) -> Iterator[EmptyCell]:
+    """Members and bits with an empty cell between filled ones."""
     tables: dict[str, list[tuple[Fact, str, list[str]]]] = {}
     for fact in facts(device):
         if isinstance(fact, Member | Bit) and "source" in fact.place:
@@ -41,7 +55,30 @@ def empty_cells(device: Device, index: ManualIndex) -> Iterator[EmptyCell]:
             filled_at = [at for at, cell in enumerate(cells) if cell]
             inside = range(filled_at[0], filled_at[-1]) if filled_at else range(0)
             if _explained(fact) and not fact.inferred and any(not cells[at] and at in filled for at in inside):
-                yield EmptyCell(fact, row)
+                yield EmptyCell(fact.place, fact.sources, row)
+
+
+def _empty_cells_of_lookup(lookup: Lookup, index: ManualIndex) -> Iterator[EmptyCell]:
+    """Rows that fill more cells than the print, by more than most rows of the table do.
+
+    A printed row that begins with an empty cell goes on from the row above it, and is not judged.
+    """
+    missing: list[tuple[LookupRow, str, int]] = []
+    for row in lookup.rows:
+        line = _last_line(row, index)
+        cells = [cell.strip() for cell in line.split(CELL.strip())]
+        if len(cells) > 1 and cells[0]:
+            missing.append((row, line, sum(cell is not None for cell in row.cells) - sum(map(bool, cells))))
+    usual = median_low(count for _, _, count in missing) if missing else 0
+    for row, line, count in missing:
+        if count > max(usual, 0):
+            yield EmptyCell(row.place, row.sources, line)
+
+
+def _last_line(row: LookupRow, index: ManualIndex) -> str:
+    """The last line that a row cites in the section of its first citation, as the index has it."""
+    lines = row.sources[0].lines if row.sources else ()
+    return index.lines[lines[-1][1] - 1] if lines and 0 < lines[-1][1] <= len(index.lines) else ""
 
 
 def labels_elsewhere(device: Device, text: str) -> Iterator[Fact]:

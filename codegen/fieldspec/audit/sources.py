@@ -276,7 +276,7 @@ def _empty_cells(subject: Subject) -> SectionTable:
     """Facts whose row has an empty cell that the spec fills without an inference."""
     index = subject.manual or subject.recorded
     cells = empty_cells(subject.device, index) if index is not None else ()
-    rows = tuple((cell.fact.place.path, cell.print, cell.fact.sources[0], cell.fact.place["name"]) for cell in cells)
+    rows = tuple((cell.place.path, cell.print, cell.sources[0], cell.place["source"]) for cell in cells)
     title = "Facts with an empty cell in their row, and nothing inferred"
     columns = ("fact", "row", "source", "spec")
     return SectionTable("empty_cells", title, columns, rows, ("warning",) * len(rows), detail=len(rows) > 20)
