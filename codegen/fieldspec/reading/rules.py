@@ -1,11 +1,11 @@
-"""What the rules of reading say, in the words of their documentation: what holds, why, an example, the cure."""
+"""The documentation of the rules of reading: what is true in a good spec, why, an example, the cure."""
 
 from __future__ import annotations
 
 RULES = {
-    "alias_unknown": """An alias names an anchor that stands before it.
+    "alias_unknown": """An alias names an anchor that comes before it.
 
-Why: there is nothing that it could stand for.
+Why: otherwise it has no value.
 
 Example: `*parameter` where the file has no `&parameter`, or has it further down.
 
@@ -13,7 +13,7 @@ Cure: Write the data out, or set the anchor first.
 """,
     "aliases_grow": """Aliases do not make a file grow without bound.
 
-Why: ten lines of aliases of aliases can stand for more values than a computer holds.
+Why: ten lines of aliases of aliases can mean more values than fit into memory.
 
 Example: a list of ten aliases, each of which is a list of ten aliases, and so on.
 
@@ -35,7 +35,7 @@ Example: a folder with registers alone.
 
 Cure: Write the section `device` in `device.yaml`.
 """,
-    "duplicate_key": """A key stands once in its mapping.
+    "duplicate_key": """A key occurs once in its mapping.
 
 Why: only one of the two values could count, and readers take different ones.
 
@@ -69,7 +69,7 @@ Cure: Put the name right, or write the file.
 """,
     "file_regular": """A spec file is a regular file within the folder of the specs.
 
-Why: a pipe can wait for ever and a device can go on for ever. What lies behind a link that leads out of the folder is
+Why: a pipe can wait for ever and a device can go on for ever. What is behind a link that leads out of the folder is
 not of the specs, and no finding may quote it.
 
 Example: `device.yaml` is a symbolic link to `/etc/passwd`.
@@ -110,7 +110,7 @@ Cure: Write a plain word.
 """,
     "missing_key": """A mapping has the keys that it needs.
 
-Why: the fact cannot be laid out, or looked up, without them.
+Why: the fact has no layout, or cannot be looked up, without them.
 
 Example: an enum's member without its `value`.
 
@@ -130,7 +130,7 @@ Why: the base has been changed since the file was written, and its author did no
 
 Example: `range: {was: 1..100, is: 1..120}` where the base has 1..90.
 
-Cure: Look at both places, decide what holds now, and put `was` right.
+Cure: Look at both places, decide what is right now, and put `was` right.
 """,
     "overlay_changes_nothing": """Every entry in the file of a version changes something.
 
@@ -164,7 +164,7 @@ Example: a register renamed to `speed` where there is a register `speed`.
 
 Cure: Give another name; what is there already is changed under `changes`.
 """,
-    "section_twice": """A section that is no list stands in one file of a device.
+    "section_twice": """A section that is no list is in one file of a device.
 
 Why: lists are joined; of two other sections only one could count.
 
@@ -188,7 +188,7 @@ Example: a line that begins with a tab.
 
 Cure: Indent with blanks.
 """,
-    "tag_used": """A spec holds plain data, without tags.
+    "tag_used": """A spec is plain data, without tags.
 
 Why: a tag asks a reader to build something else than data, and the schema decides what a value is.
 
@@ -212,7 +212,7 @@ Example: a file in another form with ten thousand lines.
 
 Cure: Mend the first ones.
 """,
-    "type_present": """The spec says how every value lies on the wire, once.
+    "type_present": """The spec states the encoding of every value, once.
 
 Why: width and sign are never guessed.
 
@@ -262,7 +262,7 @@ Cure: Give each version an identifier of its own; where two files follow the sam
 """,
     "version_unknown": """`since`, `until` and `only` name versions that the device declares.
 
-Why: a fact that holds from an unknown version on holds never or always.
+Why: a fact that applies from an unknown version on applies never or always.
 
 Example: `since: "2.00"` where the version is called `2.0`.
 
@@ -300,9 +300,9 @@ Example: `at: servo`
 
 Cure: Write a value of that kind.
 """,
-    "wrong_value": """A number lies within the bounds of its key.
+    "wrong_value": """A number is within the bounds of its key.
 
-Why: what lies outside cannot exist on the wire.
+Why: a number outside of them cannot exist on the wire.
 
 Example: `at: 0x12000`
 
