@@ -32,10 +32,10 @@ def test_the_page_is_what_the_code_writes(accept: bool) -> None:
 
 @pytest.mark.parametrize("name", COLUMNS)
 def test_every_construct_has_a_level_and_what_is_not_exact_has_a_reason(name: str) -> None:
-    held = capabilities(name)
-    assert list(held) == list(CONSTRUCTS)
-    assert {one.level for one in held.values()} <= {EXACT, LOSSY, REFUSED}
-    assert all(bool(one.reason) == (one.level != EXACT) for one in held.values())
+    value = capabilities(name)
+    assert list(value) == list(CONSTRUCTS)
+    assert {capability.level for capability in value.values()} <= {EXACT, LOSSY, REFUSED}
+    assert all(bool(capability.reason) == (capability.level != EXACT) for capability in value.values())
 
 
 @pytest.mark.parametrize("name", ["st", "twincat", "plcopen", "iec", "scl"])
@@ -44,15 +44,18 @@ def test_an_output_refuses_by_a_rule_what_the_matrix_says_and_nothing_else(
     name: str, construct: str, code: str
 ) -> None:
     spec = load({"gadget/device.yaml": (CASES / code / "failing" / "device.yaml").read_bytes()}).devices["gadget"]
-    found = {finding.code for finding in OUTPUTS[name].refusals(layouts(spec))}
-    held = capabilities(name)[construct]
-    assert (code in found) == (held.level == REFUSED)
-    assert (code in held.reason) == (held.level == REFUSED)
+    result = {finding.code for finding in OUTPUTS[name].refusals(layouts(spec))}
+    capability = capabilities(name)[construct]
+    assert (code in result) == (capability.level == REFUSED)
+    assert (code in capability.reason) == (capability.level == REFUSED)
 
 
 def test_rules_that_the_matrix_names_are_there() -> None:
     named = {
-        word.strip(";:,.") for name in COLUMNS for one in capabilities(name).values() for word in one.reason.split()
+        word.strip(";:,.")
+        for name in COLUMNS
+        for capability in capabilities(name).values()
+        for word in capability.reason.split()
     }
     codes = {word for word in named if word.startswith("plc_")}
     assert codes == set(REFUSALS.values())

@@ -118,7 +118,7 @@ def mended(layout: DeviceLayout, example: Example, frame: bytes) -> bytes:
         data = codec(layout).links[example.link].parts(frame)
     except CodecError:
         return frame
-    if (checksum := shape.checksum) is None or len(data) < shape.head_size + shape.tail_size:
+    if (checksum := shape.checksum) is None or len(data) < shape.header_size + shape.trailer_size:
         return frame
     at = checksum.at(len(data))
     order: Literal["big", "little"] = "big" if checksum.order == "big" else "little"
@@ -129,8 +129,8 @@ def mended(layout: DeviceLayout, example: Example, frame: bytes) -> bytes:
 
 
 def test_characters_of_a_part_that_is_cut_off_by_others_have_a_row() -> None:
-    laid, example = next(param.values for param in EXAMPLES if param.values[1].id == "words-write")
-    assert_agrees(laid, example, example.frame[:3] + b"*" + example.frame[4:])
+    layout, example = next(param.values for param in EXAMPLES if param.values[1].id == "words-write")
+    assert_agrees(layout, example, example.frame[:3] + b"*" + example.frame[4:])
 
 
 @settings(deadline=None)

@@ -112,6 +112,24 @@ def test_the_glossary_forbids_words() -> None:
     assert {"one", "frozen"} == EXEMPT
 
 
+def code_names() -> set[str]:
+    """The names in the column `code` of the tables of concepts."""
+    rows = [row.split("|") for row in GLOSSARY.partition("## Forbidden words")[0].splitlines() if row.startswith("|")]
+    return {part for row in rows for name in re.findall(r"`([\w.]+)`", row[2]) for part in name.split(".")}
+
+
+def test_names_of_code_are_in_the_compiler() -> None:
+    expected = code_names()
+    assert {"DeviceLayout", "FrameLayout", "Register"} <= expected
+    compiler = {
+        token.string
+        for path in PACKAGE.rglob("*.py")
+        for token in tokenize.generate_tokens(io.StringIO(path.read_text("utf-8")).readline)
+        if token.type == tokenize.NAME
+    }
+    assert expected - compiler == set()
+
+
 @pytest.mark.parametrize("name", sorted({folder(path) for path in python_files()}))
 def test_names_follow_the_glossary(name: str) -> None:
     wrong = WRONG.get(name, [])

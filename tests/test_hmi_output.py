@@ -33,16 +33,16 @@ REAL = [param for param in VERSIONS if param.values[0].device.id in layouts(SPEC
 
 
 @cache
-def made(device: str) -> dict[str, str | Workbook]:
+def output_files(device: str) -> dict[str, str | Workbook]:
     root = SPECS if device in layouts(SPECS) else TEST_SPECS
     return files(layouts(root)[device])
 
 
 def of_version(layout: DeviceLayout, ending: str) -> str | Workbook:
-    return made(layout.device.id)[f"{stem(layout.device.id, layout.device.version)}_{ending}"]
+    return output_files(layout.device.id)[f"{stem(layout.device.id, layout.device.version)}_{ending}"]
 
 
-def plain(text: object) -> Rows:
+def cell_rows(text: object) -> Rows:
     assert isinstance(text, str)
     assert text.startswith("\ufeff")
     return list(csv.DictReader(io.StringIO(text[1:], newline=""), strict=True))
@@ -51,12 +51,12 @@ def plain(text: object) -> Rows:
 def sheets(book: object) -> dict[str, Rows]:
     """The rows of each sheet as another reader sees them, by heading."""
     assert isinstance(book, Workbook)
-    held = openpyxl.load_workbook(io.BytesIO(packed(book)))
-    found = {}
-    for sheet in held:
+    workbook = openpyxl.load_workbook(io.BytesIO(packed(book)))
+    result = {}
+    for sheet in workbook:
         head, *rows = sheet.iter_rows(values_only=True)
-        found[sheet.title] = [dict(zip(map(str, head), map(str, row), strict=True)) for row in rows]
-    return found
+        result[sheet.title] = [dict(zip(map(str, head), map(str, row), strict=True)) for row in rows]
+    return result
 
 
 def coded(layout: DeviceLayout) -> list[Enum]:
@@ -65,9 +65,9 @@ def coded(layout: DeviceLayout) -> list[Enum]:
 
 @pytest.mark.parametrize("layout", VERSIONS)
 def test_the_plain_table_has_every_code(layout: DeviceLayout) -> None:
-    rows = plain(of_version(layout, "codes.csv"))
-    found = [(row["kind"], row["list"], int(row["code"]), int(row["hex"], 16), row["name"]) for row in rows]
-    assert found == [
+    rows = cell_rows(of_version(layout, "codes.csv"))
+    result = [(row["kind"], row["list"], int(row["code"]), int(row["hex"], 16), row["name"]) for row in rows]
+    assert result == [
         (enum.kind, enum.name, member.value, member.value, member.name)
         for enum in coded(layout)
         for member in enum.members
@@ -78,7 +78,7 @@ def test_the_plain_table_has_every_code(layout: DeviceLayout) -> None:
 
 @pytest.mark.parametrize("layout", VERSIONS)
 def test_every_cause_and_every_remedy_of_the_spec_is_in_the_table(layout: DeviceLayout) -> None:
-    rows = {(row["list"], int(row["code"])): row for row in plain(of_version(layout, "codes.csv"))}
+    rows = {(row["list"], int(row["code"])): row for row in cell_rows(of_version(layout, "codes.csv"))}
     for enum in coded(layout):
         for member in enum.members:
             row = rows[enum.name, member.value]
@@ -90,14 +90,14 @@ def test_every_cause_and_every_remedy_of_the_spec_is_in_the_table(layout: Device
 
 @pytest.mark.parametrize("layout", VERSIONS)
 def test_the_workbook_of_a_panel_has_the_sheets_and_columns_that_its_import_takes(layout: DeviceLayout) -> None:
-    found = sheets(of_version(layout, "tia_panel_en_us.xlsx"))
-    assert list(found) == ["TextList", "TextListEntry"]
-    assert list(found["TextList"][0]) == ["Name", "ListRange", "Comment [en-US]"]
+    actual = sheets(of_version(layout, "tia_panel_en_us.xlsx"))
+    assert list(actual) == ["TextList", "TextListEntry"]
+    assert list(actual["TextList"][0]) == ["Name", "ListRange", "Comment [en-US]"]
     columns = ["Name", "Parent", "DefaultEntry", "Value", "Text [en-US]", "FieldInfos"]
-    assert list(found["TextListEntry"][0]) == columns
-    assert {row["ListRange"] for row in found["TextList"]} == {"Decimal"}
-    assert {row["Parent"] for row in found["TextListEntry"]} == {row["Name"] for row in found["TextList"]}
-    names = [(row["Parent"], row["Name"]) for row in found["TextListEntry"]]
+    assert list(actual["TextListEntry"][0]) == columns
+    assert {row["ListRange"] for row in actual["TextList"]} == {"Decimal"}
+    assert {row["Parent"] for row in actual["TextListEntry"]} == {row["Name"] for row in actual["TextList"]}
+    names = [(row["Parent"], row["Name"]) for row in actual["TextListEntry"]]
     assert len(names) == len(set(names))
 
 
@@ -105,12 +105,12 @@ def test_the_workbook_of_a_panel_has_the_sheets_and_columns_that_its_import_take
 @pytest.mark.parametrize("layout", VERSIONS)
 def test_every_code_has_one_text_in_its_text_list(layout: DeviceLayout, kind: str) -> None:
     entries = sheets(of_version(layout, f"tia_{kind}_en_us.xlsx"))["TextListEntry"]
-    texts = {(row["list"], row["code"]): row["text"] for row in plain(of_version(layout, "codes.csv"))}
+    texts = {(row["list"], row["code"]): row["text"] for row in cell_rows(of_version(layout, "codes.csv"))}
     for enum in coded(layout):
         name = (Name.of(layout.device.id) + Name.of(enum.name)).snake()
         column = "Value" if kind == "panel" else "From"
-        found = [(row[column], row["Text [en-US]"]) for row in entries if row["Parent"] == name]
-        assert found == [(str(one.value), texts[enum.name, str(one.value)]) for one in enum.members]
+        result = [(row[column], row["Text [en-US]"]) for row in entries if row["Parent"] == name]
+        assert result == [(str(member.value), texts[enum.name, str(member.value)]) for member in enum.members]
 
 
 @pytest.mark.parametrize("layout", REAL)
@@ -138,24 +138,24 @@ def test_workbooks_are_the_same_bytes_on_every_run(layout: DeviceLayout) -> None
 
 def parts(book: object) -> dict[str, str]:
     assert isinstance(book, Workbook)
-    with zipfile.ZipFile(io.BytesIO(packed(book))) as held:
-        return {name: held.read(name).decode() for name in held.namelist()}
+    with zipfile.ZipFile(io.BytesIO(packed(book))) as zip_file:
+        return {name: zip_file.read(name).decode() for name in zip_file.namelist()}
 
 
 def test_texts_of_a_workbook_lie_in_a_table_and_no_cell_is_missing() -> None:
     book = of_version(newest(SPECS, "tc100"), "tia_panel_en_us.xlsx")
-    held = parts(book)
+    value = parts(book)
     assert isinstance(book, Workbook)
-    sheet = held["xl/worksheets/sheet2.xml"]
+    sheet = value["xl/worksheets/sheet2.xml"]
     assert "inlineStr" not in sheet
     assert sheet.count("<c ") == sheet.count("<v>") == sum(len(row) for row in book.sheets[1].rows)
-    assert "sharedStrings" in held["[Content_Types].xml"]
-    assert "sharedStrings" in held["xl/_rels/workbook.xml.rels"]
+    assert "sharedStrings" in value["[Content_Types].xml"]
+    assert "sharedStrings" in value["xl/_rels/workbook.xml.rels"]
 
 
 def test_the_workbook_of_alarms_says_what_it_holds() -> None:
-    held = openpyxl.load_workbook(io.BytesIO(packed_of("tia_alarms_en_us.xlsx")))
-    assert {name: held.custom_doc_props[name].value for name in held.custom_doc_props.names} == {
+    workbook = openpyxl.load_workbook(io.BytesIO(packed_of("tia_alarms_en_us.xlsx")))
+    assert {name: workbook.custom_doc_props[name].value for name in workbook.custom_doc_props.names} == {
         "FileVersion": "1",
         "FileContent": "Alarm text lists",
     }
@@ -182,16 +182,16 @@ enums:
 
 
 def test_a_text_that_is_a_formula_to_a_spreadsheet_is_a_text() -> None:
-    made = files([layout_at(gadget(HOSTILE), "1")])
-    rows = plain(made["gadget_v1_codes.csv"])
+    outputs = files([layout_at(gadget(HOSTILE), "1")])
+    rows = cell_rows(outputs["gadget_v1_codes.csv"])
     assert [row["label"] for row in rows] == ['\'=HYPERLINK("http://x","y")', "+1", "</t><t>&amp; 🤖"]
     assert [row["text"] for row in rows] == ["One: =1+1", "Two", 'Three: <field ref="0" /> bell']
     assert (rows[1]["cause"], rows[1]["remedy"]) == ('\'-2 "quoted", and a line', "'@SUM(A1) {{ x }}")
 
 
 def test_a_workbook_holds_hostile_texts_as_texts_and_no_field() -> None:
-    made = files([layout_at(gadget(HOSTILE), "1")])
-    book = made["gadget_v1_tia_panel_en_us.xlsx"]
+    outputs = files([layout_at(gadget(HOSTILE), "1")])
+    book = outputs["gadget_v1_tia_panel_en_us.xlsx"]
     entries = sheets(book)["TextListEntry"]
     texts = {(row["Parent"], row["Value"]): row["Text [en-US]"] for row in entries}
     assert texts["gadget_alarm_code", "3"] == 'Three: < field ref="0" /> bell'
@@ -205,7 +205,7 @@ def test_a_device_without_codes_has_no_files() -> None:
 
 
 def test_a_cause_keeps_the_number_of_its_remedy() -> None:
-    rows = plain(of_version(newest(SPECS, "esc11"), "codes.csv"))
+    rows = cell_rows(of_version(newest(SPECS, "esc11"), "codes.csv"))
     (row,) = (row for row in rows if row["name"] == "point_data_destroyed")
     assert row["cause"].startswith("1. The feedback circuit is faulty; 2. ")
     assert row["remedy"].startswith("3. Check the surroundings for sources of noise; Switch the power on")
@@ -213,5 +213,5 @@ def test_a_cause_keeps_the_number_of_its_remedy() -> None:
 
 @pytest.mark.parametrize("device", layouts(SPECS))
 def test_versions_that_share_workbooks_have_those_that_each_has_alone(device: str) -> None:
-    alone = {path: held for layout in layouts(SPECS)[device] for path, held in files([layout]).items()}
-    assert made(device) == alone
+    alone = {path: value for layout in layouts(SPECS)[device] for path, value in files([layout]).items()}
+    assert output_files(device) == alone

@@ -83,14 +83,14 @@ def test_the_bits_of_the_map_hold_the_values_of_every_example(layout: DeviceLayo
             continue
         for element in range(int(row["elements"] or 1)):
             name = re.sub(r"\[[0-9]+\.\.[0-9]+\]", f"[{element}]", row["name"])
-            held = at_path(values, name)
-            if held is None:
+            value = at_path(values, name)
+            if value is None:
                 continue
-            if isinstance(held, float):
-                held = struct.unpack(">I", struct.pack(">f", held))[0]
-            assert signed(row, words, element) == held, row
+            if isinstance(value, float):
+                value = struct.unpack(">I", struct.pack(">f", value))[0]
+            assert signed(row, words, element) == value, row
             compared += 1
-    assert compared >= sum(not isinstance(held, str | list) for held in values.values())
+    assert compared >= sum(not isinstance(value, str | list) for value in values.values())
 
 
 def chosen(layout: DeviceLayout, message: str, direction: str, values: Any, selector: str, cases: list[str]) -> bool:
@@ -105,26 +105,26 @@ def chosen(layout: DeviceLayout, message: str, direction: str, values: Any, sele
 @pytest.mark.parametrize("layout", VERSIONS)
 def test_the_bits_of_the_map_are_those_that_the_reference_writes(layout: DeviceLayout) -> None:
     chance = random.Random(layout.identity)
-    found = {(row["area"], row["name"], row["case"]): row for row in rows_of(layout)}
+    result = {(row["area"], row["name"], row["case"]): row for row in rows_of(layout)}
     for area in areas(layout):
-        for held in area.values:
-            if held.value is not None and held.value.type.letter != "s":
-                check_element(found[area.name, held.title, held.case], area, held, chance)
+        for placed_value in area.values:
+            if placed_value.value is not None and placed_value.value.type.letter != "s":
+                check_element(result[area.name, placed_value.title, placed_value.case], area, placed_value, chance)
 
 
-def check_element(row: Row, area: Area, held: PlacedValue, chance: random.Random) -> None:
-    raw = chance.getrandbits(8 * held.size)
-    assert held.value is not None
-    letter = held.value.type.letter
-    endian = ">" if (held.order == "big") != held.swapped else "<"
-    given = struct.unpack(f"{endian}{letter}", raw.to_bytes(held.size, "big" if endian == ">" else "little"))[0]
-    if given != given:
+def check_element(row: Row, area: Area, placed_value: PlacedValue, chance: random.Random) -> None:
+    raw = chance.getrandbits(8 * placed_value.size)
+    assert placed_value.value is not None
+    letter = placed_value.value.type.letter
+    endian = ">" if (placed_value.order == "big") != placed_value.swapped else "<"
+    word = struct.unpack(f"{endian}{letter}", raw.to_bytes(placed_value.size, "big" if endian == ">" else "little"))[0]
+    if word != word:
         return
-    written = value_construct(held.value, held.order, held.swapped).build(given)
-    element = chance.randrange(held.elements)
+    encoded = value_construct(placed_value.value, placed_value.order, placed_value.swapped).build(word)
+    element = chance.randrange(placed_value.elements)
     data = bytearray(area.size)
-    at = held.start + element * held.stride
-    data[at : at + held.size] = written
+    at = placed_value.start + element * placed_value.stride
+    data[at : at + placed_value.size] = encoded
     assert number(row, memory(bytes(data), area.unit), element) == raw
 
 
@@ -136,16 +136,20 @@ def fields_of(layout: DeviceLayout) -> Iterator[FieldLayout]:
 @pytest.mark.parametrize("layout", VERSIONS)
 def test_flags_have_rows_for_their_bits(layout: DeviceLayout) -> None:
     rows = rows_of(layout)
-    found = {(row["area"], row["name"]): row for row in rows}
+    result = {(row["area"], row["name"]): row for row in rows}
     chance = random.Random(1)
     checked = 0
     for area in areas(layout):
-        for held in area.values:
-            flags = layout.device.flags.get(held.value.flags) if held.value and held.value.flags else None
+        for placed_value in area.values:
+            flags = (
+                layout.device.flags.get(placed_value.value.flags)
+                if placed_value.value and placed_value.value.flags
+                else None
+            )
             for bit in flags.bits if flags else ():
-                words = [chance.getrandbits(16) for _ in range(held.start + held.size + 1)]
-                whole = number(found[area.name, held.title], words)
-                part = number(found[area.name, f"{held.title}.{bit.name}"], words)
+                words = [chance.getrandbits(16) for _ in range(placed_value.start + placed_value.size + 1)]
+                whole = number(result[area.name, placed_value.title], words)
+                part = number(result[area.name, f"{placed_value.title}.{bit.name}"], words)
                 assert part == (whole & bit.mask) >> bit.first
                 checked += 1
     assert checked or not any(field.value and field.value.flags for field in fields_of(layout))
@@ -155,7 +159,9 @@ def test_flags_have_rows_for_their_bits(layout: DeviceLayout) -> None:
 def test_every_register_and_every_field_of_a_table_is_in_the_map(layout: DeviceLayout) -> None:
     rows = rows_of(layout)
     addresses = {int(row["address"], 16) for row in rows if row["address"]}
-    wanted = {laid.address + number * laid.stride for laid in layout.registers for number in range(laid.count)}
+    wanted = {
+        register.address + number * register.stride for register in layout.registers for number in range(register.count)
+    }
     assert wanted <= addresses
     for table in layout.tables.values():
         names = {re.sub(r"\[[^\]]*\]", "", row["name"]) for row in rows if row["area"] == f"table {table.name}"}
@@ -179,18 +185,18 @@ def test_areas_lie_apart_and_behind_the_documented_base(layout: DeviceLayout) ->
 
 @pytest.mark.parametrize("layout", VERSIONS)
 def test_every_word_that_holds_something_has_one_short_comment_in_ascii(layout: DeviceLayout) -> None:
-    made = comments(layout.device.id, layout.device.version)
-    assert all(len(row) == 2 for row in made)
-    assert all(row[1].isascii() and row[1].isprintable() and 0 < len(row[1]) <= KV.width for row in made)
-    devices = [row[0] for row in made]
+    outputs = comments(layout.device.id, layout.device.version)
+    assert all(len(row) == 2 for row in outputs)
+    assert all(row[1].isascii() and row[1].isprintable() and 0 < len(row[1]) <= KV.width for row in outputs)
+    devices = [row[0] for row in outputs]
     assert len(devices) == len(set(devices))
     base = {row["area"]: int(row["device"][2:]) - int(row["word"]) for row in rows_of(layout) if row["device"]}
     wanted = {
         KV.device(base[area.name] + byte // area.unit)
         for area in areas(layout)
-        for held in area.values
-        for _, start in held.names()
-        for byte in range(start, start + held.size)
+        for placed_value in area.values
+        for _, start in placed_value.names()
+        for byte in range(start, start + placed_value.size)
     }
     assert set(devices) == wanted
 
@@ -209,9 +215,9 @@ def test_lines_end_as_they_do_on_windows(device: str) -> None:
 
 
 def test_a_value_of_two_words_says_what_must_be_done_before_it_is_read_as_one() -> None:
-    found = {row["name"]: row for row in word_map("widget", "2.0")}
+    result = {row["name"]: row for row in word_map("widget", "2.0")}
     by_bits: dict[str, set[str]] = {}
-    for row in found.values():
+    for row in result.values():
         if is_number(row):
             by_bits.setdefault(row["bits"], set()).add(row["in_memory"])
     assert by_bits["15..0"] == {"direct"}
@@ -232,8 +238,8 @@ registers:
       - {at: 3, name: fourth, type: u16, access: rw, label: "-A1", source: L4}
 """,
     )
-    made = files([layout_at(spec, "1")])
-    text = next(text for path, text in made.items() if path.endswith("_words.csv"))
+    outputs = files([layout_at(spec, "1")])
+    text = next(text for path, text in outputs.items() if path.endswith("_words.csv"))
     labels = [row["label"] for row in csv.DictReader(io.StringIO(text[1:], newline=""))][1:]
     assert labels == ['\'=HYPERLINK("http://x","y")', '\'+1, "quoted" line', "'@SUM(1)", "'-A1"]
 

@@ -30,8 +30,8 @@ def section(title: str) -> str:
 
 def rows(text: str) -> list[list[str]]:
     """The rows of all tables in a text."""
-    found = [line.strip("|").split(" | ") for line in text.splitlines() if line.startswith("|")]
-    return [[cell.strip() for cell in row] for row in found if not set("".join(row)) <= set("-|")]
+    result = [line.strip("|").split(" | ") for line in text.splitlines() if line.startswith("|")]
+    return [[cell.strip() for cell in row] for row in result if not set("".join(row)) <= set("-|")]
 
 
 KV_TEXT = section("KEYENCE KV")
@@ -75,8 +75,8 @@ def test_a_command_runs(command: str, built: Path) -> None:
 
 def words(built: Path) -> dict[str, dict[str, str]]:
     text = (built / "generated/kv/esc11_v1_17_words.csv").read_text("utf-8").lstrip("\ufeff")
-    found = csv.DictReader(io.StringIO(text, newline=""))
-    return {row["device"]: row for row in found if row["device"] and not row["type"].startswith("bit")}
+    reader = csv.DictReader(io.StringIO(text, newline=""))
+    return {row["device"]: row for row in reader if row["device"] and not row["type"].startswith("bit")}
 
 
 def test_the_columns_of_the_word_map_are_those_that_are_described() -> None:
@@ -85,25 +85,25 @@ def test_the_columns_of_the_word_map_are_those_that_are_described() -> None:
 
 
 def test_the_words_of_the_example_are_the_frame_of_the_manual(built: Path) -> None:
-    held = words(built)
+    value = words(built)
     table = [row for row in rows(section("Example: the ESC11 grips, from")) if re.match("`DM", row[0])]
-    assert [held[row[0].strip("`")]["name"] for row in table] == [row[2].split("`")[1] for row in table]
+    assert [value[row[0].strip("`")]["name"] for row in table] == [row[2].split("`")[1] for row in table]
     frame = newest(SPECS, "esc11").device.examples["grip-close-request"].frame
     assert bytes(int(row[1]) for row in table) == frame
     assert sum(frame[:-1]) & 255 == frame[-1]
     for row in table:
-        fixed = held[row[0].strip("`")]["fixed"]
+        fixed = value[row[0].strip("`")]["fixed"]
         assert fixed in ("", row[1])
 
 
 def test_the_words_of_the_response_are_where_the_example_says(built: Path) -> None:
-    held = words(built)
+    value = words(built)
     text = section("Example: the ESC11 grips, from")
     named = ["DM11140", "DM11141", "DM11142", "DM11143"]
     assert set(re.findall(r"DM1114[0-9]", text)) == set(named)
-    assert [held[name]["name"] for name in named] == ["length", "address", "status", "checksum"]
-    assert {held[name]["area"] for name in named} == {"grip_close response"}
-    assert held["DM11140"]["fixed"] == "4"
+    assert [value[name]["name"] for name in named] == ["length", "address", "status", "checksum"]
+    assert {value[name]["area"] for name in named} == {"grip_close response"}
+    assert value["DM11140"]["fixed"] == "4"
     flags = newest(SPECS, "esc11").device.flags["communication_status"]
     assert [(bit.first, bit.name) for bit in flags.bits if bit.first in (0, 5, 6)] == [
         (0, "executing"),
@@ -138,19 +138,19 @@ def test_the_documented_base_and_width_are_those_of_the_dialect() -> None:
 
 
 def test_files_that_are_named_are_built(built: Path) -> None:
-    made = {path.relative_to(built).as_posix() for path in (built / "generated").rglob("*.*")}
+    result = {path.relative_to(built).as_posix() for path in (built / "generated").rglob("*.*")}
     endings = [
         *re.findall(r"`[\w/]*(?:DEVICE_VERSION|\.\.\.)(_\w+\.\w+)`", KV_TEXT + HMI_TEXT),
         "_tia_panel_en_us_zh_tw.xlsx",
     ]
     assert len(endings) > 6
     for ending in endings:
-        assert any(path.endswith(ending) for path in made), ending
+        assert any(path.endswith(ending) for path in result), ending
 
 
 def test_the_register_on_the_panel_holds_the_codes_of_the_list() -> None:
     layout = newest(SPECS, "tc100")
     (address,) = re.findall(r"of the TC100, register (0x[0-9A-F]+)", HMI_TEXT)
-    (register,) = (one for one in layout.device.registers() if one.address == int(address, 16))
+    (register,) = (register for register in layout.device.registers() if register.address == int(address, 16))
     assert register.value.enum == "alarm_code"
     assert "`tc100_alarm_code`" in HMI_TEXT

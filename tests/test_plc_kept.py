@@ -30,23 +30,26 @@ def test_what_is_kept_is_of_the_layout_that_was_asked_for_last() -> None:
     first = newest(TEST_SPECS, "widget")
     second = replace(first)
     assert first == second
-    assert [number(one) for one in (first, first, second, second, first)] == [1, 1, 2, 2, 3]
+    assert [number(layout) for layout in (first, first, second, second, first)] == [1, 1, 2, 2, 3]
 
 
 @pytest.mark.parametrize("name", ["st", "twincat", "plcopen"])
 def test_dialects_that_share_a_program_differ_in_what_people_are_told_alone(name: str) -> None:
     row = DIALECTS[name]
-    different = {one for one in attributes(type(row)) if getattr(row, one) != getattr(STRUCTURED, one)}
+    different = {text for text in attributes(type(row)) if getattr(row, text) != getattr(STRUCTURED, text)}
     assert different <= {"name", "title", "foreign"}
 
 
 @pytest.mark.parametrize("name", ["st", "twincat", "plcopen"])
 def test_what_all_of_them_refuse_is_said_of_each_by_its_title(name: str) -> None:
-    (found,) = refusals(layout_at(gadget(CLASH), "1"), DIALECTS[name])
-    assert DIALECTS[name].title in found.message
+    (finding,) = refusals(layout_at(gadget(CLASH), "1"), DIALECTS[name])
+    assert DIALECTS[name].title in finding.message
 
 
 def test_a_program_has_the_text_of_each_routine_among_its_objects() -> None:
-    made = program(newest(TEST_SPECS, "widget"))
-    assert [one.name for one in made.functions] == [one.name for one in made.routines]
-    assert made.items[-len(made.functions) - 1 :] == (made.sizes, *made.functions)
+    widget_program = program(newest(TEST_SPECS, "widget"))
+    assert [item.name for item in widget_program.functions] == [routine.name for routine in widget_program.routines]
+    assert widget_program.items[-len(widget_program.functions) - 1 :] == (
+        widget_program.sizes,
+        *widget_program.functions,
+    )

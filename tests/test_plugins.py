@@ -152,17 +152,17 @@ def test_a_protocol_of_an_installed_package_is_used_and_its_findings_show_its_fi
     file = site.packages / "acme_fieldspec/protocols/acme_bus.yaml"
     file.write_text(file.read_text("utf-8").replace("value: 1", "value: x"), encoding="utf-8")
     for verb in ("check", "build"):
-        found = site.run(verb)
-        assert (found.code, f"{file}:" in found.out) == (1, True), found
+        result = site.run(verb)
+        assert (result.code, f"{file}:" in result.out) == (1, True), result
     assert site.run("show", "pump").code == 2
-    made = site.run("new", "device", "valve", "--protocol", "acme_bus")
-    assert (made.code, made.out) == (2, "")
-    assert "the protocol acme_bus has findings" in made.err
+    result = site.run("new", "device", "valve", "--protocol", "acme_bus")
+    assert (result.code, result.out) == (2, "")
+    assert "the protocol acme_bus has findings" in result.err
 
 
 def test_a_new_device_may_use_a_protocol_of_an_installed_package(site: Site) -> None:
-    made = site.run("new", "device", "valve", "--protocol", "acme_bus")
-    assert (made.code, made.out) == (0, "specs/valve/device.yaml\n")
+    result = site.run("new", "device", "valve", "--protocol", "acme_bus")
+    assert (result.code, result.out) == (0, "specs/valve/device.yaml\n")
     assert site.run("check", "valve").code == 0
     assert not (site.folder / "specs/protocols").exists()
 

@@ -76,7 +76,7 @@ def encode(layout: DeviceLayout, example: Example, values: dict[str, Any], code:
     )
     station = frame.role("unit_address")
     first = [values[station.name]] if station else []
-    parts = {part.name: head_value(module, part, values[part.name]) for part in frame.head if is_argument(part)}
+    parts = {part.name: head_value(module, part, values[part.name]) for part in frame.header if is_argument(part)}
     named = {name if name not in KEYWORDS else f"{name}_": value for name, value in parts.items()}
     if example.exception_response:
         encoded = spoken.encode_error(*first, code, body, **named)
@@ -102,7 +102,7 @@ def head_value(module: Any, part: Any, number: int) -> Any:
 def head_of(layout: DeviceLayout, link: str, direction: str, decoded: Any) -> dict[str, Any]:
     """The header parts of a decoded frame by the names of the spec, without the code."""
     parts = {}
-    for part in layout.links[link].frame(direction).head:
+    for part in layout.links[link].frame(direction).header:
         if part.role == "unit_address":
             parts[part.name] = decoded.station
         elif is_argument(part):
@@ -150,7 +150,7 @@ def test_a_frame_is_read_or_refused_as_the_reference_does(name: str, data: st.Da
     values = data.draw(values_of(layout, record))
     heads = {
         p.name: p.value.ranges.low if p.value and p.value.ranges else 1
-        for p in layout.links[link].frame(direction).head
+        for p in layout.links[link].frame(direction).header
     }
     stations = layout.links[link].link.unit_addresses
     station = layout.links[link].frame(direction).role("unit_address")
@@ -207,7 +207,7 @@ def decoded_by_reference(layout: DeviceLayout, link: str, direction: str, messag
     decoded = reference_of(layout).links[link].decode(frame, direction, message)
     coded, head = layout.links[link].frame(direction).role("code"), dict(decoded.head)
     code = head.pop(coded.name) if coded else None
-    for part in layout.links[link].frame(direction).head:
+    for part in layout.links[link].frame(direction).header:
         if part.role == "plain" and not is_argument(part):
             head.pop(part.name, None)
     assert decoded.body is not None
@@ -223,7 +223,7 @@ def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: by
     except CodecError:
         return frame
     length, check = shape.role("length"), shape.checksum
-    if len(data) < shape.head_size + shape.tail_size:
+    if len(data) < shape.header_size + shape.trailer_size:
         return frame
     units = length.number(len(data)) if length is not None else None
     if length is not None and units is not None:

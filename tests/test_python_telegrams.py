@@ -22,7 +22,7 @@ CODELESS = [
     pytest.param(layout, link, id=f"{layout.device.id}-{layout.device.version}-{link.name}")
     for layout in all_layouts()
     for link in layout.links.values()
-    if not link.request.head and link.messages
+    if not link.request.header and link.messages
 ]
 
 

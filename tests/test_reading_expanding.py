@@ -130,7 +130,7 @@ def test_numbers_of_members_are_the_members_of_another_enum() -> None:
     ("text", "message"),
     [
         ("messages: [{name: a, request: [{signal: «speed»}]}]\n", "there is no signal `speed`"),
-        ("enums: [{name: a, derived: {flags: «b»}}]\n", "there is no word of flags `b`"),
+        ("enums: [{name: a, derived: {flags: «b»}}]\n", "there is no bit field `b`"),
         ("enums: [{name: a, derived: {enum: «b»}}]\n", "there is no enum `b`"),
         (
             "registers: [{group: a, rows: [{at: 1, name: x, type: u8}], "

@@ -79,7 +79,7 @@ def test_an_erratum_whose_proof_does_not_fail_is_a_finding_of_the_audit(
     ran = CommandLine(capsys, monkeypatch, tmp_path)("audit", "pump")
     assert ran.code == 1
     assert "1 of 14 errata whose proof does not fail" in ran.lines
-    assert "error[errata_proven]: with the print put back, `bits_unique` still passes" in ran.out
+    assert "error[errata_proven]: with the printed value, `bits_unique` still passes" in ran.out
 
 
 def test_a_judgement_that_nothing_decides_is_open() -> None:

@@ -168,8 +168,8 @@ def test_c_and_the_reference_agree_on_damaged_frames(driver: tuple[DeviceLayout,
         of_values = reason in ("unknown_value", "wrong_const", "wrong_measure")
         # A frame whose delimiters or characters are wrong has no parts.
         size = len(reference.links[example.link].parts(frame)) if of_values else 0
-        behind = {part.at(size) for part in shape.tail} if of_values else set()
-        inside = of_values and (offset is None or (offset >= shape.head_size and offset not in behind))
+        behind = {part.at(size) for part in shape.trailer} if of_values else set()
+        inside = of_values and (offset is None or (offset >= shape.header_size and offset not in behind))
         if reason == "" or inside:
             assert status == 0, (example.id, frame.hex(), reason, status)
         elif reason in ("wrong_mark", "not_hex", "wrong_check", "wrong_const"):

@@ -25,7 +25,7 @@ def with_ending(ending: str) -> list[str]:
     return [path for path in documentation() if path.endswith(ending)]
 
 
-def shown(text: str) -> str:
+def visible_text(text: str) -> str:
     """Text as a page shows it: blanks in one, control characters as pictures."""
     text = re.sub(r"\s+", " ", text).strip()
-    return re.sub(r"[\x00-\x1f]", lambda found: chr(0x2400 + ord(found[0])), text)
+    return re.sub(r"[\x00-\x1f]", lambda match: chr(0x2400 + ord(match[0])), text)

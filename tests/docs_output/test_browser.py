@@ -52,8 +52,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def rows(browser: webdriver.Chrome) -> list[str]:
     """The ids of the rows that are to be seen."""
     script = "return [...document.querySelectorAll('tbody tr[id]')].filter(r => r.offsetParent).map(r => r.id)"
-    found: list[str] = browser.execute_script(script)
-    return found
+    result: list[str] = browser.execute_script(script)
+    return result
 
 
 def filtered(browser: webdriver.Chrome, folder: Path, path: str, text: str) -> list[str]:
@@ -74,9 +74,9 @@ def test_a_page_opens_without_errors_and_asks_for_nothing(browser: webdriver.Chr
 
 
 def test_the_filter_finds_a_register_by_its_address(browser: webdriver.Chrome, folder: Path) -> None:
-    found = filtered(browser, folder, "tc100/2.0.html", "0x2011")
-    assert "registers/servo" in found
-    assert "registers/motion_command" not in found
+    actual = filtered(browser, folder, "tc100/2.0.html", "0x2011")
+    assert "registers/servo" in actual
+    assert "registers/motion_command" not in actual
     assert browser.find_element(By.ID, "count").text.endswith("rows")
 
 
@@ -90,8 +90,8 @@ def test_the_filter_takes_words_in_any_order_and_case(browser: webdriver.Chrome,
 
 def test_the_filter_hides_sections_and_contents_that_have_nothing(browser: webdriver.Chrome, folder: Path) -> None:
     filtered(browser, folder, "widget/2.0.html", "no such thing at all")
-    assert not [one for one in browser.find_elements(By.TAG_NAME, "section") if one.is_displayed()]
-    assert not [one for one in browser.find_elements(By.CSS_SELECTOR, "nav li") if one.is_displayed()]
+    assert not [element for element in browser.find_elements(By.TAG_NAME, "section") if element.is_displayed()]
+    assert not [element for element in browser.find_elements(By.CSS_SELECTOR, "nav li") if element.is_displayed()]
 
 
 def test_escape_shows_everything_again(browser: webdriver.Chrome, folder: Path) -> None:
@@ -121,7 +121,7 @@ def test_a_page_follows_the_colour_scheme(browser: webdriver.Chrome, folder: Pat
     browser.get((folder / "widget/2.0.html").as_uri())
     ground = browser.execute_script("return getComputedStyle(document.body).backgroundColor")
     text = browser.execute_script("return getComputedStyle(document.body).color")
-    level = {name: sum(map(int, held[4:-1].split(","))) for name, held in (("ground", ground), ("text", text))}
+    level = {name: sum(map(int, value[4:-1].split(","))) for name, value in (("ground", ground), ("text", text))}
     assert (level["ground"] < level["text"]) is dark
 
 

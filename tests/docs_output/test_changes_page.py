@@ -10,7 +10,7 @@ from xml.etree.ElementTree import Element
 import html5lib
 import pytest
 
-from docs_output.documented import documentation, shown
+from docs_output.documented import documentation, visible_text
 from fieldspec.backends.docs.backend import files
 from fieldspec.backends.docs.changes import page_name, steps
 from fieldspec.backends.docs.document import innermost
@@ -19,7 +19,7 @@ from fieldspec.model.texts import Acceptance
 from fieldspec.reading.project import read
 from layouts import TEST_SPECS, all_layouts, layout_at, layouts
 
-LAYOUTS = {f"{laid.device.id}/{laid.device.version}.html": laid for laid in all_layouts()}
+LAYOUTS = {f"{layout.device.id}/{layout.device.version}.html": layout for layout in all_layouts()}
 
 SPEC = """
 device: {id: mill, name: Mill, vendor: Making, manual: {title: T, language: en, file: f, sha256: "%s", lines: 9}}
@@ -47,27 +47,27 @@ accepts:
 def elements(path: str) -> dict[str, Element]:
     """The elements of a page by their anchors."""
     tree = html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse(documentation()[path])
-    return {held: node for node in tree.iter() if (held := node.get("id"))}
+    return {value: node for node in tree.iter() if (value := node.get("id"))}
 
 
 def text_of(node: Element) -> str:
-    return shown("".join(node.itertext()))
+    return visible_text("".join(node.itertext()))
 
 
-def bounded(thing: object) -> Iterator[tuple[str, str]]:
+def bounded(node: object) -> Iterator[tuple[str, str]]:
     """The paths of all facts that say for which versions they hold, each with what its badges say."""
-    if isinstance(thing, tuple | list):
-        for item in thing:
+    if isinstance(node, tuple | list):
+        for item in node:
             yield from bounded(item)
-    elif isinstance(thing, dict):
-        yield from bounded(list(thing.values()))
-    elif dataclasses.is_dataclass(thing) and not isinstance(thing, type | Acceptance):
+    elif isinstance(node, dict):
+        yield from bounded(list(node.values()))
+    elif dataclasses.is_dataclass(node) and not isinstance(node, type | Acceptance):
         for key in ("since", "until", "only"):
-            if held := getattr(thing, key, ()):
-                yield thing.place.path, f"{key} {', '.join(held)}"  # type: ignore[attr-defined]
-        for field in dataclasses.fields(thing):
+            if value := getattr(node, key, ()):
+                yield node.place.path, f"{key} {', '.join(value)}"  # type: ignore[attr-defined]
+        for field in dataclasses.fields(node):
             if field.name != "place":
-                yield from bounded(getattr(thing, field.name))
+                yield from bounded(getattr(node, field.name))
 
 
 @pytest.mark.parametrize("path", LAYOUTS)
@@ -82,7 +82,7 @@ def test_facts_that_not_all_versions_have_say_so_where_they_stand(path: str) -> 
 
 
 def test_there_are_badges_to_be_seen() -> None:
-    assert sum(len(list(bounded(laid.device))) for laid in LAYOUTS.values()) > 30
+    assert sum(len(list(bounded(layout.device))) for layout in LAYOUTS.values()) > 30
 
 
 def mill() -> list[DeviceLayout]:
@@ -92,8 +92,8 @@ def mill() -> list[DeviceLayout]:
 
 
 def test_each_version_is_compared_with_the_one_before_it() -> None:
-    found = [(step.old.device.version, step.new.device.version) for step in steps(mill())]
-    assert found == [("1.0", "changes"), ("changes", "3.0")]
+    result = [(step.old.device.version, step.new.device.version) for step in steps(mill())]
+    assert result == [("1.0", "changes"), ("changes", "3.0")]
 
 
 def test_changes_stand_below_whom_they_concern() -> None:
@@ -129,7 +129,7 @@ def test_every_version_page_and_the_list_of_versions_lead_to_the_changes() -> No
 
 def test_the_identity_of_both_versions_is_on_the_page() -> None:
     text = files(mill())["mill/changes.md"]
-    assert all(laid.identity in text for laid in mill())
+    assert all(layout.identity in text for layout in mill())
 
 
 def test_a_change_that_is_accepted_says_why() -> None:

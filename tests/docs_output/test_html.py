@@ -13,14 +13,14 @@ from xml.etree.ElementTree import Element
 import html5lib
 import pytest
 
-from docs_output.documented import documentation, shown, with_ending
+from docs_output.documented import documentation, visible_text, with_ending
 from fieldspec.backends.docs.backend import files
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Fact
 from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
 
 PAGES = with_ending(".html")
-LAYOUTS = {f"{laid.device.id}/{laid.device.version}.html": laid for laid in all_layouts()}
+LAYOUTS = {f"{layout.device.id}/{layout.device.version}.html": layout for layout in all_layouts()}
 TEXTS = ("printed_name", "label", "doc", "title", "zero", "one", "when", "problem", "cause", "rule", "text")
 
 
@@ -33,7 +33,7 @@ def tree(path: str) -> Element:
 
 
 def text_of(node: Element) -> str:
-    return shown("".join(node.itertext()))
+    return visible_text("".join(node.itertext()))
 
 
 def visible(path: str) -> str:
@@ -42,27 +42,27 @@ def visible(path: str) -> str:
     return text_of(body)
 
 
-def strings(thing: object) -> Iterator[str]:
+def strings(node: object) -> Iterator[str]:
     """The texts that a model holds for its readers."""
-    if isinstance(thing, tuple | list):
-        for item in thing:
+    if isinstance(node, tuple | list):
+        for item in node:
             yield from strings(item)
-    elif isinstance(thing, dict):
-        yield from strings(list(thing.values()))
-    elif dataclasses.is_dataclass(thing) and not isinstance(thing, type):
-        for field in dataclasses.fields(thing):
-            held = getattr(thing, field.name)
-            if isinstance(held, str) and field.name in TEXTS:
-                yield held
+    elif isinstance(node, dict):
+        yield from strings(list(node.values()))
+    elif dataclasses.is_dataclass(node) and not isinstance(node, type):
+        for field in dataclasses.fields(node):
+            text = getattr(node, field.name)
+            if isinstance(text, str) and field.name in TEXTS:
+                yield text
             elif field.name in ("notes", "remedies"):
-                yield from (held if all(isinstance(one, str) for one in held) else strings(held))
+                yield from (text if all(isinstance(item, str) for item in text) else strings(text))
             elif field.name not in ("place", "restated", "examples", "errata", "lines", "sources"):
-                yield from strings(held)
+                yield from strings(text)
 
 
-def facts(laid: DeviceLayout) -> Iterator[Fact]:
+def facts(layout: DeviceLayout) -> Iterator[Fact]:
     """The facts that have an anchor of their own."""
-    device = laid.device
+    device = layout.device
     yield from device.registers()
     for holder in (device.links, device.messages, device.tables, device.parameters, device.enums, device.flags):
         yield from holder.values()
@@ -101,7 +101,7 @@ def test_links_lead_to_anchors_and_pages_that_are_there(path: str) -> None:
     for node in tree(path).iter("a"):
         page, _, anchor = (node.get("href") or "").partition("#")
         assert not page or f"{folder}/{page}" in PAGES, page
-        known = {one.get("id") for one in tree(f"{folder}/{page}").iter()} if page else ids
+        known = {element.get("id") for element in tree(f"{folder}/{page}").iter()} if page else ids
         assert not anchor or anchor in known, node.get("href")
 
 
@@ -150,7 +150,7 @@ def test_every_fact_has_its_anchor(path: str) -> None:
 @pytest.mark.parametrize("path", LAYOUTS)
 def test_every_text_of_a_spec_is_on_its_page(path: str) -> None:
     page = visible(path)
-    missing = {text for text in strings(LAYOUTS[path].device) if shown(text) not in page}
+    missing = {text for text in strings(LAYOUTS[path].device) if visible_text(text) not in page}
     assert missing == set()
 
 
@@ -161,7 +161,7 @@ def test_examples_and_errata_are_on_the_page(path: str) -> None:
     assert {f"examples/{name}" for name in device.examples} <= ids
     assert {f"errata/{erratum.id}" for erratum in device.errata} <= ids
     page = visible(path)
-    assert [erratum.reason for erratum in device.errata if shown(erratum.reason) not in page] == []
+    assert [erratum.reason for erratum in device.errata if visible_text(erratum.reason) not in page] == []
 
 
 @pytest.mark.parametrize("path", LAYOUTS)
@@ -208,7 +208,7 @@ def test_what_is_inferred_is_marked_with_the_reason() -> None:
     notes = {node.get("id"): text_of(node) for node in page.iter("li") if node.get("id")}
     assert len(marks) == len(register.inferred) > 0
     for reason in register.inferred.values():
-        assert any(shown(reason) in notes[mark] for mark in marks)
+        assert any(visible_text(reason) in notes[mark] for mark in marks)
 
 
 def test_a_word_is_drawn_with_a_box_for_each_bit() -> None:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from docs_output.documented import documentation, shown, with_ending
+from docs_output.documented import documentation, visible_text, with_ending
 from fieldspec.backends.docs.markdown import escaped
 from fieldspec.html_text import clean
 from layouts import TEST_SPECS, newest
@@ -25,17 +25,19 @@ def tokens(path: str) -> list[Token]:
     return MarkdownIt("commonmark").enable("table").parse(documentation()[path])
 
 
-def inline(found: list[Token]) -> list[Token]:
-    return [child for token in found for child in token.children or ()]
+def inline(tokens: list[Token]) -> list[Token]:
+    return [child for token in tokens for child in token.children or ()]
 
 
-def text_of(found: list[Token]) -> str:
-    return shown(" ".join(token.content for token in found if token.type in ("text", "code_inline", "text_special")))
+def text_of(tokens: list[Token]) -> str:
+    return visible_text(
+        " ".join(token.content for token in tokens if token.type in ("text", "code_inline", "text_special"))
+    )
 
 
-def flowing(found: list[Token]) -> str:
-    return shown(
-        "".join(token.content for token in inline(found) if token.type in ("text", "code_inline", "softbreak"))
+def flowing(tokens: list[Token]) -> str:
+    return visible_text(
+        "".join(token.content for token in inline(tokens) if token.type in ("text", "code_inline", "softbreak"))
     )
 
 
@@ -79,22 +81,22 @@ def test_labels_arrive_as_the_text_that_they_are() -> None:
     page = flowing(tokens("hostile/1.md"))
     for enum in device.enums.values():
         for member in enum.members:
-            assert shown(member.label) in page
+            assert visible_text(member.label) in page
 
 
 def test_labels_do_not_begin_headings_or_lists() -> None:
     headings = [token for token in tokens("hostile/1.md") if token.type == "heading_open"]
-    written = [line for line in documentation()["hostile/1.md"].splitlines() if line.startswith("#")]
-    assert len(headings) == len(written)
+    text = [line for line in documentation()["hostile/1.md"].splitlines() if line.startswith("#")]
+    assert len(headings) == len(text)
 
 
 @settings(deadline=None)
 @given(st.text(alphabet=st.characters(exclude_categories=["Cs"]), max_size=30))
 def test_any_text_means_itself(text: str) -> None:
     wanted = clean(text).strip(" ")
-    found = MarkdownIt("commonmark").enable("table").parse(f"before {escaped(wanted)} after")
-    shown_text = "".join(token.content for token in inline(found))
-    assert shown_text == f"before {wanted} after" if wanted else shown_text.startswith("before")
+    tokens = MarkdownIt("commonmark").enable("table").parse(f"before {escaped(wanted)} after")
+    visible_text = "".join(token.content for token in inline(tokens))
+    assert visible_text == f"before {wanted} after" if wanted else visible_text.startswith("before")
 
 
 @settings(deadline=None)
@@ -105,8 +107,8 @@ def test_any_text_means_itself_at_the_start_of_a_line_and_in_a_table(text: str) 
         lone = MarkdownIt("commonmark").enable("table").parse(escaped(wanted))
         assert [token.type for token in lone] == ["paragraph_open", "inline", "paragraph_close"]
         assert "".join(token.content for token in inline(lone)) == wanted
-        held = MarkdownIt("commonmark").enable("table").parse(f"| a | b |\n|---|---|\n| {escaped(wanted)} | end |\n")
-        cells = [token for token in held if token.type == "inline"]
+        tokens = MarkdownIt("commonmark").enable("table").parse(f"| a | b |\n|---|---|\n| {escaped(wanted)} | end |\n")
+        cells = [token for token in tokens if token.type == "inline"]
         assert "".join(child.content for child in cells[2].children or ()) == wanted
         assert cells[3].content == "end"
 

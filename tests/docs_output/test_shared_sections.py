@@ -21,7 +21,7 @@ def forms(document: Document) -> tuple[str, str]:
 @pytest.mark.parametrize("versions", SEVERAL, ids=[versions[0].device.id for versions in SEVERAL])
 def test_pages_that_are_made_together_are_those_that_are_made_alone(versions: list[DeviceLayout]) -> None:
     holding = Holding(versions)
-    together = [forms(made) for made in [page(layout, holding) for layout in versions]]
+    together = [forms(document) for document in [page(layout, holding) for layout in versions]]
     assert together == [forms(page(layout, Holding(versions))) for layout in versions]
 
 

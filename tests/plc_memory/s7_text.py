@@ -11,7 +11,7 @@ _MEMBER = re.compile(r'      ("?)(\w+)\1 : ([^;]+);(?:   // (.*))?')
 _ARRAY = re.compile(r"ARRAY\[0\.\.(\d+)\] OF (.+)")
 
 # The types of STEP 7 as wide as those that it lacks: its memory is the same.
-_SIGNED_TWINS = {"UINT": "INT", "UDINT": "DINT", "USINT": "BYTE", "SINT": "BYTE"}
+_SIGNED_TYPES = {"UINT": "INT", "UDINT": "DINT", "USINT": "BYTE", "SINT": "BYTE"}
 WIDTHS = {"BYTE": 1, "INT": 2, "WORD": 2, "DINT": 4, "DWORD": 4, "REAL": 4}
 
 
@@ -26,39 +26,39 @@ class Member:
 
 def types(text: str) -> dict[str, list[Member]]:
     """The types of a source by name, in its order."""
-    plain = text.removeprefix("\ufeff").replace("\r\n", "\n")
-    found: dict[str, list[Member]] = {}
-    for match in _TYPE.finditer(plain):
+    name = text.removeprefix("\ufeff").replace("\r\n", "\n")
+    members: dict[str, list[Member]] = {}
+    for match in _TYPE.finditer(name):
         lines = [_MEMBER.fullmatch(line) for line in match[2].splitlines()]
         assert all(lines), match[1]
-        found[match[1]] = [Member(line[2], line[3], line[4] or "") for line in lines if line]
-    assert len(found) == plain.count("\nTYPE ")
-    return found
+        members[match[1]] = [Member(line[2], line[3], line[4] or "") for line in lines if line]
+    assert len(members) == name.count("\nTYPE ")
+    return members
 
 
 def blocks(text: str) -> dict[str, str]:
     """The data blocks of a source by name."""
-    plain = text.removeprefix("\ufeff").replace("\r\n", "\n")
-    return {match[1]: match[2] for match in _BLOCK.finditer(plain)}
+    name = text.removeprefix("\ufeff").replace("\r\n", "\n")
+    return {match[1]: match[2] for match in _BLOCK.finditer(name)}
 
 
-def step7(name: str, held: dict[str, list[Member]], values: dict[str, int], path: str = "") -> list[str]:
+def step7(name: str, members: dict[str, list[Member]], values: dict[str, int], path: str = "") -> list[str]:
     """The members of a type in STEP 7's own form, types written out, with initial values by their paths."""
     lines = []
     # It takes names of at most 24 characters.
-    for at, member in enumerate(held[name]):
+    for at, member in enumerate(members[name]):
         inner = member.type.strip('"')
         array = _ARRAY.fullmatch(member.type)
         where = f"{path}{member.name}"
-        if inner in held:
-            lines += [f"m{at} : STRUCT", *step7(inner, held, values, f"{where}."), "END_STRUCT;"]
+        if inner in members:
+            lines += [f"m{at} : STRUCT", *step7(inner, members, values, f"{where}."), "END_STRUCT;"]
         elif array:
-            twin = _SIGNED_TWINS.get(array[2], array[2])
+            twin = _SIGNED_TYPES.get(array[2], array[2])
             count = int(array[1]) + 1
-            given = ", ".join(_literal(twin, values.get(f"{where}[{number}]", 0)) for number in range(count))
-            lines.append(f"m{at} : ARRAY[0 .. {array[1]}] OF {twin} := {given};")
+            text = ", ".join(_literal(twin, values.get(f"{where}[{number}]", 0)) for number in range(count))
+            lines.append(f"m{at} : ARRAY[0 .. {array[1]}] OF {twin} := {text};")
         else:
-            twin = _SIGNED_TWINS.get(member.type, member.type)
+            twin = _SIGNED_TYPES.get(member.type, member.type)
             lines.append(f"m{at} : {twin} := {_literal(twin, values.get(where, 0))};")
     return lines
 

@@ -44,7 +44,7 @@ def body(layout: DeviceLayout, example: Example) -> bytes:
     if link.link.encoding == "hex_ascii":
         data = bytes.fromhex(data.decode("ascii"))
     shape = link.frame(example.direction)
-    return data[shape.head_size : len(data) - shape.tail_size]
+    return data[shape.header_size : len(data) - shape.trailer_size]
 
 
 def at_path(values: Any, path: str, element: int) -> Any:
@@ -57,20 +57,24 @@ def at_path(values: Any, path: str, element: int) -> Any:
     return values
 
 
-def compared(held: Placed, data: bytes, values: Any) -> int:
+def compared(placed_member: Placed, data: bytes, values: Any) -> int:
     """How many numbers of an example have been found in its bytes where the model has them; all must be right."""
     count = 0
-    strides = {f"{path}[]": one for path, _, one in held.rows() if one.inner is not None and one.is_array}
-    for path, at, one in held.rows():
-        value = one.member.value
-        if one.inner is not None or value is None:
+    strides = {
+        f"{path}[]": placed_member
+        for path, _, placed_member in placed_member.rows()
+        if placed_member.inner is not None and placed_member.is_array
+    }
+    for path, at, layout_row in placed_member.rows():
+        value = layout_row.member.value
+        if layout_row.inner is not None or value is None:
             continue
         outer = next((around for before, around in strides.items() if path.startswith(f"{before}.")), None)
         for element in range(outer.count if outer else 1):
             meant = at_path(values, path, element)
             for number, single in enumerate(meant if isinstance(meant, list) else [] if meant is None else [meant]):
-                first = at + (element * outer.stride if outer else 0) + number * one.stride
-                raw = value_construct(value, one.member.order, one.member.swapped).parse(
+                first = at + (element * outer.stride if outer else 0) + number * layout_row.stride
+                raw = value_construct(value, layout_row.member.order, layout_row.member.swapped).parse(
                     data[first : first + value.size]
                 )
                 if value.type.kind is Kind.TEXT:
@@ -92,15 +96,19 @@ def test_the_bytes_of_every_example_hold_its_values_where_the_model_has_them(
         data = body(layout, example)
         record = layout.messages[example.message].data(example.direction).of_data(data)
         assert record is not None
-        held = image(layout, record, memory)
-        if any(True for _ in misfits(held)):
+        placed_member = image(layout, record, memory)
+        if any(True for _ in misfits(placed_member)):
             wire = [field.offset for field in record.fields]
-            assert [one.at for one in held.members] != wire or held.size != record.size or shifted(held)
+            assert (
+                [placed_member.at for placed_member in placed_member.members] != wire
+                or placed_member.size != record.size
+                or shifted(placed_member)
+            )
             seen["refused"] += 1
             continue
         values = reference.links[example.link].decode(example.frame, example.direction, example.message)
         seen["exact"] += 1
-        seen["numbers"] += compared(held, data, values.values)
+        seen["numbers"] += compared(placed_member, data, values.values)
     assert seen["refused"] == 0 or memory.name != "tc3:1"
     assert seen["numbers"] >= seen["exact"] - empty(layout)
 
@@ -110,23 +118,24 @@ def empty(layout: DeviceLayout) -> int:
     return sum(not body(layout, example) for example in layout.device.examples.values() if example.message)
 
 
-def shifted(held: Placed) -> bool:
+def shifted(placed_member: Placed) -> bool:
     """Whether something within a member lies elsewhere, or its elements are further apart."""
     return any(
-        (one.inner is not None and any(True for _ in misfits(one.inner))) or one.stride != one.size
-        for one in held.members
+        (placed_member.inner is not None and any(True for _ in misfits(placed_member.inner)))
+        or placed_member.stride != placed_member.size
+        for placed_member in placed_member.members
     )
 
 
-@pytest.mark.parametrize("memory", [MEMORIES[name] for name in ("tc3:1", "tc3:2", "s7")], ids=lambda one: one.name)
+@pytest.mark.parametrize("memory", [MEMORIES[name] for name in ("tc3:1", "tc3:2", "s7")], ids=lambda item: item.name)
 def test_every_telegram_is_as_long_as_it_is_configured(memory: Memory) -> None:
     layout = newest(SPECS, "hiwin-e")
     sizes = {}
     for message in layout.links["cyclic"].messages.values():
         for data in (message.request, message.response):
-            held = image(layout, data, memory, packed=memory.bits)
-            assert list(misfits(held)) == [], data.name
-            sizes[data.name] = held.size
+            placed_member = image(layout, data, memory, packed=memory.bits)
+            assert list(misfits(placed_member)) == [], data.name
+            sizes[data.name] = placed_member.size
     assert sizes["telegram_111_request"] == sizes["telegram_111_response"] == 24
     words = {name: message.message.request_words for name, message in layout.messages.items()}
     assert sizes == {name: size for name, size in sizes.items() if size == 2 * (words_of(layout, name) or 0)}
@@ -136,8 +145,8 @@ def test_every_telegram_is_as_long_as_it_is_configured(memory: Memory) -> None:
 def words_of(layout: DeviceLayout, name: str) -> int | None:
     """The words that the manual prints for one direction of a telegram."""
     message, _, direction = name.rpartition("_")
-    held = layout.messages[message].message
-    return held.request_words if direction == "request" else held.response_words
+    value = layout.messages[message].message
+    return value.request_words if direction == "request" else value.response_words
 
 
 @pytest.mark.parametrize("name", list(DIALECTS))
@@ -145,19 +154,19 @@ def test_telegram_111_has_24_bytes_in_the_images_of_every_dialect(name: str) -> 
     declared = declarations(newest(SPECS, "hiwin-e"), DIALECTS[name])
     assert declared.findings == ()
     for direction in ("request", "response"):
-        held = declared.image(f"telegram_111_{direction}")
-        assert held is not None
-        assert declared.placed(held).size == 24
+        struct = declared.image(f"telegram_111_{direction}")
+        assert struct is not None
+        assert declared.placed(struct).size == 24
 
 
 @pytest.mark.parametrize("name", ["tc3:4", "tc3:8", "codesys", "c"])
 def test_natural_alignment_would_make_telegram_111_longer_and_is_refused(name: str) -> None:
     layout = newest(SPECS, "hiwin-e")
-    held = image(layout, layout.messages["telegram_111"].request, MEMORIES[name])
-    assert held.size == 28
-    assert list(held.gaps()) == [(10, 2), (26, 2)]
-    refused = misfit_findings(held)
-    assert {one.code for one in refused} == {"plc_images_exact"}
+    placed_member = image(layout, layout.messages["telegram_111"].request, MEMORIES[name])
+    assert placed_member.size == 28
+    assert list(placed_member.gaps()) == [(10, 2), (26, 2)]
+    refused = misfit_findings(placed_member)
+    assert {finding.code for finding in refused} == {"plc_images_exact"}
     assert "mdi_target_position begins at byte 12, on the wire at byte 10" in refused[0].message
     assert "has 28 bytes, on the wire 24" in refused[-1].message
 
@@ -170,8 +179,8 @@ def struct(name: str, *kinds: Type) -> Struct:
 
 def sizes(members: tuple[Type, ...], inner: Struct | None = None) -> dict[str, int]:
     whole = struct("whole", *members)
-    held = {one.name: one for one in (whole, *([inner] if inner else []))}
-    return {name: placed(whole, memory, held).size for name, memory in MEMORIES.items()}
+    structs = {struct.name: struct for struct in (whole, *([inner] if inner else []))}
+    return {name: placed(whole, memory, structs).size for name, memory in MEMORIES.items()}
 
 
 # The numbers of TwinCAT are those of Beckhoff's page on pack_mode, those of S7 what TIA Portal shows as offsets.
@@ -193,10 +202,15 @@ def test_structs_have_the_sizes_that_the_makers_document(members: tuple[Type, ..
 
 def test_structs_in_arrays_are_filled_up_to_their_alignment() -> None:
     inner = struct("inner", DINT, BYTE)
-    found_sizes = sizes((ArrayType(0, 3, StructType("inner")), BYTE), inner)
-    assert (found_sizes["tc3:1"], found_sizes["tc3:2"], found_sizes["tc3:4"], found_sizes["s7"]) == (21, 26, 36, 26)
+    memory_sizes = sizes((ArrayType(0, 3, StructType("inner")), BYTE), inner)
+    assert (memory_sizes["tc3:1"], memory_sizes["tc3:2"], memory_sizes["tc3:4"], memory_sizes["s7"]) == (21, 26, 36, 26)
 
 
 def test_bits_that_follow_each_other_share_bytes_where_the_controller_packs_them() -> None:
-    held = placed(struct("bits", *(BOOL,) * 9, BYTE, INT), MEMORIES["s7"], {})
-    assert [(one.at, one.bit) for one in held.members[7:]] == [(0, 7), (1, 0), (2, None), (4, None)]
+    value = placed(struct("bits", *(BOOL,) * 9, BYTE, INT), MEMORIES["s7"], {})
+    assert [(placed_member.at, placed_member.bit) for placed_member in value.members[7:]] == [
+        (0, 7),
+        (1, 0),
+        (2, None),
+        (4, None),
+    ]

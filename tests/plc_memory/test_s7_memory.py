@@ -34,13 +34,13 @@ TRIES = 3
 
 def text(layout: DeviceLayout, kind: str) -> str:
     """One of the generated files."""
-    found = made(layout.device.id)[f"{stem(layout.device.id, layout.device.version)}_{kind}"]
-    assert isinstance(found, str)
-    return found
+    text = built_sources(layout.device.id)[f"{stem(layout.device.id, layout.device.version)}_{kind}"]
+    assert isinstance(text, str)
+    return text
 
 
 @cache
-def made(device: str) -> dict[str, Any]:
+def built_sources(device: str) -> dict[str, Any]:
     return dict(files(layouts(SPECS)[device]))
 
 
@@ -51,7 +51,7 @@ def name_of(layout: DeviceLayout, key: str) -> str:
 def records(layout: DeviceLayout) -> dict[str, RecordLayout]:
     """The records that have an image in the generated text, by the names of these."""
     data = [side for message in layout.messages.values() for side in (message.request, message.response)]
-    known = {name_of(layout, one.name): one for one in (*data, *layout.records.values())}
+    known = {name_of(layout, record.name): record for record in (*data, *layout.records.values())}
     return {name: known[name] for name in types(text(layout, "types.udt")) if name in known}
 
 
@@ -71,27 +71,29 @@ def drawn(layout: DeviceLayout, record: RecordLayout, chance: random.Random) -> 
         low, high = chance.choice(value.ranges.intervals if value.ranges else ((value.type.low, value.type.high),))
         enum = layout.device.enums.get(value.enum)
         if enum is not None and not enum.open:
-            values[field.name] = chance.choice([one.value for one in enum.members if not one.unavailable])
+            values[field.name] = chance.choice([member.value for member in enum.members if not member.unavailable])
         else:
             values[field.name] = chance.randint(low, high)
     return values, encoded(record, values, layout.device)
 
 
-def by_path(held: dict[str, list[Member]], name: str, record: RecordLayout, values: dict[str, Any]) -> dict[str, int]:
+def by_path(
+    members: dict[str, list[Member]], name: str, record: RecordLayout, values: dict[str, Any]
+) -> dict[str, int]:
     """Values by the paths of an image's members; those of bits by the numbers that their comments tell."""
-    found: dict[str, int] = {}
-    for member, field in zip(held[name], record.fields, strict=True):
+    result: dict[str, int] = {}
+    for member, field in zip(members[name], record.fields, strict=True):
         value = field.value
         assert value is not None
         raw = values.get(field.name, value.const or 0)
-        inner = held.get(member.type.strip('"'))
+        inner = members.get(member.type.strip('"'))
         if inner is None:
-            found[member.name] = raw
+            result[member.name] = raw
             continue
         for bit in inner:
             number = int(bit.comment.split("bit ")[1].split(".")[0])
-            found[f"{member.name}.{bit.name}"] = raw >> number & 1
-    return found
+            result[f"{member.name}.{bit.name}"] = raw >> number & 1
+    return result
 
 
 def block_of_awlsim(lines: list[str]) -> bytes:
@@ -122,11 +124,11 @@ def needed(module: str) -> None:
 @pytest.mark.parametrize(("layout", "name"), IMAGES)
 def test_awlsim_makes_of_values_the_bytes_that_the_reference_makes(layout: DeviceLayout, name: str) -> None:
     needed("awlsim")
-    held, record = types(text(layout, "types.udt")), records(layout)[name]
+    value, record = types(text(layout, "types.udt")), records(layout)[name]
     chance = random.Random(name)
     for _ in range(TRIES):
         values, data = drawn(layout, record, chance)
-        assert block_of_awlsim(step7(name, held, by_path(held, name, record, values))) == data
+        assert block_of_awlsim(step7(name, value, by_path(value, name, record, values))) == data
 
 
 # It calls functions that pyparsing has renamed.
@@ -146,9 +148,9 @@ def test_awlsim_makes_of_the_values_of_every_telegram_its_bytes(layout: DeviceLa
     example = layout.device.examples[example_id]
     record = layout.messages[example.message].data(example.direction)
     name = name_of(layout, record.name)
-    held = types(text(layout, "types.udt"))
+    value = types(text(layout, "types.udt"))
     values = codec(layout).links[example.link].decode(example.frame, example.direction, example.message).values
-    assert block_of_awlsim(step7(name, held, by_path(held, name, record, values))) == example.frame
+    assert block_of_awlsim(step7(name, value, by_path(value, name, record, values))) == example.frame
 
 
 @cache
@@ -184,15 +186,15 @@ def test_the_generated_data_block_holds_every_telegram_as_s7datablock_reads_it(
     example = layout.device.examples[example_id]
     record = layout.messages[example.message].data(example.direction)
     name = name_of(layout, record.name)
-    held = types(text(layout, "types.udt"))
+    declared_types = types(text(layout, "types.udt"))
     values = codec(layout).links[example.link].decode(example.frame, example.direction, example.message).values
     block = parsed("hiwin-e", f"HiwinE{Name.of(example.message).pascal()}")
     member = "toDevice" if example.direction == "request" else "fromDevice"
     block.buffer[:] = bytes(len(block.buffer))
-    for path, value in by_path(held, name, record, values).items():
-        found = block.mapping[f"{member}.{path}"]
-        if found.struct_fmt == "h":  # it forgets the order of an Int
-            struct.pack_into(">h", block.buffer, found.offset, value)
+    for path, value in by_path(declared_types, name, record, values).items():
+        actual = block.mapping[f"{member}.{path}"]
+        if actual.struct_fmt == "h":  # it forgets the order of an Int
+            struct.pack_into(">h", block.buffer, actual.offset, value)
         else:
             block[f"{member}.{path}"] = value
     start = 0 if member == "toDevice" else layout.messages[example.message].request.size
@@ -206,7 +208,7 @@ def test_snap7_reads_every_telegram_from_a_server_by_the_offsets_of_the_table() 
 
     layout = layouts(SPECS)["hiwin-e"][-1]
     link = codec(layout).links["cyclic"]
-    examples = [one for one in layout.device.examples.values() if one.link == "cyclic" and one.message]
+    examples = [example for example in layout.device.examples.values() if example.link == "cyclic" and example.message]
     server, client = Server(), Client()
     port = free_port()
     for number, example in enumerate(examples, 1):
@@ -231,6 +233,6 @@ def test_snap7_reads_every_telegram_from_a_server_by_the_offsets_of_the_table() 
 
 
 def free_port() -> int:
-    with socket.socket() as one:
-        one.bind(("127.0.0.1", 0))
-        return int(one.getsockname()[1])
+    with socket.socket() as item:
+        item.bind(("127.0.0.1", 0))
+        return int(item.getsockname()[1])

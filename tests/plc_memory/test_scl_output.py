@@ -66,25 +66,25 @@ def test_types_stand_behind_those_that_they_use(layout: DeviceLayout) -> None:
 
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_every_type_that_blocks_and_functions_use_is_declared(layout: DeviceLayout) -> None:
-    made = sources(layout)
-    declared = set(types(made["types.udt"]))
-    used = {name for text in made.values() for name in re.findall(r': (?:ARRAY\[[^]]*\] OF )?"(type\w+)"', text)}
+    outputs = sources(layout)
+    declared = set(types(outputs["types.udt"]))
+    used = {name for text in outputs.values() for name in re.findall(r': (?:ARRAY\[[^]]*\] OF )?"(type\w+)"', text)}
     assert used <= declared
-    functions = set(re.findall(r'^FUNCTION "(\w+)"', made["functions.scl"], re.M))
-    called = set(re.findall(r'"(F_\w+)"\(', "".join(made.values())))
+    functions = set(re.findall(r'^FUNCTION "(\w+)"', outputs["functions.scl"], re.M))
+    called = set(re.findall(r'"(F_\w+)"\(', "".join(outputs.values())))
     assert called <= functions
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_no_text_of_a_spec_leaves_its_comment_or_its_string(layout: DeviceLayout) -> None:
-    made = sources(layout)
-    for line in made["types.udt"].removeprefix("\ufeff").split("\r\n"):
+    outputs = sources(layout)
+    for line in outputs["types.udt"].removeprefix("\ufeff").split("\r\n"):
         assert re.fullmatch(
             rf'|//.*|(TYPE|END_TYPE) ?("\w+")?|VERSION : 0\.1|   (END_)?STRUCT;?|'
             rf'      ("\w+"|\w+) : (ARRAY\[0\.\.\d+\] OF )*({ELEMENTARY}|"\w+"|STRING\[\d+\]);(   // .*)?',
             line,
         ), line
-    for line in made.get("data.db", "").removeprefix("\ufeff").split("\r\n"):
+    for line in outputs.get("data.db", "").removeprefix("\ufeff").split("\r\n"):
         assert re.fullmatch(
             r"|//.*|(BEGIN|NON_RETAIN|END_DATA_BLOCK|VERSION : 0\.1)|DATA_BLOCK \"\w+\"|   (END_)?STRUCT;?|"
             r"\{ S7_Optimized_Access := '(TRUE|FALSE)' \}|      \w+ : [^';]+( := \d+)?;(   // \d+ bytes)?|"
@@ -99,25 +99,25 @@ def test_strings_escape_what_ends_them_and_have_ascii_alone() -> None:
 
 
 def test_blocks_that_are_laid_over_the_wire_have_standard_access_and_the_others_are_optimized() -> None:
-    made = blocks(sources(newest(SPECS, "hiwin-e"))["data.db"])
-    assert len(made) > 10
-    for name, body in made.items():
+    outputs = blocks(sources(newest(SPECS, "hiwin-e"))["data.db"])
+    assert len(outputs) > 10
+    for name, body in outputs.items():
         overlaid = 'Image"' in body
         assert f"S7_Optimized_Access := '{'FALSE' if overlaid else 'TRUE'}'" in body, name
 
 
 def test_the_calls_in_the_comments_of_blocks_are_of_functions_that_are_there() -> None:
-    made = sources(newest(SPECS, "hiwin-e"))
-    assert '"F_HiwinE_PackTelegram111RequestBytes"(stData := "HiwinETelegram111Values".toDevice' in made["data.db"]
-    assert 'FUNCTION "F_HiwinE_PackTelegram111RequestBytes" : UINT' in made["functions.scl"]
+    outputs = sources(newest(SPECS, "hiwin-e"))
+    assert '"F_HiwinE_PackTelegram111RequestBytes"(stData := "HiwinETelegram111Values".toDevice' in outputs["data.db"]
+    assert 'FUNCTION "F_HiwinE_PackTelegram111RequestBytes" : UINT' in outputs["functions.scl"]
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_the_workbook_of_constants_is_in_the_form_of_tag_tables(layout: DeviceLayout) -> None:
-    held = files([layout])[f"{stem(layout.device.id, layout.device.version)}_constants.xlsx"]
-    assert isinstance(held, Workbook)
-    content = packed(held)
-    assert content == packed(held)
+    workbook = files([layout])[f"{stem(layout.device.id, layout.device.version)}_constants.xlsx"]
+    assert isinstance(workbook, Workbook)
+    content = packed(workbook)
+    assert content == packed(workbook)
     book = openpyxl.load_workbook(io.BytesIO(content))
     assert book.sheetnames == ["PLC Tags", "TagTable Properties", "Constants"]
     heading, *rows = book["Constants"].iter_rows(values_only=True)
@@ -138,15 +138,19 @@ def test_the_workbook_of_constants_is_in_the_form_of_tag_tables(layout: DeviceLa
 
 def test_constants_are_those_of_the_device() -> None:
     layout = newest(SPECS, "tc100")
-    held = {one.name: one for listed in declarations(layout, SIEMENS).constants for one in listed.constants}
+    constants = {
+        constant.name: constant
+        for constant_list in declarations(layout, SIEMENS).constants
+        for constant in constant_list.constants
+    }
     for register in layout.registers:
         if not register.register.reserved:
             name = f"TC100_REG_{register.name.upper()}"
-            if name in held:
-                assert held[name].value == register.address
+            if name in constants:
+                assert constants[name].value == register.address
     enum = layout.device.enums["alarm_code"]
     for member in enum.members:
-        assert held[f"TC100_ALARM_CODE_{member.name.upper()}"].value == member.value
+        assert constants[f"TC100_ALARM_CODE_{member.name.upper()}"].value == member.value
 
 
 def test_numbers_of_64_bits_are_split_in_the_order_of_the_wire() -> None:
@@ -161,7 +165,9 @@ def test_numbers_of_64_bits_are_split_in_the_order_of_the_wire() -> None:
     split |= {"balance_high": -1, "balance_low": 0xFFFFFFFE}
     del split["total"], split["balance"]
     assert encoded(halves, split, layout.device) == encoded(whole, values, layout.device)
-    addresses = {one.name: one.address for one in declared.layout.registers if one.name.startswith("total")}
+    addresses = {
+        register.name: register.address for register in declared.layout.registers if register.name.startswith("total")
+    }
     assert addresses == {"total_low": 0x12, "total_high": 0x14}
 
 
@@ -194,8 +200,8 @@ def test_labels_that_end_comments_are_labels(tmp_path: Path) -> None:
     (specs / "gadget" / "device.yaml").write_text(text, encoding="utf-8")
     assert main(["build", "--specs", str(specs), "--out", str(tmp_path / "out"), "--to", "scl"]) == 0
     (path,) = (tmp_path / "out" / "scl").glob("*_types.udt")
-    made = path.read_bytes().decode("utf-8")
-    (member,) = types(made)["typeGadgetPoint"]
+    content = path.read_bytes().decode("utf-8")
+    (member,) = types(content)["typeGadgetPoint"]
     assert member.comment.startswith("ends ( * and * ) here ) ( * / / /")
 
 
@@ -208,7 +214,7 @@ def test_only_what_the_rules_name_is_refused(layout: DeviceLayout) -> None:
 
 def test_two_functions_of_one_name_are_refused() -> None:
     layout = newest(TEST_SPECS, "widget")
-    held = project(layout)
-    (found,) = clashes(replace(held, routines=(*held.routines, held.routines[0])))
-    assert found.code == "plc_names_distinct"
-    assert held.routines[0].name in found.message
+    value = project(layout)
+    (finding,) = clashes(replace(value, routines=(*value.routines, value.routines[0])))
+    assert finding.code == "plc_names_distinct"
+    assert value.routines[0].name in finding.message

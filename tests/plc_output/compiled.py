@@ -76,22 +76,24 @@ class Compiled(Machine):
             env={**os.environ, "ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"},
         )
 
-    def call(self, name: str, **given: Any) -> tuple[Any, ...]:
+    def call(self, name: str, **arguments: Any) -> tuple[Any, ...]:
         """What a function returns, and behind it its outputs; what it is lent is changed."""
         function = self.unit.functions[name.lower()]
-        given = {key.lower(): value for key, value in given.items()}
-        sections = [(role, one, self.kind(kind)) for role, one, kind, _ in function.variables if role != "VAR"]
-        into = [(kind, given[one]) for role, one, kind in sections if role in ("VAR_INPUT", "VAR_IN_OUT")]
+        arguments = {key.lower(): value for key, value in arguments.items()}
+        sections = [
+            (role, variable, self.kind(kind)) for role, variable, kind, _ in function.variables if role != "VAR"
+        ]
+        into = [(kind, arguments[variable]) for role, variable, kind in sections if role in ("VAR_INPUT", "VAR_IN_OUT")]
         out = [
             (RESULT, "", self.kind(function.returns)),
-            *(one for role in ("VAR_OUTPUT", "VAR_IN_OUT") for one in sections if one[0] == role),
+            *(section for role in ("VAR_OUTPUT", "VAR_IN_OUT") for section in sections if section[0] == role),
         ]
         answer = self._asked(self.numbers[function.name], into, [kind for _, _, kind in out])
-        for (role, one, _), value in zip(out, answer, strict=True):
+        for (role, variable, _), value in zip(out, answer, strict=True):
             if role == "VAR_IN_OUT" and isinstance(value, list):
-                given[one][:] = value
+                arguments[variable][:] = value
             elif role == "VAR_IN_OUT":
-                given[one].update(value)
+                arguments[variable].update(value)
         return tuple(value for (role, _, _), value in zip(out, answer, strict=True) if role != "VAR_IN_OUT")
 
     def restart(self) -> None:
@@ -140,8 +142,8 @@ class Compiled(Machine):
     def _flatten(self, kind: Any, value: Any, out: list[Any]) -> None:
         kind = self.kind(kind)
         if isinstance(kind, tuple):
-            for one in value:
-                self._flatten(kind[3], one, out)
+            for item in value:
+                self._flatten(kind[3], item, out)
         elif kind in self.unit.structs:
             for name, of, _ in self.unit.structs[kind]:
                 self._flatten(of, value[name], out)
@@ -182,13 +184,13 @@ class Compiled(Machine):
         (place / "driver.c").write_text(self._driver((place / "POUS.h").read_text("utf-8")), "utf-8")
         compiler = [require_tool("gcc"), *FLAGS, *QUIET, "-isystem", str(tool / "lib" / "C"), f"-I{place}"]
         unfinished = place / "unfinished"
-        made = subprocess.run(
+        completed_process = subprocess.run(
             [*compiler, "-o", str(unfinished), str(place / "driver.c"), "-lm"],
             capture_output=True,
             text=True,
             check=False,
         )
-        assert made.returncode == 0, made.stderr[:3000]
+        assert completed_process.returncode == 0, completed_process.stderr[:3000]
         unfinished.rename(place / "program")
 
     def _driver(self, header: str) -> str:
@@ -206,20 +208,24 @@ class Compiled(Machine):
         ]
         for number, (name, function) in enumerate(self.unit.functions.items()):
             returns, rest = kinds[name]
-            types = {one: kind for kind, one in self._parameters(rest)}
+            types = {text: kind for kind, text in self._parameters(rest)}
             lines.append(f"static void run_{number}(void) {{")
-            sections = [(role, one, self.kind(kind)) for role, one, kind, _ in function.variables if role != "VAR"]
-            lines += [f"  static {types[one]} {one};" for _, one, _ in sections]
-            for role, one, kind in sections:
+            sections = [
+                (role, variable, self.kind(kind)) for role, variable, kind, _ in function.variables if role != "VAR"
+            ]
+            lines += [f"  static {types[variable]} {variable};" for _, variable, _ in sections]
+            for role, variable, kind in sections:
                 if role != "VAR_OUTPUT":
-                    lines += self._moved("get", one, kind, 1)
-            arguments = [one if role == "VAR_INPUT" else f"&{one}" for role, one, _ in self._in_order(sections, rest)]
+                    lines += self._moved("get", variable, kind, 1)
+            arguments = [
+                text if role == "VAR_INPUT" else f"&{text}" for role, text, _ in self._in_order(sections, rest)
+            ]
             lines.append(f"  {returns} result = {name.upper()}({', '.join(['1', 'NULL', *arguments])});")
             lines += self._moved("put", "result", self.kind(function.returns), 1)
             for wanted in ("VAR_OUTPUT", "VAR_IN_OUT"):
-                for role, one, kind in sections:
+                for role, variable, kind in sections:
                     if role == wanted:
-                        lines += self._moved("put", one, kind, 1)
+                        lines += self._moved("put", variable, kind, 1)
             lines.append("}")
         lines += self._block_lines()
         lines += [
@@ -239,14 +245,14 @@ class Compiled(Machine):
     @staticmethod
     def _parameters(rest: str) -> list[tuple[str, str]]:
         """The types and names of the parameters in a prototype."""
-        found = []
+        result = []
         for text in filter(None, (part.strip() for part in rest.split(","))):
             kind, _, name = text.partition(" ")
-            found.append((kind, name.removeprefix("*").removeprefix("__").lower()))
-        return found
+            result.append((kind, name.removeprefix("*").removeprefix("__").lower()))
+        return result
 
     def _in_order(self, sections: list[tuple[str, str, Any]], rest: str) -> list[tuple[str, str, Any]]:
-        by_name = {one: (role, one, kind) for role, one, kind in sections}
+        by_name = {text: (role, text, kind) for role, text, kind in sections}
         return [by_name[name] for _, name in self._parameters(rest)]
 
     def _block_lines(self) -> list[str]:

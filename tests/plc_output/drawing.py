@@ -34,15 +34,15 @@ def drawn_values(layout: DeviceLayout, record: RecordLayout, dice: random.Random
 def drawn_field(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any:
     """One value, or as many as the list may have."""
     if not field.is_list:
-        return drawn_one(layout, field, dice)
+        return draw_value(layout, field, dice)
     repeat = field.field.repeat
     count = dice.randint(repeat.low, min(repeat.high, repeat.low + 9)) if repeat is not None else field.count or 0
     if repeat is not None and dice.random() < 0.1:
         count = repeat.high
-    return [drawn_one(layout, field, dice) for _ in range(count)]
+    return [draw_value(layout, field, dice) for _ in range(count)]
 
 
-def drawn_one(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any:
+def draw_value(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any:
     """One element."""
     if field.record is not None:
         return drawn_values(layout, field.record, dice)
@@ -72,5 +72,7 @@ def drawn_value(layout: DeviceLayout, value: Value, dice: random.Random) -> Any:
         return dice.choice([first, last, dice.randint(first, last)])
     bounds = value.ranges.intervals if value.ranges else ()
     beside = [number for first, last in bounds for number in (first - 1, last + 1)]
-    drawn = dice.choice([low, high, 0, dice.randint(low, high), *beside, *(one.value for one in value.sentinels)])
+    drawn = dice.choice(
+        [low, high, 0, dice.randint(low, high), *beside, *(sentinel.value for sentinel in value.sentinels)]
+    )
     return min(max(drawn, low), high)

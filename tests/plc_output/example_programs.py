@@ -9,7 +9,7 @@ import re
 from pathlib import Path
 
 from compiled import Block, Compiled
-from loaded import made_of
+from loaded import program_of
 from page import example
 from scans import constants, of_siemens
 from st_syntax import parsed
@@ -52,20 +52,24 @@ END_FUNCTION_BLOCK
 
 def codesys(device: str, name: str) -> tuple[str, str]:
     """The types and functions of a device, and an example that uses them, for CODESYS or TwinCAT."""
-    made = made_of(SPECS, device)
-    known = constants(text(made))
-    members = {f"{one.name}.{member.name}": str(member.value) for one in made.declared.enums for member in one.members}
-    bases = {one.name: one.base.name for one in made.declared.enums}
+    device_program = program_of(SPECS, device)
+    known = constants(text(device_program))
+    members = {
+        f"{item.name}.{member.name}": str(member.value)
+        for item in device_program.declared.enums
+        for member in item.members
+    }
+    bases = {enum.name: enum.base.name for enum in device_program.declared.enums}
     program = without_comments(example("iecst", name))
-    program = re.sub(r"\bGVL_(?!Serial)\w+\.\w+", lambda found: known[found.group().lower()], program)
-    program = re.sub(r"\bE_\w+\.\w+", lambda found: members[found.group()], program)
-    program = re.sub(r"\bE_\w+", lambda found: bases[found.group()], program)
+    program = re.sub(r"\bGVL_(?!Serial)\w+\.\w+", lambda match: known[match.group().lower()], program)
+    program = re.sub(r"\bE_\w+\.\w+", lambda match: members[match.group()], program)
+    program = re.sub(r"\bE_\w+", lambda match: bases[match.group()], program)
     functions = standard_text(source(newest(SPECS, device)))
     kinds: dict[str, str] = {}
 
-    def called(found: re.Match[str]) -> str:
-        low, high, of = found.groups()
-        kind = f"T_{made.declared.world.names.device}_{of}_{low}_{high}"
+    def called(match: re.Match[str]) -> str:
+        low, high, of = match.groups()
+        kind = f"T_{device_program.declared.world.names.device}_{of}_{low}_{high}"
         if f" {kind} :" not in functions:
             kinds[kind] = f"TYPE {kind} : ARRAY [{low}..{high}] OF {of}; END_TYPE\n"
         return kind
@@ -78,7 +82,7 @@ def tc100(folder: Path) -> Compiled:
     """The TC100: before a scan come the start, the target, the answer of the channel and the words that it reads."""
     functions, program = codesys("tc100", "PRG_Tc100Move")
     program = program.replace("IoDrvModbus.ModbusChannel", "ModbusChannel").replace("Slave := TC100, ", "")
-    written = (
+    encoded = (
         *(("xStart", "bool"), ("diTarget", "dint"), ("fbChannel.xDone", "bool"), ("fbChannel.xError", "bool")),
         *(("aStatus", ("array", 0, 1, "word")), ("aMonitor", ("array", 0, 10, "word"))),
     )
@@ -87,7 +91,7 @@ def tc100(folder: Path) -> Compiled:
         *(("fbChannel.xExecute", "bool"), ("fbChannel.iChannelIndex", "int"), ("wServo", "word"), ("wCommand", "word")),
         ("aPosition", ("array", 0, 1, "word")),
     )
-    block = Block("PRG_Tc100Move", written, read)
+    block = Block("PRG_Tc100Move", encoded, read)
     return Compiled(functions + CHANNEL + program, folder, block, parsed(anonymous(functions)))
 
 
@@ -96,7 +100,7 @@ def esc11(folder: Path) -> Compiled:
     functions, program = codesys("esc11", "PRG_Esc11Grip")
     program = re.sub(r"(?:, )?\b(?:Buffer|TxBuffer|RxBuffer) := GVL_Serial\.\w+", "", program)
     program = re.sub(r": (SendByte|ReceiveByte);", r": \1Block;", program)
-    written = (
+    text = (
         *(("xStart", "bool"), ("fbSend.Busy", "bool")),
         *(("fbReceive.ByteReceived", "bool"), ("fbReceive.ReceivedByte", "byte")),
     )
@@ -104,20 +108,20 @@ def esc11(folder: Path) -> Compiled:
         *(("xDone", "bool"), ("xError", "bool"), ("iStep", "int"), ("fbClear.Cleared", "bool")),
         *(("fbSend.SendByte", "byte"), ("fbSend.Calls", "int"), ("fbReceive.Calls", "int")),
     )
-    block = Block("PRG_Esc11Grip", written, read)
+    block = Block("PRG_Esc11Grip", text, read)
     return Compiled(functions + SERIAL + program, folder, block, parsed(anonymous(functions)))
 
 
 def telegram_111(folder: Path) -> Compiled:
     """The HIWIN E: before a scan come the inputs, what both calls return, and the telegram that was received."""
-    made = {
+    result = {
         path: content for path, content in scl_files([newest(SPECS, "hiwin-e")]).items() if isinstance(content, str)
     }
-    texts = {path: content.replace("\r\n", "\n") for path, content in made.items()}
+    texts = {path: content.replace("\r\n", "\n") for path, content in result.items()}
     data = next(content for path, content in texts.items() if path.endswith(".db"))
-    found = re.search(r'^DATA_BLOCK "HiwinETelegram111"\n.*?(STRUCT.*?END_STRUCT;)', data, re.MULTILINE | re.DOTALL)
-    assert found
-    directions = re.findall(r'(\w+) : "(\w+)";', found.group(1))
+    match = re.search(r'^DATA_BLOCK "HiwinETelegram111"\n.*?(STRUCT.*?END_STRUCT;)', data, re.MULTILINE | re.DOTALL)
+    assert match
+    directions = re.findall(r'(\w+) : "(\w+)";', match.group(1))
     types = "\n".join(dict.fromkeys(declared(texts, [kind for _, kind in directions])))
     members = " ".join(f"{name} : {kind};" for name, kind in directions)
     types = of_siemens(types) + f"\nTYPE typeBlock : STRUCT {members} END_STRUCT; END_TYPE\n"
@@ -127,8 +131,8 @@ def telegram_111(folder: Path) -> Compiled:
     own = "HiwinETelegram111 : typeBlock; readResult : INT; writeResult : INT;"
     program = program.replace("\nVAR\n", f"\nVAR {own}\n", 1)
     # SCL takes a reserved word in quotes for a name, and behind a point without them.
-    types, program = (re.sub(r"\bon\b", "onMember", without_comments(one)) for one in (types, program))
-    written = (
+    types, program = (re.sub(r"\bon\b", "onMember", without_comments(item)) for item in (types, program))
+    text = (
         *(("enable", "bool"), ("execute", "bool"), ("target", "dint"), ("velocity", "dint")),
         *(("readResult", "int"), ("writeResult", "int")),
         *((f"HiwinETelegram111/fromDevice.statusWord1.{name}", "bool") for name in STATUS_BITS),
@@ -139,5 +143,5 @@ def telegram_111(folder: Path) -> Compiled:
         *((f"HiwinETelegram111/toDevice.controlWord1.{name}", "bool") for name in CONTROL_BITS),
         ("HiwinETelegram111/toDevice.mdiTargetPosition", "dint"),
     )
-    block = Block("HiwinETelegram111Move", written, read)
+    block = Block("HiwinETelegram111Move", text, read)
     return Compiled(named(types + program), folder, block, parsed(types))

@@ -24,8 +24,8 @@ from fieldspec.reference import CodecError
 from layouts import SPECS, TEST_SPECS, newest
 
 REAL = ["ck10", "esc11", "hiwin-e", "tc100"]
-MADE = ["gadget", "gizmo", "glider-x", "widget"]
-DEVICES = [*((SPECS, device) for device in REAL), *((TEST_SPECS, device) for device in MADE)]
+TEST_DEVICES = ["gadget", "gizmo", "glider-x", "widget"]
+DEVICES = [*((SPECS, device) for device in REAL), *((TEST_SPECS, device) for device in TEST_DEVICES)]
 NAMES = [device for _, device in DEVICES]
 WAYS = [(root, device, way) for root, device in DEVICES for way in ("interpreted", "compiled")]
 """Every device by both ways: Structured Text by our interpreter, and the standard's dialect by matiec and gcc."""
@@ -39,15 +39,15 @@ COMPUTING = (*ROUNDINGS, "compiled")
 @cache
 def proof(root: Path, device: str, rounding: str = "even") -> Proof:
     """The newest version of a device, ready to run."""
-    made = made_of(root, device)
-    return Proof(made.declared.world, Machine(parsed(text(made)), rounding))
+    program = program_of(root, device)
+    return Proof(program.declared.world, Machine(parsed(text(program)), rounding))
 
 
 @cache
 def compiled_proof(root: Path, device: str, folder: Path) -> Proof:
     """The newest version of a device in the standard's dialect, compiled; programs are kept in a folder."""
-    made = source(newest(root, device))
-    return Proof(made.declared.world, Compiled(standard_text(made), folder))
+    source_text = source(newest(root, device))
+    return Proof(source_text.declared.world, Compiled(standard_text(source_text), folder))
 
 
 def proof_by(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Proof:
@@ -70,7 +70,7 @@ def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @cache
-def made_of(root: Path, device: str) -> Program:
+def program_of(root: Path, device: str) -> Program:
     """The newest version of a device as a program."""
     return program(newest(root, device))
 
@@ -80,7 +80,7 @@ def reason(error: CodecError) -> str:
     return REASONS.get(error.reason, error.reason)
 
 
-def held_in(frame: bytes, unit: str, order: str) -> list[int]:
+def words_in(frame: bytes, unit: str, order: str) -> list[int]:
     """Bytes of the wire as the array that a function takes."""
     if unit == "bytes":
         return list(frame)

@@ -15,5 +15,5 @@ def blocks(language: str) -> list[str]:
 
 def example(language: str, name: str) -> str:
     """The example that declares a name."""
-    (found,) = (block for block in blocks(language) if re.match(rf'\w+ "?{name}\b', block))
-    return found
+    (text,) = (block for block in blocks(language) if re.match(rf'\w+ "?{name}\b', block))
+    return text

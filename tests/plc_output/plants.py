@@ -85,8 +85,8 @@ class Telegram111(Plant):
         received = (self.ready, self.ready, self.operation, self.alarm, self.homed, self.acknowledged, not self.moving)
         ready = self.enable and self.operation and not self.alarm and not self.lost
         self.watched(disturbed=not ready)
-        given = (self.enable, self.start, 1000, 250, int(self.lost), int(self.unsent), *received, self.moving > 0)
-        done, error, _, *bits, _ = self.program.scan(4, given)
+        arguments = (self.enable, self.start, 1000, 250, int(self.lost), int(self.unsent), *received, self.moving > 0)
+        done, error, _, *bits, _ = self.program.scan(4, arguments)
         command = dict(zip(self.command, bits, strict=True))
         if not self.lost and not self.unsent:
             self._obeyed(command)
@@ -133,8 +133,8 @@ class Tc100(Plant):
         over = self.executing and not self.waits
         self.silent = self.silent or self.lost
         self.watched()
-        given = (self.start, 5000, over and not self.silent, over and self.silent, self.status, self.monitor)
-        done, error, _, executing, channel, servo, command, position = self.program.scan(10, given)
+        arguments = (self.start, 5000, over and not self.silent, over and self.silent, self.status, self.monitor)
+        done, error, _, executing, channel, servo, command, position = self.program.scan(10, arguments)
         if executing and not self.executing:
             self.waits, self.silent = 2, self.lost
             if not self.lost:
@@ -190,8 +190,8 @@ class Esc11(Plant):
         self.unpowered -= self.unpowered > 0
         arrived = bool(self.coming) and not self.delay
         self.watched()
-        given = (self.start, self.busy, arrived, self.coming[0] if arrived else 0)
-        done, error, _, _, byte, calls, received = self.program.scan(self.MILLISECONDS, given)
+        arguments = (self.start, self.busy, arrived, self.coming[0] if arrived else 0)
+        done, error, _, _, byte, calls, received = self.program.scan(self.MILLISECONDS, arguments)
         if calls != self.calls and not self.busy:
             self._heard(byte)
         if received != self.received and arrived:

@@ -32,18 +32,18 @@ class Proof:
     machine: Machine
     ran: set[str] = fresh_each_time(default_factory=set)
 
-    def run(self, name: str, **given: Any) -> tuple[str, dict[str, Any]]:
+    def run(self, name: str, **value: Any) -> tuple[str, dict[str, Any]]:
         """The status that a function returns, and its outputs by name."""
         self.ran.add(name)
-        found = self.machine.named(name, **given)
-        return STATUS[found.pop(name.lower())], found
+        named_item = self.machine.named(name, **value)
+        return STATUS[named_item.pop(name.lower())], named_item
 
-    def positional(self, name: str, *given: Any) -> tuple[str, list[Any]]:
+    def positional(self, name: str, *value: Any) -> tuple[str, list[Any]]:
         """The same, with what is given and the outputs in the order of their declaration."""
         variables = self.machine.unit.functions[name.lower()].variables
-        wanted = [one for role, one, _, _ in variables if role in ("VAR_INPUT", "VAR_IN_OUT")]
-        status, found = self.run(name, **dict(zip(wanted, given, strict=True)))
-        return status, list(found.values())
+        wanted = [variable for role, variable, _, _ in variables if role in ("VAR_INPUT", "VAR_IN_OUT")]
+        status, run_result = self.run(name, **dict(zip(wanted, value, strict=True)))
+        return status, list(run_result.values())
 
     def into(self, value: Value, kind: Type, raw: Any) -> Any:
         """A raw value of the reference as a variable holds it."""
@@ -55,62 +55,62 @@ class Proof:
             return raw
         return raw if isinstance(kind, EnumType) or not _bits(kind) else raw & ((1 << (8 * value.size)) - 1)
 
-    def out(self, value: Value, kind: Type, held: Any) -> Any:
+    def out(self, value: Value, kind: Type, plc_value: Any) -> Any:
         """What a variable holds, as a raw value of the reference."""
         if value.type.kind is Kind.TEXT:
-            return bytes(held).rstrip(b"\0").decode("ascii")
+            return bytes(plc_value).rstrip(b"\0").decode("ascii")
         if value.type.kind is Kind.BYTES:
-            return bytes(held)
-        if value.type.signed and value.type.kind is Kind.INTEGER and _bits(kind) and held > value.type.high:
-            return held - (1 << (8 * value.size))
-        return held
+            return bytes(plc_value)
+        if value.type.signed and value.type.kind is Kind.INTEGER and _bits(kind) and plc_value > value.type.high:
+            return plc_value - (1 << (8 * value.size))
+        return plc_value
 
     def struct_in(self, record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
         """A variable of a record's struct."""
         fresh = self.machine.fresh(self.world.names.structs[record.name].lower())
-        for one in record.fields:
-            if is_user_field(one):
-                fresh[self.world.member(record.name, one.name).lower()] = self.field_in(one, values[one.name])
+        for field in record.fields:
+            if is_user_field(field):
+                fresh[self.world.member(record.name, field.name).lower()] = self.field_in(field, values[field.name])
         return dict(fresh)
 
-    def struct_out(self, record: RecordLayout, held: dict[str, Any]) -> dict[str, Any]:
+    def struct_out(self, record: RecordLayout, value: dict[str, Any]) -> dict[str, Any]:
         """The values of a variable of a record's struct."""
         return {
-            one.name: self.field_out(one, held[self.world.member(record.name, one.name).lower()])
-            for one in _given(record)
+            field.name: self.field_out(field, value[self.world.member(record.name, field.name).lower()])
+            for field in _input_fields(record)
         }
 
-    def field_in(self, one: FieldLayout, raw: Any) -> Any:
+    def field_in(self, field: FieldLayout, raw: Any) -> Any:
         """The variable of a field."""
-        return [self._one_in(one, item) for item in raw] if one.is_list else self._one_in(one, raw)
+        return [self._value_in(field, item) for item in raw] if field.is_list else self._value_in(field, raw)
 
-    def field_out(self, one: FieldLayout, held: Any) -> Any:
+    def field_out(self, field: FieldLayout, value: Any) -> Any:
         """The value of a field's variable."""
-        return [self._one_out(one, item) for item in held] if one.is_list else self._one_out(one, held)
+        return [self._value_out(field, item) for item in value] if field.is_list else self._value_out(field, value)
 
-    def _one_in(self, one: FieldLayout, raw: Any) -> Any:
-        if one.record is not None:
-            return self.struct_in(one.record, raw)
-        assert one.value is not None
-        return self.into(one.value, self.world.type_of(one.value), raw)
+    def _value_in(self, field: FieldLayout, raw: Any) -> Any:
+        if field.record is not None:
+            return self.struct_in(field.record, raw)
+        assert field.value is not None
+        return self.into(field.value, self.world.type_of(field.value), raw)
 
-    def _one_out(self, one: FieldLayout, held: Any) -> Any:
-        if one.record is not None:
-            return self.struct_out(one.record, held)
-        assert one.value is not None
-        return self.out(one.value, self.world.type_of(one.value), held)
+    def _value_out(self, field: FieldLayout, value: Any) -> Any:
+        if field.record is not None:
+            return self.struct_out(field.record, value)
+        assert field.value is not None
+        return self.out(field.value, self.world.type_of(field.value), value)
 
-    def register_in(self, laid: RegisterLayout, raw: list[Any]) -> Any:
+    def register_in(self, register: RegisterLayout, raw: list[Any]) -> Any:
         """The variable of a register, of the values of its elements."""
-        value = laid.register.value
-        made = [self.into(value, self.world.type_of(value), one) for one in raw]
-        return made if laid.count > 1 else made[0]
+        value = register.register.value
+        result = [self.into(value, self.world.type_of(value), item) for item in raw]
+        return result if register.count > 1 else result[0]
 
-    def register_out(self, laid: RegisterLayout, held: Any) -> list[Any]:
+    def register_out(self, register: RegisterLayout, plc_value: Any) -> list[Any]:
         """The values of a register's elements."""
-        value = laid.register.value
+        value = register.register.value
         kind = self.world.type_of(value)
-        return [self.out(value, kind, one) for one in (held if laid.count > 1 else [held])]
+        return [self.out(value, kind, variable) for variable in (plc_value if register.count > 1 else [plc_value])]
 
     def fresh(self, kind: Type) -> Any:
         """A fresh array."""
@@ -130,31 +130,34 @@ class Proof:
 
     def _body_in(self, message: MessageLayout, record: RecordLayout, values: dict[str, Any]) -> list[Any]:
         arguments: list[Any] = []
-        for one in _given(record):
-            raw = values[one.name]
-            if one.cases:
-                arguments += [_filled(self._chosen_in(record, one, raw, values), one), len(raw)]
-            elif one.field.repeat is not None:
-                held = self.field_in(one, raw)
-                size = len(self.fresh(self.world.words)) if _registers(message, one) else one.field.repeat.high
-                arguments += [held + [held[-1] if held else self._empty(one)] * (size - len(held)), len(raw)]
+        for field in _input_fields(record):
+            raw = values[field.name]
+            if field.cases:
+                arguments += [_filled(self._chosen_in(record, field, raw, values), field), len(raw)]
+            elif field.field.repeat is not None:
+                field_in = self.field_in(field, raw)
+                size = len(self.fresh(self.world.words)) if _registers(message, field) else field.field.repeat.high
+                arguments += [
+                    field_in + [field_in[-1] if field_in else self._empty(field)] * (size - len(field_in)),
+                    len(raw),
+                ]
             else:
-                arguments.append(self.field_in(one, raw))
+                arguments.append(self.field_in(field, raw))
         lent = (list, dict)
         return [
-            *(one for one in arguments if not isinstance(one, lent)),
+            *(argument for argument in arguments if not isinstance(argument, lent)),
             *(o for o in arguments if isinstance(o, lent)),
         ]
 
-    def _empty(self, one: FieldLayout) -> Any:
-        if one.record is not None:
-            return self.machine.fresh(self.world.names.structs[one.record.name].lower())
+    def _empty(self, field: FieldLayout) -> Any:
+        if field.record is not None:
+            return self.machine.fresh(self.world.names.structs[field.record.name].lower())
         return 0
 
-    def _chosen_in(self, record: RecordLayout, one: FieldLayout, raw: list[Any], values: dict[str, Any]) -> list[int]:
+    def _chosen_in(self, record: RecordLayout, field: FieldLayout, raw: list[Any], values: dict[str, Any]) -> list[int]:
         """The elements of a field with cases as bits."""
         assert record.selector is not None
-        case = next(case for case in one.cases if values[record.selector.name] in case.numbers)
+        case = next(case for case in field.cases if values[record.selector.name] in case.numbers)
         size = case.value.size
         if case.value.type.kind is Kind.FLOAT:
             return [int.from_bytes(struct.pack(">f", item), "big") for item in raw]
@@ -167,18 +170,18 @@ class Proof:
         """
         name = self.world.routine("parse", *link_words(self.world, link), message.name)
         variables = self.machine.unit.functions[name.lower()].variables
-        roles = {one: role for role, one, _, _ in variables}
-        kinds = {one: kind for _, one, kind, _ in variables}
-        held: dict[str, Any] = {one: self.machine.fresh(kinds[one]) for one in roles if roles[one] == "VAR_IN_OUT"}
-        held["aframe"][: len(frame)] = frame
-        lent = dict(held)
+        roles = {variable: role for role, variable, _, _ in variables}
+        kinds = {variable: kind for _, variable, kind, _ in variables}
+        value: dict[str, Any] = {role: self.machine.fresh(kinds[role]) for role in roles if roles[role] == "VAR_IN_OUT"}
+        value["aframe"][: len(frame)] = frame
+        lent = dict(value)
         status, outputs = self.run(name, ilength=len(frame), **lent)
-        given_back = [
-            one for one in roles if roles[one] == "VAR_OUTPUT" or (roles[one] == "VAR_IN_OUT" and one != "aframe")
+        output_names = [
+            role for role in roles if roles[role] == "VAR_OUTPUT" or (roles[role] == "VAR_IN_OUT" and role != "aframe")
         ]
-        found = {one: outputs.get(one, lent.get(one)) for one in given_back}
+        result = {item: outputs.get(item, lent.get(item)) for item in output_names}
         values: dict[str, Any] = {}
-        queue = _Queue(found, roles)
+        queue = _Queue(result, roles)
         for part in head_members(link.response):
             assert part.value is not None
             values[part.name] = self.out(part.value, self.world.type_of(part.value), queue.next("VAR_OUTPUT"))
@@ -186,56 +189,58 @@ class Proof:
         error = link.link.exception_response
         if error is not None and status == "refused":
             values = {}
-            for one in _given(self.world.layout.records[error.record]):
-                values[one.name] = self.field_out(one, queue.next("VAR_OUTPUT"))
+            for field in _input_fields(self.world.layout.records[error.record]):
+                values[field.name] = self.field_out(field, queue.next("VAR_OUTPUT"))
         return status, values
 
     def _body_out(self, message: MessageLayout, record: RecordLayout, queue: _Queue, values: dict[str, Any]) -> None:
-        for one in _given(record):
-            if one.cases:
-                held, count = queue.next("VAR_IN_OUT"), queue.next("VAR_OUTPUT")
-                values[one.name] = self._chosen_out(record, one, held[:count], values)
-            elif one.field.repeat is not None:
-                held, count = queue.next("VAR_IN_OUT"), queue.next("VAR_OUTPUT")
-                values[one.name] = self.field_out(one, held[:count])
+        for field in _input_fields(record):
+            if field.cases:
+                value, count = queue.next("VAR_IN_OUT"), queue.next("VAR_OUTPUT")
+                values[field.name] = self._chosen_out(record, field, value[:count], values)
+            elif field.field.repeat is not None:
+                value, count = queue.next("VAR_IN_OUT"), queue.next("VAR_OUTPUT")
+                values[field.name] = self.field_out(field, value[:count])
             else:
-                lent = one.is_list or one.record is not None or (one.value and one.value.type.letter == "s")
-                values[one.name] = self.field_out(one, queue.next("VAR_IN_OUT" if lent else "VAR_OUTPUT"))
+                lent = field.is_list or field.record is not None or (field.value and field.value.type.letter == "s")
+                values[field.name] = self.field_out(field, queue.next("VAR_IN_OUT" if lent else "VAR_OUTPUT"))
 
-    def _chosen_out(self, record: RecordLayout, one: FieldLayout, held: list[int], values: dict[str, Any]) -> list[Any]:
+    def _chosen_out(
+        self, record: RecordLayout, field: FieldLayout, value: list[int], values: dict[str, Any]
+    ) -> list[Any]:
         assert record.selector is not None
-        case = next((case for case in one.cases if values[record.selector.name] in case.numbers), one.cases[0])
+        case = next((case for case in field.cases if values[record.selector.name] in case.numbers), field.cases[0])
         kind, size = case.value.type, case.value.size
         if kind.kind is Kind.FLOAT:
-            return [struct.unpack(">f", item.to_bytes(4, "big"))[0] for item in held]
+            return [struct.unpack(">f", item.to_bytes(4, "big"))[0] for item in value]
         if kind.kind is Kind.BOOLEAN:
-            return [bool(item) for item in held]
-        return [item - (1 << (8 * size)) if kind.signed and item > kind.high else item for item in held]
+            return [bool(item) for item in value]
+        return [item - (1 << (8 * size)) if kind.signed and item > kind.high else item for item in value]
 
 
 def without(record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
     """The values that users get: no constants, no measures, nothing reserved."""
     shape = record.of_number(values.get(record.selector.name)) if record.selector is not None else record
     assert shape is not None
-    kept = {}
+    remaining = {}
     for field in shape.fields:
         constant = field.value is not None and field.value.const is not None
         if constant or field.field.measures or field.field.reserved:
             continue
-        held = values[field.name]
+        value = values[field.name]
         if field.record is not None:
             inner = field.record
-            held = [without(inner, item) for item in held] if field.is_list else without(inner, held)
-        kept[field.name] = held
-    return kept
+            value = [without(inner, item) for item in value] if field.is_list else without(inner, value)
+        remaining[field.name] = value
+    return remaining
 
 
 class _Queue:
     """Variables in the order of their declaration, taken by their roles."""
 
-    def __init__(self, found: dict[str, Any], roles: dict[str, str]) -> None:
+    def __init__(self, result: dict[str, Any], roles: dict[str, str]) -> None:
         self._found = {
-            role: [found[one] for one in found if roles[one] == role] for role in ("VAR_OUTPUT", "VAR_IN_OUT")
+            role: [result[text] for text in result if roles[text] == role] for role in ("VAR_OUTPUT", "VAR_IN_OUT")
         }
 
     def next(self, role: str) -> Any:
@@ -243,19 +248,19 @@ class _Queue:
         return self._found[role].pop(0)
 
 
-def _given(record: RecordLayout) -> list[FieldLayout]:
-    return [one for one in record.fields if is_user_field(one)]
+def _input_fields(record: RecordLayout) -> list[FieldLayout]:
+    return [field for field in record.fields if is_user_field(field)]
 
 
-def _registers(message: MessageLayout, one: FieldLayout) -> bool:
+def _registers(message: MessageLayout, field: FieldLayout) -> bool:
     access = message.message.accesses
-    return access is not None and one.name == access.values
+    return access is not None and field.name == access.values
 
 
-def _filled(held: list[int], one: FieldLayout) -> list[int]:
-    repeat = one.field.repeat
+def _filled(value: list[int], field: FieldLayout) -> list[int]:
+    repeat = field.field.repeat
     assert repeat is not None
-    return held + [0] * (repeat.high - len(held))
+    return value + [0] * (repeat.high - len(value))
 
 
 def _bits(kind: Type) -> bool:

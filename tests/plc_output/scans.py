@@ -16,7 +16,7 @@ from typing import Any
 from st_machine import Machine
 from st_syntax import StError, Token, parsed, tokens
 
-STRUCT, FUNCTION, HELD = "ST_Scan", "F_Scan", "stScan"
+STRUCT, FUNCTION, VARIABLE = "ST_Scan", "F_Scan", "stScan"
 
 
 def of_siemens(text: str) -> str:
@@ -28,14 +28,14 @@ def of_siemens(text: str) -> str:
 
 def constants(generated: str) -> dict[str, str]:
     """The constants of generated Structured Text as typed literals, by the name of their list and their own."""
-    found = {}
+    result = {}
     for name, body in re.findall(
         r"^// (GVL_\w+)\n(?:(?!END_VAR).)*?VAR_GLOBAL CONSTANT\n(.*?)END_VAR", generated, re.M | re.S
     ):
         for constant, kind, value in re.findall(r"^    (\w+) : (\w+) := ([\w#.-]+);", body, re.MULTILINE):
             whole = kind.endswith("INT")
-            found[f"{name}.{constant}".lower()] = str(_value(value)) if whole else f"{kind}#{value}"
-    return found
+            result[f"{name}.{constant}".lower()] = str(_value(value)) if whole else f"{kind}#{value}"
+    return result
 
 
 class Scans:
@@ -45,15 +45,15 @@ class Scans:
     """
 
     def __init__(
-        self, generated: str, program: str, blocks: Mapping[str, str] | None = None, given: Sequence[str] = ()
+        self, generated: str, program: str, blocks: Mapping[str, str] | None = None, value: Sequence[str] = ()
     ) -> None:
         known = constants(generated)
         program = re.sub(r"\bGVL_\w+\.\w+", lambda match: known.get(match.group().lower(), match.group()), program)
-        held = [token for token in tokens(re.sub(r"T#[0-9A-Za-z_]+", "0", program)) if token.kind != "pragma"]
+        variable_text = [token for token in tokens(re.sub(r"T#[0-9A-Za-z_]+", "0", program)) if token.kind != "pragma"]
         self._inputs = {name.lower().replace(".", "_"): text.lower() for name, text in (blocks or {}).items()}
         self._blocks = {name.lower(): name.replace(".", "_") for name in blocks or {}}
-        self._given = {name.lower() for name in given}
-        declared, body = self._split(held)
+        self._given = {name.lower() for name in value}
+        declared, body = self._split(variable_text)
         counters = {after.text for before, after in pairwise(body) if before.text.upper() == "FOR"}
         local = " ".join(f"{name} : {declared.pop(name)[0]};" for name in sorted(counters))
         self._declared = declared
@@ -64,7 +64,7 @@ class Scans:
         members = " ".join(f"{name} : {kind};" for name, (kind, _) in declared.items())
         self.source = (
             f"{stubs}TYPE {STRUCT} : STRUCT {members} END_STRUCT; END_TYPE\n{generated}\n"
-            f"FUNCTION {FUNCTION} : BOOL VAR_IN_OUT {HELD} : {STRUCT}; END_VAR VAR {local} END_VAR\n"
+            f"FUNCTION {FUNCTION} : BOOL VAR_IN_OUT {VARIABLE} : {STRUCT}; END_VAR VAR {local} END_VAR\n"
             f"{self._rewritten(body)} END_FUNCTION\n"
         )
         self.machine = Machine(parsed(self.source))
@@ -75,28 +75,28 @@ class Scans:
 
     def scan(self) -> None:
         """Runs the program once."""
-        self.machine.call(FUNCTION, **{HELD: self.variables})
+        self.machine.call(FUNCTION, **{VARIABLE: self.variables})
 
-    def _split(self, held: list[Token]) -> tuple[dict[str, tuple[str, str]], list[Token]]:
+    def _split(self, tokens: list[Token]) -> tuple[dict[str, tuple[str, str]], list[Token]]:
         """The variables with their types and initial values, and the statements."""
-        if held[0].text.upper() not in ("PROGRAM", "FUNCTION_BLOCK"):
-            raise StError(f"{held[0].text} is no program")
+        if tokens[0].text.upper() not in ("PROGRAM", "FUNCTION_BLOCK"):
+            raise StError(f"{tokens[0].text} is no program")
         at, declared = 2, {}
-        while held[at].text.upper() in ("VAR", "VAR_INPUT", "VAR_OUTPUT", "VAR_TEMP"):
+        while tokens[at].text.upper() in ("VAR", "VAR_INPUT", "VAR_OUTPUT", "VAR_TEMP"):
             at += 1
-            while held[at].text.upper() != "END_VAR":
-                end = next(n for n in range(at, len(held)) if held[n].text == ";")
-                mark = next((n for n in range(at, end) if held[n].text == ":="), end)
-                kind = " ".join(token.text for token in held[at + 2 : mark])
-                plain = kind.replace(" ", "").lower()
-                declared[held[at].text] = (
-                    self._blocks.get(plain, kind),
-                    " ".join(token.text for token in held[mark + 1 : end]),
+            while tokens[at].text.upper() != "END_VAR":
+                end = next(n for n in range(at, len(tokens)) if tokens[n].text == ";")
+                mark = next((n for n in range(at, end) if tokens[n].text == ":="), end)
+                kind = " ".join(token.text for token in tokens[at + 2 : mark])
+                text = kind.replace(" ", "").lower()
+                declared[tokens[at].text] = (
+                    self._blocks.get(text, kind),
+                    " ".join(token.text for token in tokens[mark + 1 : end]),
                 )
                 at = end + 1
             at += 1
-        last = next(n for n in range(len(held)) if held[n].text.upper() in ("END_PROGRAM", "END_FUNCTION_BLOCK"))
-        return declared, held[at:last]
+        last = next(n for n in range(len(tokens)) if tokens[n].text.upper() in ("END_PROGRAM", "END_FUNCTION_BLOCK"))
+        return declared, tokens[at:last]
 
     def _rewritten(self, body: list[Token]) -> str:
         out: list[str] = []
@@ -124,13 +124,13 @@ class Scans:
 
     def _block_call(self, words: list[Token], names: Mapping[str, str]) -> str:
         """The inputs of a block, one assignment each; buffers and addresses are left to whoever plays the block."""
-        made = []
+        result = []
         inputs = self._inputs[names[words[0].text.lower()].lower()]
-        for given in _arguments(words[2:-1]):
-            if not re.search(rf"\b{given[0].text.lower()} :", inputs):
+        for value in _arguments(words[2:-1]):
+            if not re.search(rf"\b{value[0].text.lower()} :", inputs):
                 continue
-            made.append(f"{HELD}.{words[0].text}.{given[0].text} := {self._named(given[2:], names)};")
-        return " ".join(made)
+            result.append(f"{VARIABLE}.{words[0].text}.{value[0].text} := {self._named(value[2:], names)};")
+        return " ".join(result)
 
     def _named(self, words: Sequence[Token], names: Mapping[str, str]) -> str:
         """Tokens as text, with the program's variables as members of its struct."""
@@ -141,7 +141,7 @@ class Scans:
             depth += (token.text == "(") - (token.text == ")")
             parameter = depth > 0 and after in (":=", "=>") and before in ("(", ",")
             ours = token.kind == "name" and token.text.lower() in names and before != "." and not parameter
-            out.append(f"{HELD}.{token.text}" if ours else token.text)
+            out.append(f"{VARIABLE}.{token.text}" if ours else token.text)
         return " ".join(out)
 
 
@@ -161,15 +161,15 @@ def _is_label(body: list[Token], colon: int) -> bool:
 
 def _arguments(words: Sequence[Token]) -> list[list[Token]]:
     """What stands between the parentheses of a call, without the commas."""
-    found: list[list[Token]] = [[]]
+    tokens: list[list[Token]] = [[]]
     depth = 0
     for token in words:
         depth += (token.text in "([") - (token.text in ")]")
         if token.text == "," and depth == 0:
-            found.append([])
+            tokens.append([])
         else:
-            found[-1].append(token)
-    return [one for one in found if one]
+            tokens[-1].append(token)
+    return [item for item in tokens if item]
 
 
 def _value(text: str) -> Any:

@@ -27,31 +27,31 @@ INNER = re.compile(r"\s|END_IF|END_FOR|END_CASE|ELSIF|ELSE")
 
 def shape(lines: Iterable[str]) -> tuple[str, ...]:
     """The kinds of the tokens: words of the language and marks as they are, names and numbers as such."""
-    found = []
+    result = []
     for token in tokens("\n".join(lines)):
         if token.kind == "name":
-            found.append(token.text.lower() if token.text.lower() in KEYWORDS else "name")
+            result.append(token.text.lower() if token.text.lower() in KEYWORDS else "name")
         elif token.kind == "typed":
-            found.append(
+            result.append(
                 re.sub(r"[0-9A-F]+$", "0", token.text.split("#", 1)[0] + "#" + ("16#" if "#16#" in token.text else ""))
             )
         elif token.kind == "mark":
-            found.append(token.text)
+            result.append(token.text)
         else:
-            found.append(token.kind)
-    return tuple(found)
+            result.append(token.kind)
+    return tuple(result)
 
 
 def statements(lines: Iterable[str]) -> Iterator[list[str]]:
     """The lines of each statement of a function."""
-    held: list[str] = []
+    value: list[str] = []
     for line in lines:
-        if held and not INNER.match(line):
-            yield held
-            held = []
-        held.append(line)
-    if held:
-        yield held
+        if value and not INNER.match(line):
+            yield value
+            value = []
+        value.append(line)
+    if value:
+        yield value
 
 
 class Shapes:
@@ -62,25 +62,25 @@ class Shapes:
 
     def new(self, lines: list[str]) -> bool:
         """Whether these lines have another form than all before them."""
-        found = shape(lines)
-        fresh = found not in self._seen
-        self._seen.add(found)
+        actual = shape(lines)
+        fresh = actual not in self._seen
+        self._seen.add(actual)
         return fresh
 
     def statements(self, implementation: Iterable[str]) -> Iterator[list[str]]:
         """The statements of a new form. Within one, lines of one form that follow each other are one line."""
         for some in statements(implementation):
-            kept: list[str] = []
+            remaining: list[str] = []
             for line in some:
-                whole = line.endswith(";") and "END_" not in line and kept and kept[-1].endswith(";")
-                if not (whole and shape([line]) == shape([kept[-1]])):
-                    kept.append(line)
-            if self.new(kept):
-                yield kept
+                whole = line.endswith(";") and "END_" not in line and remaining and remaining[-1].endswith(";")
+                if not (whole and shape([line]) == shape([remaining[-1]])):
+                    remaining.append(line)
+            if self.new(remaining):
+                yield remaining
 
     def head(self, declaration: Iterable[str]) -> list[str]:
         """The declaration of a function with the variables of a new form; nothing where nothing is new."""
-        kept: list[str] = []
+        remaining: list[str] = []
         section = ""
         fresh = False
         for line in declaration:
@@ -89,17 +89,17 @@ class Shapes:
             new = self.new([section, line]) if line.startswith("    ") else False
             fresh |= new
             if new or not line.startswith("    "):
-                kept.append(line)
-        return kept if self.new([line for line in kept if not line.startswith("    ")]) or fresh else []
+                remaining.append(line)
+        return remaining if self.new([line for line in remaining if not line.startswith("    ")]) or fresh else []
 
-    def listed(self, lines: Iterable[str]) -> list[str]:
+    def new_lines(self, lines: Iterable[str]) -> list[str]:
         """A type or a list of constants without further members of a form that it has already."""
         inside: set[tuple[str, ...]] = set()
-        kept: list[str] = []
+        remaining: list[str] = []
         for line in lines:
             form = shape([line])
             if line.startswith("    ") and form in inside:
                 continue
             inside = {form} if line.endswith("[") else inside | {form}
-            kept.append(line)
-        return kept if self.new(kept) else []
+            remaining.append(line)
+        return remaining if self.new(remaining) else []

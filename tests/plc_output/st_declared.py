@@ -18,9 +18,9 @@ _CHARACTER = re.compile(r"\$(?:[0-9A-Fa-f]{4}|[0-9A-Fa-f]{2}|.)|[^$]", re.DOTALL
 def pack_mode(unit: Unit, struct: str) -> int:
     """The alignment that a pragma gives a struct; 0 and 1 mean none."""
     for pragma in unit.pragmas.get(struct, []):
-        found = re.fullmatch(r"\{attribute 'pack_mode' := '(\d)'\}", pragma)
-        if found:
-            return max(1, int(found[1]))
+        match = re.fullmatch(r"\{attribute 'pack_mode' := '(\d)'\}", pragma)
+        if match:
+            return max(1, int(match[1]))
     return NATURAL
 
 
@@ -56,13 +56,13 @@ def _check(unit: Unit, name: str, kind: Any, initial: Any) -> None:
         low, high = kind[1][1], kind[2][1]
         if initial[0] != "list" or len(initial[1]) != high - low + 1:
             raise StError(f"{name} has not {high - low + 1} elements")
-        for one in initial[1]:
-            _check(unit, name, kind[3], one)
+        for item in initial[1]:
+            _check(unit, name, kind[3], item)
     elif isinstance(kind, tuple):
         text = "".join(initial[1][1:-1])
-        held = len(_CHARACTER.findall(text))
+        number = len(_CHARACTER.findall(text))
         wide = {"string": "text", "wstring": "wide"}
-        if initial[0] != "string" or initial[2] != wide[kind[0]] or held > kind[1][1]:
+        if initial[0] != "string" or initial[2] != wide[kind[0]] or number > kind[1][1]:
             raise StError(f"{name}: {initial[1]} is no {kind[0]} of {kind[1][1]}")
         if kind[0] == "string" and not text.isascii():
             raise StError(f"{name}: {initial[1]} needs WSTRING")

@@ -23,9 +23,9 @@ from st_values import (
     bounds,
     conversion,
     divided,
-    held,
     remainder,
     single,
+    wrapped_number,
 )
 
 SYMBOLS = {"AND": "&", "OR": "|", "XOR": "^"}
@@ -37,7 +37,7 @@ class Machine:
     def __init__(self, unit: Unit, rounding: str = "even", *, only: str = "") -> None:
         self.unit, self.rounding = unit, rounding
         self.scope: dict[str, Any] = {"_at": at, "_div": divided, "_rem": remainder, "_single": single}
-        self.scope |= {f"_held_{kind}": held(kind) for kind in WHOLE}
+        self.scope |= {f"_wrapped_{kind}": wrapped_number(kind) for kind in WHOLE}
         self.members = {
             (enum, member): self._member(enum, member, value)
             for enum, (base, members) in unit.enums.items()
@@ -90,20 +90,20 @@ class Machine:
             return 0
         return 0.0 if kind in REALS else False if kind == "bool" else 0
 
-    def call(self, name: str, **given: Any) -> tuple[Any, ...]:
+    def call(self, name: str, **arguments: Any) -> tuple[Any, ...]:
         """What a function returns, and behind it its outputs in the order of their declaration."""
         function = self.unit.functions[name.lower()]
-        given = {key.lower(): value for key, value in given.items()}
-        wanted = [one for role, one, _, _ in function.variables if role in ("VAR_INPUT", "VAR_IN_OUT")]
-        assert sorted(given) == sorted(wanted), (name, sorted(given), sorted(wanted))
-        result = self.scope[f"f_{function.name}"](*(given[one] for one in wanted))
+        arguments = {key.lower(): value for key, value in arguments.items()}
+        wanted = [variable for role, variable, _, _ in function.variables if role in ("VAR_INPUT", "VAR_IN_OUT")]
+        assert sorted(arguments) == sorted(wanted), (name, sorted(arguments), sorted(wanted))
+        result = self.scope[f"f_{function.name}"](*(arguments[item] for item in wanted))
         return tuple(result)
 
-    def named(self, name: str, **given: Any) -> dict[str, Any]:
+    def named(self, name: str, **value: Any) -> dict[str, Any]:
         """The same, by the names of the outputs; what the function returns is under its own name."""
         function = self.unit.functions[name.lower()]
-        outputs = [one for role, one, _, _ in function.variables if role == "VAR_OUTPUT"]
-        return dict(zip((function.name, *outputs), self.call(name, **given), strict=True))
+        outputs = [variable for role, variable, _, _ in function.variables if role == "VAR_OUTPUT"]
+        return dict(zip((function.name, *outputs), self.call(name, **value), strict=True))
 
     def number(self, enum: str, member: str) -> int:
         """The number of a member."""
@@ -122,13 +122,13 @@ class Compiled:
     def source(self) -> str:
         """The text of a Python function that returns its result and its outputs."""
         variables = self.function.variables
-        given = [name for role, name, _, _ in variables if role in ("VAR_INPUT", "VAR_IN_OUT")]
+        value = [name for role, name, _, _ in variables if role in ("VAR_INPUT", "VAR_IN_OUT")]
         outputs = [name for role, name, _, _ in variables if role == "VAR_OUTPUT"]
         for role, name, _, initial in variables:
             composite = isinstance(self.kinds[name], tuple) or self.kinds[name] in self.unit.structs
             if initial is not None or (role == "VAR_IN_OUT") != (composite and role != "VAR"):
                 raise StError(f"{self.function.name}.{name}: {role} {self.kinds[name]}")
-        lines = [f"def f_{self.function.name}({', '.join(f'v_{name}' for name in given)}):"]
+        lines = [f"def f_{self.function.name}({', '.join(f'v_{name}' for name in value)}):"]
         own = (self.function.name, *outputs, *(name for role, name, _, _ in variables if role == "VAR"))
         lines += [f" v_{name} = {self.machine.fresh(self.kinds[name])!r}" for name in own]
         self.given_back = ", ".join(f"v_{name}" for name in (self.function.name, *outputs))
@@ -195,9 +195,9 @@ class Compiled:
         """An expression where a type is expected."""
         if expression[0] == "number":
             return self._literal(line, expression, kind)
-        found = self._kind(line, expression)
-        if found != kind:
-            raise self._fail(line, f"{found} where {kind} is expected: {expression}")
+        actual = self._kind(line, expression)
+        if actual != kind:
+            raise self._fail(line, f"{actual} where {kind} is expected: {expression}")
         return self._text(line, expression, kind)
 
     def _literal(self, line: int, literal: Any, kind: Any) -> str:
@@ -228,16 +228,16 @@ class Compiled:
                 if (of[1][1], of[2]) not in self.machine.members:
                     raise self._fail(line, f"{of[1][1]} has no {of[2]}")
                 return of[1][1]
-            held = self._kind(line, of[1])
-            found = [kind for name, kind, _ in self.unit.structs.get(held, ()) if name == of[2]]
-            if not found:
-                raise self._fail(line, f"{held} has no {of[2]}")
-            return self.machine.kind(found[0])
+            value = self._kind(line, of[1])
+            result = [kind for name, kind, _ in self.unit.structs.get(value, ()) if name == of[2]]
+            if not result:
+                raise self._fail(line, f"{value} has no {of[2]}")
+            return self.machine.kind(result[0])
         if of[0] == "element":
-            held = self._kind(line, of[1])
-            if not isinstance(held, tuple) or held[0] != "array":
-                raise self._fail(line, f"{held} has no elements")
-            return held[3]
+            value = self._kind(line, of[1])
+            if not isinstance(value, tuple) or value[0] != "array":
+                raise self._fail(line, f"{value} has no elements")
+            return value[3]
         if of[0] == "call":
             return self._call_kind(line, of)
         _, operator, left, right = of
@@ -275,72 +275,72 @@ class Compiled:
 
     def _binary(self, line: int, of: Any, kind: Any) -> str:
         _, operator, left, right = of
-        held = self._kind(line, left) or self._kind(line, right) or kind
-        texts = self._of(line, left, held), self._of(line, right, held)
+        value = self._kind(line, left) or self._kind(line, right) or kind
+        texts = self._of(line, left, value), self._of(line, right, value)
         if operator in ("=", "<>", "<", ">", "<=", ">="):
             ordered = operator not in ("=", "<>")
-            if (held not in ELEMENTARY and (ordered or held not in self.unit.enums)) or (ordered and held in BITS):
-                raise self._fail(line, f"{held} {operator} {held}")
+            if (value not in ELEMENTARY and (ordered or value not in self.unit.enums)) or (ordered and value in BITS):
+                raise self._fail(line, f"{value} {operator} {value}")
             return f"({texts[0]} {({'=': '==', '<>': '!='}).get(operator, operator)} {texts[1]})"
         if operator in ("AND", "OR", "XOR"):
             # Both sides are always worked out: the language does not promise to stop at the first.
-            if held == "bool":
+            if value == "bool":
                 return f"({texts[0]} {SYMBOLS[operator]} {texts[1]})"
-            if held not in BITS:
-                raise self._fail(line, f"{held} {operator} {held}")
+            if value not in BITS:
+                raise self._fail(line, f"{value} {operator} {value}")
             return f"({texts[0]} {SYMBOLS[operator]} {texts[1]})"
-        if held in REALS and operator != "MOD":
-            made = f"({texts[0]} {operator} {texts[1]})"
-            return f"_single{made}" if held == "real" else made
-        if held not in NUMBERS:
-            raise self._fail(line, f"{held} {operator} {held}")
+        if value in REALS and operator != "MOD":
+            text = f"({texts[0]} {operator} {texts[1]})"
+            return f"_single{text}" if value == "real" else text
+        if value not in NUMBERS:
+            raise self._fail(line, f"{value} {operator} {value}")
         if operator == "MOD":
             return f"_rem({texts[0]}, {texts[1]})"
-        made = f"_div({texts[0]}, {texts[1]})" if operator == "/" else f"{texts[0]} {operator} {texts[1]}"
-        return f"_held_{held}({made})"
+        text = f"_div({texts[0]}, {texts[1]})" if operator == "/" else f"{texts[0]} {operator} {texts[1]}"
+        return f"_wrapped_{value}({text})"
 
     def _call(self, line: int, of: Any) -> str:
-        _, name, given = of
+        _, name, arguments = of
         if name in self.unit.functions:
-            return self._function_call(line, name, given)
+            return self._function_call(line, name, arguments)
         if name in ("shl", "shr"):
-            (_, _, value), (_, _, count) = given
+            (_, _, value), (_, _, count) = arguments
             kind = self._kind(line, value)
             if kind not in BITS or count[0] != "number" or not 0 < count[1] < 8 * SIZES[kind]:
                 raise self._fail(line, f"{name} of {kind} by {count}")
             text = self._of(line, value, kind)
             return f"({text} >> {count[1]})" if name == "shr" else f"(({text} << {count[1]}) & {bounds(kind)[1]})"
         if name == "sizeof":
-            return repr(size_of(self.unit, self._kind(line, given[0][2]))[0])
+            return repr(size_of(self.unit, self._kind(line, arguments[0][2]))[0])
         source, _, target = name.partition("_to_")
-        if source not in ELEMENTARY or target not in ELEMENTARY or source == target or len(given) != 1:
+        if source not in ELEMENTARY or target not in ELEMENTARY or source == target or len(arguments) != 1:
             raise self._fail(line, f"{name} is no function")
         self.machine.scope[f"_{name}"] = conversion(source, target, self.machine.rounding)
-        return f"_{name}({self._of(line, given[0][2], source)})"
+        return f"_{name}({self._of(line, arguments[0][2], source)})"
 
-    def _function_call(self, line: int, name: str, given: list[Any]) -> str:
+    def _function_call(self, line: int, name: str, value: list[Any]) -> str:
         """A call; what it returns is its first value, the others go to the places that are given for the outputs."""
         if self.unit.order.index(name) >= self.unit.order.index(self.function.name):
             raise self._fail(line, f"{name} is declared behind its use")
         called = self.unit.functions[name]
         ways = {"VAR_INPUT": ":=", "VAR_IN_OUT": ":=", "VAR_OUTPUT": "=>"}
-        wanted = {one: (ways[role], role, kind) for role, one, kind, _ in called.variables if role in ways}
-        if sorted(one for _, one, _ in given) != sorted(wanted):
+        wanted = {variable: (ways[role], role, kind) for role, variable, kind, _ in called.variables if role in ways}
+        if sorted(variable for _, variable, _ in value) != sorted(wanted):
             raise self._fail(line, f"{name} wants {sorted(wanted)}")
         texts: dict[str, str] = {}
-        for way, one, expression in given:
-            wanted_way, role, declared = wanted[one]
+        for way, variable, expression in value:
+            wanted_way, role, declared = wanted[variable]
             kind = self.machine.kind(declared)
             if way != wanted_way:
-                raise self._fail(line, f"{name}: {one} {way}")
+                raise self._fail(line, f"{name}: {variable} {way}")
             if role == "VAR_INPUT":
-                texts[one] = self._of(line, expression, kind)
+                texts[variable] = self._of(line, expression, kind)
             else:
-                texts[one], held = self._lent(line, expression, role)
-                if held != kind:
-                    raise self._fail(line, f"{name}: {one} is {kind}, not {held}")
-        inputs = ", ".join(texts[one] for one, (_, role, _) in wanted.items() if role != "VAR_OUTPUT")
-        outputs = [texts[one] for one, (_, role, _) in wanted.items() if role == "VAR_OUTPUT"]
+                texts[variable], lent_value = self._lent(line, expression, role)
+                if lent_value != kind:
+                    raise self._fail(line, f"{name}: {variable} is {kind}, not {lent_value}")
+        inputs = ", ".join(texts[item] for item, (_, role, _) in wanted.items() if role != "VAR_OUTPUT")
+        outputs = [texts[item] for item, (_, role, _) in wanted.items() if role == "VAR_OUTPUT"]
         if not outputs:
             return f"f_{name}({inputs})[0]"
         setters = ", ".join(_setter(place, at) for at, place in enumerate(outputs, 1))

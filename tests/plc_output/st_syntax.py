@@ -60,17 +60,17 @@ class Unit:
 
 def tokens(text: str) -> list[Token]:
     """The tokens of a text, without blanks and comments."""
-    found, at, line = [], 0, 1
+    tokens, at, line = [], 0, 1
     while at < len(text):
         match = TOKEN.match(text, at)
         if match is None:
             raise StError(f"line {line}: {text[at : at + 30]!r}")
         if match.lastgroup != "space":
             assert match.lastgroup
-            found.append(Token(match.lastgroup, match.group(), line))
+            tokens.append(Token(match.lastgroup, match.group(), line))
         line += match.group().count("\n")
         at = match.end()
-    return [*found, Token("end", "", line)]
+    return [*tokens, Token("end", "", line)]
 
 
 class Parser:
@@ -169,19 +169,19 @@ class Parser:
         return f"globals {len(unit.order)}"
 
     def _variables(self, end: str) -> list[tuple[str, Any, Any]]:
-        found: list[tuple[str, Any, Any]] = []
+        result: list[tuple[str, Any, Any]] = []
         while not self.taken(end):
             while self.token.kind == "pragma":
                 self.take()
             name = self.name()
-            if any(other == name for other, _, _ in found):
+            if any(other == name for other, _, _ in result):
                 raise StError(f"line {self.token.line}: {name} is declared twice")
             self.take(":")
             kind = self.type()
             initial = self.initial() if self.taken(":=") else None
             self.take(";")
-            found.append((name, kind, initial))
-        return found
+            result.append((name, kind, initial))
+        return result
 
     def type(self) -> Any:
         """A type: a name, or ("array", low, high, type)."""
@@ -226,8 +226,8 @@ class Parser:
         variables: list[tuple[str, str, Any, Any]] = []
         while self.word in ("VAR_INPUT", "VAR_IN_OUT", "VAR_OUTPUT", "VAR"):
             role = self.take().text.upper()
-            variables += [(role, *one) for one in self._variables("END_VAR")]
-        names = [one for _, one, _, _ in variables]
+            variables += [(role, *variable) for variable in self._variables("END_VAR")]
+        names = [text for _, text, _, _ in variables]
         if len(set(names)) < len(names) or name in names:
             raise StError(f"{name} declares a variable twice")
         unit.functions[name] = Function(name, returns, variables, self.statements("END_FUNCTION"))
@@ -236,10 +236,10 @@ class Parser:
 
     def statements(self, *ends: str) -> list[Any]:
         """Statements up to one of some words."""
-        found = []
+        result = []
         while self.word not in ends:
-            found.append(self._statement())
-        return found
+            result.append(self._statement())
+        return result
 
     def _statement(self) -> Any:
         line = self.token.line
@@ -301,13 +301,13 @@ class Parser:
 
     def _branch(self) -> list[Any]:
         """Statements up to the next label: that is a number, or a member of an enum before a colon or a comma."""
-        found = []
+        result = []
         while self.word not in ("ELSE", "END_CASE") and self.token.kind != "int" and self.word != "-":
             ahead = [self.found[self.at + n].text for n in range(4)]
             if ahead[1] == "." and ahead[3] in (":", ","):
                 break
-            found.append(self._statement())
-        return found
+            result.append(self._statement())
+        return result
 
     def expression(self, level: int = 0) -> Any:
         """An expression, by the precedence of its operators."""
@@ -330,15 +330,15 @@ class Parser:
         return self._postfix()
 
     def _postfix(self) -> Any:
-        made = self._primary()
+        primary = self._primary()
         while self.word in (".", "["):
             if self.taken("."):
-                made = ("member", made, self.name())
+                primary = ("member", primary, self.name())
             else:
                 self.take("[")
-                made = ("element", made, self.expression())
+                primary = ("element", primary, self.expression())
                 self.take("]")
-        return made
+        return primary
 
     def _primary(self) -> Any:
         token = self.take()
@@ -361,17 +361,17 @@ class Parser:
         if self.word != "(":
             return "name", token.text.lower()
         self.take("(")
-        given = []
+        arguments = []
         while not self.taken(")"):
             way = self.found[self.at + 1].text
             if way in (":=", "=>"):
                 name = self.name()
                 self.take(way)
-                given.append((way, name, self.expression()))
+                arguments.append((way, name, self.expression()))
             else:
-                given.append(("", "", self.expression()))
+                arguments.append(("", "", self.expression()))
             self.taken(",")
-        return "call", token.text.lower(), given
+        return "call", token.text.lower(), arguments
 
 
 def parsed(text: str) -> Unit:

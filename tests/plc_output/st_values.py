@@ -43,7 +43,7 @@ class MachineError(Exception):
     """Something that must not happen while a function runs."""
 
 
-def held(kind: str) -> Callable[[int], int]:
+def wrapped_number(kind: str) -> Callable[[int], int]:
     """What passes a number on that its type holds, and refuses others."""
     low, high = bounds(kind)
 
@@ -89,10 +89,10 @@ def conversion(source: str, target: str, rounding: str) -> Callable[[Any], Any]:
             raise StError(f"{source}_to_{target} means different things in dialects")
         return float if target == "lreal" else lambda value: single(float(value))
     if source in REALS:
-        check = held(target)
+        check = wrapped_number(target)
         return lambda value: check(_rounded(value, rounding))
     if source == "bool" or target == "bool":
         raise StError(f"{source}_to_{target}")
     if source in BITS or target in BITS:
         return lambda value: wrapped(target, value)
-    return held(target)
+    return wrapped_number(target)

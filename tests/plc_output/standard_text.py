@@ -28,21 +28,21 @@ def anonymous(text: str) -> str:
 
 def named(text: str) -> str:
     """A text without comments whose arrays have types without names, with a type by a name before its first use."""
-    made: dict[str, str] = {}
+    result: dict[str, str] = {}
     out: list[str] = []
-    for held in OBJECT.split(text):
+    for value in OBJECT.split(text):
         fresh: list[str] = []
 
         def called(match: re.Match[str]) -> str:
             low, high, of = match.groups()
             name = f"T_{of}_{low.replace('-', 'M')}_{high}"
-            if name not in made:
-                made[name] = f"TYPE {name} : ARRAY [{low}..{high}] OF {of}; END_TYPE\n"
-                fresh.append(made[name])  # noqa: B023
+            if name not in result:
+                result[name] = f"TYPE {name} : ARRAY [{low}..{high}] OF {of}; END_TYPE\n"
+                fresh.append(result[name])  # noqa: B023
             return name
 
         before = ""
-        while before != held:
-            before, held = held, ARRAY.sub(called, held)
-        out += [*fresh, held]
+        while before != value:
+            before, value = value, ARRAY.sub(called, value)
+        out += [*fresh, value]
     return "".join(out)

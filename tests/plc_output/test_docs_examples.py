@@ -17,7 +17,7 @@ from blark.parse import parse_source_code
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from loaded import made_of
+from loaded import program_of
 from page import PAGE, blocks, example
 from scans import Scans, of_siemens
 
@@ -37,7 +37,7 @@ SERIAL = {
 @cache
 def generated(device: str) -> str:
     """The newest version of a device as Structured Text."""
-    return text(made_of(SPECS, device))
+    return text(program_of(SPECS, device))
 
 
 @pytest.mark.parametrize("block", [*blocks("iecst"), *map(of_siemens, blocks("scl"))])
@@ -121,29 +121,29 @@ def channels() -> list[tuple[int, int, int, str]]:
     return [(int(code), int(offset, 16), int(length), name.lower()) for _, code, offset, length, name in rows]
 
 
-def moved(controller: Controller, **given: Any) -> Scans:
+def moved(controller: Controller, **arguments: Any) -> Scans:
     """The example of the TC100, run until it is done or has failed."""
     scans = Scans(generated("tc100"), example("iecst", "PRG_Tc100Move"), {"IoDrvModbus.ModbusChannel": CHANNEL})
-    held = scans.variables
-    held.update(given)
+    variables = scans.variables
+    variables.update(arguments)
     scans.scan()
-    held["xstart"] = True
+    variables["xstart"] = True
     before = False
     for _ in range(300):
         scans.scan()
-        block = held["fbchannel"]
+        block = variables["fbchannel"]
         rising, before = block["xexecute"] and not before, block["xexecute"]
         block["xdone"] = block["xdone"] and block["xexecute"]
         if rising:
             code, offset, length, name = channels()[block["ichannelindex"]]
             if code == 3:
-                held[name][:] = controller.read(offset, length)
+                variables[name][:] = controller.read(offset, length)
             else:
-                value = held[name]
+                value = variables[name]
                 controller.write(offset, list(value) if isinstance(value, list) else [value])
                 assert len(controller.written[-1][1]) == length
             block["xdone"] = True
-        if held["xdone"] or held["xerror"]:
+        if variables["xdone"] or variables["xerror"]:
             return scans
     raise AssertionError("it goes on")
 
@@ -167,9 +167,9 @@ def test_what_is_written_to_the_tc100_is_what_its_registers_take() -> None:
     moved(controller, ditarget=-5, uispeed=100)
     layout = newest(SPECS, "tc100")
     for address, words in controller.written:
-        laid = next(laid for laid in layout.registers if laid.address == address)
-        assert laid.register.words == len(words)
-    names = {laid.address: laid.name for laid in layout.registers}
+        register = next(register for register in layout.registers if register.address == address)
+        assert register.register.words == len(words)
+    names = {register.address: register.name for register in layout.registers}
     assert [names[address] for address, _ in controller.written] == [
         "servo",
         "absolute_position",
@@ -198,26 +198,26 @@ def test_a_speed_above_the_range_is_never_sent() -> None:
 def gripped(answer: Callable[[bytes], bytes]) -> tuple[Scans, list[bytes]]:
     """The example of the ESC11, run until it is done or has failed, and the packets that it has sent."""
     scans = Scans(generated("esc11"), example("iecst", "PRG_Esc11Grip"), SERIAL)
-    held = scans.variables
+    value = scans.variables
     scans.scan()
-    held["xstart"] = True
+    value["xstart"] = True
     sent, line, coming = [], bytearray(), bytearray()
     for _ in range(400):
-        step = held["istep"]
+        step = value["istep"]
         scans.scan()
         if step == 20:
-            line.append(held["fbsend"]["sendbyte"])
-        if step == 20 and held["istep"] == 30:
+            line.append(value["fbsend"]["sendbyte"])
+        if step == 20 and value["istep"] == 30:
             sent.append(bytes(line))
             coming[:] = answer(bytes(line))
             line.clear()
-        block = held["fbreceive"]
-        block["bytereceived"] = held["istep"] == 30 and bool(coming)
+        block = value["fbreceive"]
+        block["bytereceived"] = value["istep"] == 30 and bool(coming)
         if block["bytereceived"]:
             block["receivedbyte"] = coming.pop(0)
-        held["fbtimeout"]["q"] = held["fbtimeout"]["in"] and not block["bytereceived"] and step == 30
-        held["fbpause"]["q"] = held["fbpause"]["in"]
-        if held["xdone"] or held["xerror"]:
+        value["fbtimeout"]["q"] = value["fbtimeout"]["in"] and not block["bytereceived"] and step == 30
+        value["fbpause"]["q"] = value["fbpause"]["in"]
+        if value["xdone"] or value["xerror"]:
             return scans, sent
     raise AssertionError("it goes on")
 

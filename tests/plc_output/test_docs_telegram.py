@@ -21,7 +21,7 @@ from layouts import SPECS, newest
 SIZES = {"word": 2, "uint": 2, "int": 2, "dint": 4, "udint": 4}
 
 
-def packed(structs: dict[str, list[tuple[str, Any, Any]]], kind: str, held: dict[str, Any]) -> bytes:
+def packed(structs: dict[str, list[tuple[str, Any, Any]]], kind: str, value: dict[str, Any]) -> bytes:
     """A struct as an S7 with standard access lays it down: bits from the lowest one on, numbers the high byte first."""
     data, bit = bytearray(), 8
     for name, of, _ in structs[kind]:
@@ -29,35 +29,35 @@ def packed(structs: dict[str, list[tuple[str, Any, Any]]], kind: str, held: dict
             if bit == 8:
                 data.append(0)
                 bit = 0
-            data[-1] |= held[name] << bit
+            data[-1] |= value[name] << bit
             bit += 1
             continue
         bit = 8
         if len(data) % 2:
             data.append(0)
         if of in structs:
-            data += packed(structs, of, held[name])
+            data += packed(structs, of, value[name])
         else:
-            data += (held[name] % (1 << 8 * SIZES[of])).to_bytes(SIZES[of], "big")
+            data += (value[name] % (1 << 8 * SIZES[of])).to_bytes(SIZES[of], "big")
     return bytes(data)
 
 
-def unpacked(structs: dict[str, list[tuple[str, Any, Any]]], kind: str, data: bytes, held: dict[str, Any]) -> int:
+def unpacked(structs: dict[str, list[tuple[str, Any, Any]]], kind: str, data: bytes, value: dict[str, Any]) -> int:
     """Puts bytes into a struct; returns how many there were."""
     at, bit = 0, 8
     for name, of, _ in structs[kind]:
         if of == "bool":
             if bit == 8:
                 at, bit = at + 1, 0
-            held[name] = bool(data[at - 1] >> bit & 1)
+            value[name] = bool(data[at - 1] >> bit & 1)
             bit += 1
             continue
         bit = 8
         at += at % 2
         if of in structs:
-            at += unpacked(structs, of, data[at:], held[name])
+            at += unpacked(structs, of, data[at:], value[name])
         else:
-            held[name] = int.from_bytes(data[at : at + SIZES[of]], "big", signed=of in ("int", "dint"))
+            value[name] = int.from_bytes(data[at : at + SIZES[of]], "big", signed=of in ("int", "dint"))
             at += SIZES[of]
     return at
 
@@ -66,10 +66,10 @@ def declared(texts: dict[str, str], names: list[str]) -> Iterator[str]:
     """The types with some names, those that they need before them."""
     types = next(content for path, content in texts.items() if path.endswith(".udt"))
     for name in names:
-        found = re.search(rf'^TYPE "{name}".*?^END_TYPE$', types, re.MULTILINE | re.DOTALL)
-        assert found, name
-        yield from declared(texts, re.findall(r': "(\w+)";', found.group()))
-        yield found.group()
+        match = re.search(rf'^TYPE "{name}".*?^END_TYPE$', types, re.MULTILINE | re.DOTALL)
+        assert match, name
+        yield from declared(texts, re.findall(r': "(\w+)";', match.group()))
+        yield match.group()
 
 
 class Drive:
@@ -104,25 +104,25 @@ class Drive:
         }
 
 
-def driven(drive: Drive, cycles: int = 40, **given: Any) -> Scans:
+def driven(drive: Drive, cycles: int = 40, **value: Any) -> Scans:
     """The example of the drive, run until it is done or has failed."""
     layout = newest(SPECS, "hiwin-e")
     texts = {
         path: content.replace("\r\n", "\n") for path, content in scl_files([layout]).items() if isinstance(content, str)
     }
     data = next(content for path, content in texts.items() if path.endswith(".db"))
-    found = re.search(r'^DATA_BLOCK "HiwinETelegram111"\n.*?(STRUCT.*?END_STRUCT;)', data, re.MULTILINE | re.DOTALL)
-    assert found
-    sides = re.findall(r'(\w+) : "(\w+)";', found.group(1))
-    types = "\n".join(dict.fromkeys(declared(texts, [kind for _, kind in sides])))
-    members = " ".join(f"{name} : {kind};" for name, kind in sides)
+    match = re.search(r'^DATA_BLOCK "HiwinETelegram111"\n.*?(STRUCT.*?END_STRUCT;)', data, re.MULTILINE | re.DOTALL)
+    assert match
+    findall = re.findall(r'(\w+) : "(\w+)";', match.group(1))
+    types = "\n".join(dict.fromkeys(declared(texts, [kind for _, kind in findall])))
+    members = " ".join(f"{name} : {kind};" for name, kind in findall)
     source = of_siemens(types) + f"\nTYPE typeBlock : STRUCT {members} END_STRUCT; END_TYPE\n"
     program = of_siemens(example("scl", "HiwinETelegram111Move")).replace("HW_IO", "WORD")
     program = program.replace("\nVAR\n", "\nVAR\n    HiwinETelegram111 : typeBlock;\n", 1)
-    scans = Scans(source, program, given=["DPRD_DAT", "DPWR_DAT"])
+    scans = Scans(source, program, value=["DPRD_DAT", "DPWR_DAT"])
     structs, block = scans.machine.unit.structs, scans.variables["hiwinetelegram111"]
-    kinds = {name.lower(): kind.lower() for name, kind in sides}
-    scans.variables.update({"enable": True, **given})
+    kinds = {name.lower(): kind.lower() for name, kind in findall}
+    scans.variables.update({"enable": True, **value})
     for cycle in range(cycles):
         # The edge comes when the drive has been switched on.
         scans.variables["execute"] = cycle > 5

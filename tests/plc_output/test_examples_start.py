@@ -31,9 +31,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(params=PLANTS)
 def plant(request: pytest.FixtureRequest, folder: Path) -> Plant:
     """Each example with its device, which has come up."""
-    made: Plant = PLANTS[request.param](folder)
-    run(made, LONG)
-    return made
+    plant: Plant = PLANTS[request.param](folder)
+    run(plant, LONG)
+    return plant
 
 
 def run(plant: Plant, scans: int, **inputs: Any) -> Plant:

@@ -37,13 +37,15 @@ class Line:
         layout = newest(SPECS, device)
         self.codec, self.message = codec(layout).links[link], message
         functions = text(source(layout)) if dialect == "iec" else siemens(device)
-        plain = anonymous(functions) if dialect == "iec" else functions
-        unit = parsed(plain)
-        found = re.search(
-            rf"FUNCTION_BLOCK (FB_\w+_{link}{message.replace('_', '')})\n(.*?)END_FUNCTION_BLOCK", plain, re.S | re.I
+        unpacked_text = anonymous(functions) if dialect == "iec" else functions
+        unit = parsed(unpacked_text)
+        match = re.search(
+            rf"FUNCTION_BLOCK (FB_\w+_{link}{message.replace('_', '')})\n(.*?)END_FUNCTION_BLOCK",
+            unpacked_text,
+            re.S | re.I,
         )
-        assert found, (link, message)
-        sections = dict(re.findall(r"^(VAR\w*)\n(.*?)^END_VAR", without_comments(found.group(2)), re.M | re.S))
+        assert match, (link, message)
+        sections = dict(re.findall(r"^(VAR\w*)\n(.*?)^END_VAR", without_comments(match.group(2)), re.M | re.S))
         variable = re.compile(r"^\s*(\w+) : ([^;]+?)(?: :=[^;]*)?;", re.M)
         inputs, outputs, arrays = (
             dict(variable.findall(sections[f"VAR_{role}"])) for role in ("INPUT", "OUTPUT", "IN_OUT")
@@ -56,12 +58,12 @@ class Line:
             low, high = re.findall(r"\d+", kind)[:2]
             self.arrays[name] = ("array", int(low), int(high), kind.split()[-1].lower())
         declared = "".join(f"{name} : {kind};\n" for name, kind in (*inputs.items(), *arrays.items()))
-        given = ", ".join(f"{name} := {name}" for name in (*inputs, *arrays))
-        program = f"PROGRAM PRG_Line\nVAR fb : {found.group(1)};\n{declared}END_VAR\nfb({given});\nEND_PROGRAM\n"
-        written = (*self.inputs.items(), *self.arrays.items())
+        arguments = ", ".join(f"{name} := {name}" for name in (*inputs, *arrays))
+        program = f"PROGRAM PRG_Line\nVAR fb : {match.group(1)};\n{declared}END_VAR\nfb({arguments});\nEND_PROGRAM\n"
+        encoded = (*self.inputs.items(), *self.arrays.items())
         read = (*((f"fb.{name}", kind) for name, kind in self.outputs.items()), *self.arrays.items())
-        whole = named(without_comments(plain) + program) if dialect != "iec" else standard(functions, program)
-        self.program = Compiled(whole, folder, Block("PRG_Line", written, read), unit)
+        whole = named(without_comments(unpacked_text) + program) if dialect != "iec" else standard(functions, program)
+        self.program = Compiled(whole, folder, Block("PRG_Line", encoded, read), unit)
         self.program.restart()
         self.now: dict[str, Any] = dict.fromkeys(self.inputs, 0)
         self.now |= {"Execute": False, "Abort": False, "xReceived": False, "xFailed": False, "iRetries": 2}
@@ -109,9 +111,9 @@ class Line:
     @property
     def ended(self) -> str:
         """The output that says how it has ended."""
-        found = [name for name in ("Done", "CommandAborted", "Error", "Busy") if self.out[name]]
-        assert len(found) <= 1, found
-        return "".join(found)
+        result = [name for name in ("Done", "CommandAborted", "Error", "Busy") if self.out[name]]
+        assert len(result) <= 1, result
+        return "".join(result)
 
 
 def standard(functions: str, program: str) -> str:
@@ -123,8 +125,8 @@ def standard(functions: str, program: str) -> str:
 
 def siemens(device: str) -> str:
     """The functions and blocks for TIA Portal, without texts of codes."""
-    found = without_comments(siemens_text(device)).replace("TON_TIME", "TON")
-    return re.sub(r"^TYPE \w+CodeText :.*?^END_TYPE$", "", found, flags=re.MULTILINE | re.DOTALL)
+    actual = without_comments(siemens_text(device)).replace("TON_TIME", "TON")
+    return re.sub(r"^TYPE \w+CodeText :.*?^END_TYPE$", "", actual, flags=re.MULTILINE | re.DOTALL)
 
 
 def asked(line: Line) -> dict[str, Any]:
@@ -144,8 +146,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def line(folder: Path) -> Line:
     """A block that reads two registers of a TC100, ready to start."""
-    made = Line("tc100", "rtu", "read_registers", folder)
-    return made.run(2, **asked(made))
+    line = Line("tc100", "rtu", "read_registers", folder)
+    return line.run(2, **asked(line))
 
 
 @pytest.mark.parametrize("message", ["read_registers", "write_register", "write_registers"])

@@ -16,7 +16,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from drawing import drawn_bytes, drawn_values
-from loaded import WAY_NAMES, WAYS, held_in, judged, proof_by, reason
+from loaded import WAY_NAMES, WAYS, judged, proof_by, reason, words_in
 from proving import Proof, without
 
 from fieldspec.layout.frame import LinkLayout, MessageLayout
@@ -72,10 +72,10 @@ def test_every_response_of_an_example_is_parsed_to_its_values(prover: Proof) -> 
                     example.id
                 )
             else:
-                heads = {part.name for part in link.response.head}
-                given = {name: held for name, held in meaning.head.items() if name in heads & set(values)}
+                heads = {part.name for part in link.response.header}
+                parts = {name: part for name, part in meaning.head.items() if name in heads & set(values)}
                 assert status == "ok", (example.id, status)
-                assert values == {**given, **without(message.response, meaning.values)}, example.id
+                assert values == {**parts, **without(message.response, meaning.values)}, example.id
 
 
 def test_every_telegram_of_an_example_is_unpacked_and_packed_again(prover: Proof) -> None:
@@ -98,13 +98,13 @@ def there_and_back(prover: Proof, data: RecordLayout, frame: bytes) -> None:
     for unit, name in (("bytes", "aBytes"), ("words", "aWords")):
         if len(frame) % 2 and unit == "words":
             continue
-        array = held_in(frame, unit, device.byte_order)
-        held = prover.machine.fresh(prover.world.names.structs[data.name].lower())
-        found, _ = prover.run(prover.world.routine("unpack", data.name, unit), **{name: array, "stData": held})
-        assert found == status, (data.name, frame.hex())
+        array = words_in(frame, unit, device.byte_order)
+        copy = prover.machine.fresh(prover.world.names.structs[data.name].lower())
+        actual, _ = prover.run(prover.world.routine("unpack", data.name, unit), **{name: array, "stData": copy})
+        assert actual == status, (data.name, frame.hex())
         if expected is None or status == "no_number":
             continue
-        assert prover.struct_out(data, held) == expected, (data.name, unit)
+        assert prover.struct_out(data, copy) == expected, (data.name, unit)
         packed(prover, data, unit, expected)
 
 
@@ -121,14 +121,14 @@ def packed(prover: Proof, data: RecordLayout, unit: str, values: dict[str, Any])
     name = {"bytes": "aBytes", "words": "aWords"}[unit]
     size = data.size or 0
     array = [0xAA] * size if unit == "bytes" else [0xAAAA] * (size // 2)
-    held = prover.struct_in(data, values)
-    found, _ = prover.run(prover.world.routine("pack", data.name, unit), **{name: array, "stData": held})
+    inner_struct = prover.struct_in(data, values)
+    actual, _ = prover.run(prover.world.routine("pack", data.name, unit), **{name: array, "stData": inner_struct})
     try:
         expected = encoded(data, values, device)
     except CodecError as error:
-        judged(found, error, (data.name, values))
+        judged(actual, error, (data.name, values))
         return
-    assert (found, array) == ("ok", held_in(expected, unit, device.byte_order)), (data.name, values)
+    assert (actual, array) == ("ok", words_in(expected, unit, device.byte_order)), (data.name, values)
 
 
 def test_telegrams_agree_with_the_reference_on_random_bytes_and_values(prover: Proof) -> None:
@@ -160,16 +160,16 @@ def test_messages_agree_with_the_reference_on_random_values(prover: Proof) -> No
 
 def framed_messages(link: LinkLayout, direction: str) -> list[MessageLayout]:
     """The messages whose fields are called other than the parts before them: the reference takes both by name."""
-    heads = {part.name for part in link.frame(direction).head}
+    heads = {part.name for part in link.frame(direction).header}
     messages = link.messages.values() if framed(link) else ()
-    return [one for one in messages if not heads & {field.name for field in one.data(direction).fields}]
+    return [message for message in messages if not heads & {field.name for field in message.data(direction).fields}]
 
 
 def head_values(link: LinkLayout, direction: str, dice: random.Random) -> dict[str, int]:
     """Random values for the parts before the body that users give."""
     return {
         part.name: dice.choice([0, 1, 2, part.value.type.high, dice.randint(0, part.value.type.high)])
-        for part in link.frame(direction).head
+        for part in link.frame(direction).header
         if part.is_argument and part.value is not None
     }
 
@@ -189,7 +189,7 @@ def test_responses_agree_with_the_reference_on_random_and_on_damaged_frames(prov
                 frame = damaged(frame, dice) if number % 2 else frame
                 if len(frame) > prover.world.frame.high + 1:
                     continue
-                status, found = prover.parse(link, message, frame)
+                status, parsed_tree = prover.parse(link, message, frame)
                 try:
                     meaning = reference.links[link.name].decode(frame, "response", message.name)
                 except CodecError as error:
@@ -199,18 +199,18 @@ def test_responses_agree_with_the_reference_on_random_and_on_damaged_frames(prov
                 assert status == ("refused" if meaning.error else "ok"), (message.name, frame.hex())
                 if not meaning.error:
                     expected = without(message.response, meaning.values)
-                    assert {name: found[name] for name in expected} == expected, (message.name, frame.hex())
+                    assert {name: parsed_tree[name] for name in expected} == expected, (message.name, frame.hex())
     if any(framed(link) for link in layout.links.values()):
         assert len(refused) > 1
 
 
 def damaged(frame: bytes, dice: random.Random) -> bytes:
     """A frame with a byte that differs, or one byte fewer or more."""
-    made = bytearray(frame)
+    spoiled_frame = bytearray(frame)
     way = dice.randrange(4)
     if way == 0:
-        return bytes(made[:-1])
+        return bytes(spoiled_frame[:-1])
     if way == 1:
-        return bytes([*made, dice.randrange(256)])
-    made[dice.randrange(len(made))] ^= 1 << dice.randrange(8)
-    return bytes(made)
+        return bytes([*spoiled_frame, dice.randrange(256)])
+    spoiled_frame[dice.randrange(len(spoiled_frame))] ^= 1 << dice.randrange(8)
+    return bytes(spoiled_frame)

@@ -16,7 +16,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from drawing import drawn_bytes, drawn_value, drawn_values
-from loaded import COMPUTING, DEVICES, NAMES, WAY_NAMES, WAYS, computing, held_in, judged, proof_by
+from loaded import COMPUTING, DEVICES, NAMES, WAY_NAMES, WAYS, computing, judged, proof_by, words_in
 from proving import Proof, without
 
 from fieldspec.layout.record import RegisterLayout
@@ -29,7 +29,7 @@ from fieldspec.reference.records import decoded, decoded_value, encoded, encoded
 from layouts import SPECS, TEST_SPECS
 
 TRIES = 25
-READ, WRITTEN = ("ro", "rw"), ("wo", "rw")
+READ, WRITABLE = ("ro", "rw"), ("wo", "rw")
 
 
 @pytest.fixture(params=WAYS, ids=WAY_NAMES, scope="module")
@@ -45,19 +45,19 @@ def test_records_of_tables_agree_with_the_reference_on_random_words_and_values(p
         name = ordered(prover, "unpack", record.name)
         for _ in range(TRIES):
             data, first = drawn_bytes(record, dice), dice.randrange(len(prover.fresh(prover.world.words)))
-            words, array = held_in(data, "words", order), prover.fresh(prover.world.words)
+            words, array = words_in(data, "words", order), prover.fresh(prover.world.words)
             first = min(first, len(array) - len(words))
             array[first : first + len(words)] = words
-            held = prover.machine.fresh(prover.world.names.structs[record.name].lower())
-            given = {"aWords": array, "iFirst": first, "stData": held}
-            assert prover.run(name, **given, iCount=first + len(words) - 1)[0] == "incomplete"
-            status, _ = prover.run(name, **given, iCount=first + len(words))
+            copy = prover.machine.fresh(prover.world.names.structs[record.name].lower())
+            value = {"aWords": array, "iFirst": first, "stData": copy}
+            assert prover.run(name, **value, iCount=first + len(words) - 1)[0] == "incomplete"
+            status, _ = prover.run(name, **value, iCount=first + len(words))
             try:
                 expected = without(record, decoded(record, data, layout.device))
             except CodecError as error:
                 judged(status, error, record.name)
                 continue
-            assert (status, prover.struct_out(record, held)) == ("ok", expected)
+            assert (status, prover.struct_out(record, copy)) == ("ok", expected)
         if not any(table.writable for table in layout.tables.values() if table.record.name == record.name):
             unit = prover.machine.unit.functions
             assert not any(name.startswith(prover.world.routine("pack", record.name).lower()) for name in unit)
@@ -65,10 +65,10 @@ def test_records_of_tables_agree_with_the_reference_on_random_words_and_values(p
         for _ in range(2 * TRIES):
             values = drawn_values(layout, record, dice)
             array = prover.fresh(prover.world.words)
-            given = {"aWords": array, "iFirst": 1, "stData": prover.struct_in(record, values)}
-            status, _ = prover.run(ordered(prover, "pack", record.name), **given)
+            value = {"aWords": array, "iFirst": 1, "stData": prover.struct_in(record, values)}
+            status, _ = prover.run(ordered(prover, "pack", record.name), **value)
             try:
-                words = held_in(encoded(record, values, layout.device), "words", order)
+                words = words_in(encoded(record, values, layout.device), "words", order)
             except CodecError as error:
                 judged(status, error, values)
                 continue
@@ -78,114 +78,118 @@ def test_records_of_tables_agree_with_the_reference_on_random_words_and_values(p
 def ordered(prover: Proof, deed: str, name: str) -> str:
     """The function of a record or a group, whose name states the order of words."""
     start = prover.world.routine(deed, name).lower()
-    (found,) = (
+    (actual,) = (
         name
         for name in prover.machine.unit.functions
         if name.startswith(start) and name.removeprefix(start) in ("", "highwordfirst", "lowwordfirst")
     )
-    return found
+    return actual
 
 
 def test_an_element_of_a_table_has_its_address(prover: Proof) -> None:
-    for laid in prover.world.layout.tables.values():
-        name = prover.world.routine(laid.name, "address")
-        indexes = laid.table.indexes
+    for table in prover.world.layout.tables.values():
+        name = prover.world.routine(table.name, "address")
+        indexes = table.table.indexes
         for index in (indexes[0] - 1, *indexes, indexes[-1] + 1):
             status, (address,) = prover.positional(name, index)
-            expected = ("ok", laid.table.address(index)) if index in indexes else ("out_of_range", 0)
+            expected = ("ok", table.table.address(index)) if index in indexes else ("out_of_range", 0)
             assert (status, address) == expected
 
 
 def registers(prover: Proof, group: RegisterGroup, access: tuple[str, ...]) -> list[RegisterLayout]:
     """The registers of a group that have one of some accesses; a trigger can be written in any case."""
     return [
-        one
-        for one in prover.world.layout.registers
-        if one.register in group.registers
-        and (one.register.access in access or (access == WRITTEN and one.register.trigger))
+        register
+        for register in prover.world.layout.registers
+        if register.register in group.registers
+        and (register.register.access in access or (access == WRITABLE and register.register.trigger))
     ]
 
 
-def spans(laid: list[RegisterLayout], most: int) -> Iterator[tuple[int, int]]:
+def spans(registers: list[RegisterLayout], most: int) -> Iterator[tuple[int, int]]:
     """Addresses and numbers of words to read: each register alone, too little of it, and all from each one on."""
-    last = max(one.register.end for one in laid)
-    for one in laid:
-        yield one.address, one.words
-    for one in random.Random(5).sample(laid, min(8, len(laid))):
-        yield one.address, min(most, last - one.address)
-        yield max(0, one.address - 1), min(most, one.words + 2)
-        yield one.address, one.words - 1
+    last = max(register.register.end for register in registers)
+    for register in registers:
+        yield register.address, register.words
+    for register in random.Random(5).sample(registers, min(8, len(registers))):
+        yield register.address, min(most, last - register.address)
+        yield max(0, register.address - 1), min(most, register.words + 2)
+        yield register.address, register.words - 1
 
 
-def read_of(prover: Proof, laid: RegisterLayout, words: dict[int, int]) -> list[Any]:
+def read_of(prover: Proof, register_layout: RegisterLayout, words: dict[int, int]) -> list[Any]:
     """What the reference makes of each element of a register; None for one that does not lie in the words."""
-    found: list[Any] = []
-    register, order = laid.register, prover.world.layout.device.byte_order
-    for number in range(laid.count):
-        at = laid.address + number * laid.stride
-        if any(word not in words for word in range(at, at + laid.words)):
-            found.append(None)
+    result: list[Any] = []
+    register, order = register_layout.register, prover.world.layout.device.byte_order
+    for number in range(register_layout.count):
+        at = register_layout.address + number * register_layout.stride
+        if any(word not in words for word in range(at, at + register_layout.words)):
+            result.append(None)
             continue
-        data = b"".join(words[word].to_bytes(2, order) for word in range(at, at + laid.words))  # type: ignore[arg-type]
-        raw = value_construct(register.answer, laid.order, laid.swapped).parse(data[: register.value.size])
-        found.append(decoded_value(laid.name, register.answer, raw, prover.world.layout.device, None))
-    return found
+        data = b"".join(words[word].to_bytes(2, order) for word in range(at, at + register_layout.words))  # type: ignore[arg-type]
+        raw = value_construct(register.answer, register_layout.order, register_layout.swapped).parse(
+            data[: register.value.size]
+        )
+        result.append(decoded_value(register_layout.name, register.answer, raw, prover.world.layout.device, None))
+    return result
 
 
 def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof) -> None:
     dice, most = random.Random(1), prover.world.words.high + 1
     for group in prover.world.layout.device.groups:
-        laid = registers(prover, group, READ)
-        for address, count in spans(laid, most) if laid else ():
+        registers_of_group = registers(prover, group, READ)
+        for address, count in spans(registers_of_group, most) if registers_of_group else ():
             words = {address + at: dice.choice([0, 0, 1, dice.randrange(1 << 16)]) for at in range(max(0, count))}
             array = [*words.values(), *([0xFFFF] * (most - len(words)))]
-            held = prover.machine.fresh(prover.world.names.structs[group.name].lower())
-            before = {one.name: read_out(prover, group, one, held) for one in laid}
+            copy = prover.machine.fresh(prover.world.names.structs[group.name].lower())
+            before = {register.name: read_out(prover, group, register, copy) for register in registers_of_group}
             name = ordered(prover, "unpack", group.name)
-            status, _ = prover.run(name, uiAddress=address, iCount=count, aWords=array, stData=held)
+            status, _ = prover.run(name, uiAddress=address, iCount=count, aWords=array, stData=copy)
             try:
-                expected = {one.name: read_of(prover, one, words) for one in laid}
+                expected = {register.name: read_of(prover, register, words) for register in registers_of_group}
             except CodecError as error:
                 judged(status, error, (group.name, address, count))
                 continue
             there = any(value is not None for values in expected.values() for value in values)
             assert status == ("ok" if there else "not_covered"), (group.name, address, count)
-            for one in laid:
-                pairs = zip(expected[one.name], before[one.name], strict=True)
+            for register in registers_of_group:
+                pairs = zip(expected[register.name], before[register.name], strict=True)
                 wanted = [old if new is None else new for new, old in pairs]
-                assert read_out(prover, group, one, held) == wanted, (one.name, address)
+                assert read_out(prover, group, register, copy) == wanted, (register.name, address)
 
 
-def read_out(prover: Proof, group: RegisterGroup, laid: RegisterLayout, held: dict[str, Any]) -> list[Any]:
+def read_out(prover: Proof, group: RegisterGroup, register: RegisterLayout, value: dict[str, Any]) -> list[Any]:
     """What the elements of a register are in a variable: what was read, where that has a member of its own."""
-    if answer_type(prover.world, laid) is None:
-        return prover.register_out(laid, held[member(prover, group, laid)])
-    found = held[prover.world.member(group.name, answer_name(laid)).lower()]
-    return list(found) if laid.count > 1 else [found]
+    if answer_type(prover.world, register) is None:
+        return prover.register_out(register, value[member(prover, group, register)])
+    actual = value[prover.world.member(group.name, answer_name(register)).lower()]
+    return list(actual) if register.count > 1 else [actual]
 
 
-def member(prover: Proof, group: RegisterGroup, laid: RegisterLayout) -> str:
+def member(prover: Proof, group: RegisterGroup, register: RegisterLayout) -> str:
     """The member of a register."""
-    return prover.world.member(group.name, laid.name).lower()
+    return prover.world.member(group.name, register.name).lower()
 
 
 def test_groups_of_registers_are_written_as_the_reference_writes_them(prover: Proof) -> None:
     dice, most, device = random.Random(2), prover.world.words.high + 1, prover.world.layout.device
     for group in device.groups:
-        laid = registers(prover, group, WRITTEN)
-        for address, count in spans(laid, most) if laid else ():
-            held = prover.machine.fresh(prover.world.names.structs[group.name].lower())
+        registers_of_group = registers(prover, group, WRITABLE)
+        for address, count in spans(registers_of_group, most) if registers_of_group else ():
+            copy = prover.machine.fresh(prover.world.names.structs[group.name].lower())
             values = {
-                one.name: [drawn_value(prover.world.layout, one.register.value, dice) for _ in range(one.count)]
-                for one in laid
+                register.name: [
+                    drawn_value(prover.world.layout, register.register.value, dice) for _ in range(register.count)
+                ]
+                for register in registers_of_group
             }
-            for one in laid:
-                held[member(prover, group, one)] = prover.register_in(one, values[one.name])
+            for register in registers_of_group:
+                copy[member(prover, group, register)] = prover.register_in(register, values[register.name])
             array = [0] * most
             name = ordered(prover, "pack", group.name)
-            status, _ = prover.run(name, uiAddress=address, iCount=count, aWords=array, stData=held)
+            status, _ = prover.run(name, uiAddress=address, iCount=count, aWords=array, stData=copy)
             try:
-                words = written_of(prover, laid, values, address, count)
+                words = encoded_words(prover, registers_of_group, values, address, count)
             except CodecError as error:
                 judged(status, error, (group.name, address, count))
                 continue
@@ -195,26 +199,28 @@ def test_groups_of_registers_are_written_as_the_reference_writes_them(prover: Pr
                 assert status == "not_covered", (group.name, address, count)
 
 
-def written_of(
-    prover: Proof, laid: list[RegisterLayout], values: dict[str, list[Any]], address: int, count: int
+def encoded_words(
+    prover: Proof, registers: list[RegisterLayout], values: dict[str, list[Any]], address: int, count: int
 ) -> dict[int, int]:
     """The words that the reference writes, by their addresses, of the registers that lie wholly in a range."""
     device, words = prover.world.layout.device, {}
-    for one in laid:
-        for number in range(one.count):
-            at, value = one.address + number * one.stride, one.register.value
-            if address <= at and at + one.words <= address + count:
-                raw = encoded_value(one.name, value, values[one.name][number], device)
-                data = value_construct(value, one.order, one.swapped).build(raw).ljust(2 * one.words, b"\0")
-                held = held_in(data, "words", device.byte_order)
+    for register in registers:
+        for number in range(register.count):
+            at, value = register.address + number * register.stride, register.register.value
+            if address <= at and at + register.words <= address + count:
+                raw = encoded_value(register.name, value, values[register.name][number], device)
+                data = (
+                    value_construct(value, register.order, register.swapped).build(raw).ljust(2 * register.words, b"\0")
+                )
+                held = words_in(data, "words", device.byte_order)
                 words |= {at + word: number_of for word, number_of in enumerate(held)}
     return words
 
 
 def test_a_number_on_the_wire_is_a_member_of_its_enum_or_is_refused(prover: Proof) -> None:
     for enum in prover.world.layout.device.enums.values():
-        names = [one.name for one in enum_routines(prover.world, enum)]
-        known = {one.value: one for one in reversed(enum.members) if not one.unavailable}
+        names = [routine.name for routine in enum_routines(prover.world, enum)]
+        known = {member.value: member for member in reversed(enum.members) if not member.unavailable}
         for raw in {*known, *(value + by for value in known for by in (-1, 1)), 0} if names else ():
             kind = prover.world.raw_type(enum.name)
             if not kind.low <= raw <= kind.high:
@@ -223,17 +229,21 @@ def test_a_number_on_the_wire_is_a_member_of_its_enum_or_is_refused(prover: Proo
             assert valid == (raw in known), (enum.name, raw)
             if valid:
                 kind_name = prover.world.names.enums[enum.name].name
-                spelled = prover.world.names.enum_members[enum.name][known[raw].name]
+                member_name = prover.world.names.enum_members[enum.name][known[raw].name]
                 assert value == raw
                 if prover.machine.unit.enums:
-                    assert prover.machine.number(kind_name, spelled) == raw
+                    assert prover.machine.number(kind_name, member_name) == raw
                 if names[1].lower() in prover.machine.unit.functions:
                     assert prover.machine.call(names[1], eValue=value) == (True, raw)
 
 
 def prefix(prover: Proof, name: str) -> str:
     """The only input of a function."""
-    return next(one for role, one, _, _ in prover.machine.unit.functions[name.lower()].variables if role == "VAR_INPUT")
+    return next(
+        variable
+        for role, variable, _, _ in prover.machine.unit.functions[name.lower()].variables
+        if role == "VAR_INPUT"
+    )
 
 
 @pytest.mark.parametrize("way", COMPUTING)
@@ -246,7 +256,7 @@ def test_counts_become_quantities_and_quantities_the_nearest_counts(
     for name, same in quantities(prover.world.layout).items():
         value = same[0].value
         low, high = (value.ranges.low, value.ranges.high) if value.ranges else (value.type.low, value.type.high)
-        sentinels = {one.value for one in value.sentinels}
+        sentinels = {sentinel.value for sentinel in value.sentinels}
         for raw in {low, high, low - 1, high + 1, 0, 1, *(dice.randint(low, high) for _ in range(8)), *sentinels}:
             if not value.type.low <= raw <= value.type.high:
                 continue
@@ -267,15 +277,15 @@ def test_counts_become_quantities_and_quantities_the_nearest_counts(
 
 def counts(prover: Proof, name: str, quantity: float) -> tuple[str, int]:
     """The status and the count of a quantity."""
-    status, (found,) = prover.positional(prover.world.routine(name, "to_counts"), quantity)
-    return status, found
+    status, (actual,) = prover.positional(prover.world.routine(name, "to_counts"), quantity)
+    return status, actual
 
 
 @pytest.mark.parametrize("way", COMPUTING)
 def test_of_two_equally_near_counts_the_even_one_is_taken(way: str, tmp_path_factory: pytest.TempPathFactory) -> None:
     prover = computing(TEST_SPECS, "widget", way, tmp_path_factory)
-    found = [counts(prover, "temperature", -40 + half / 4) for half in (1, 3, 5, -1, -3, -5)]
-    assert found == [("ok", number) for number in (0, 2, 2, 0, -2, -2)]
+    result = [counts(prover, "temperature", -40 + half / 4) for half in (1, 3, 5, -1, -3, -5)]
+    assert result == [("ok", number) for number in (0, 2, 2, 0, -2, -2)]
 
 
 @pytest.mark.parametrize("way", COMPUTING)

@@ -18,7 +18,7 @@ from lxml import etree
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from loaded import DEVICES, NAMES, REAL, made_of
+from loaded import DEVICES, NAMES, REAL, program_of
 from shapes import KEYWORDS, Shapes
 from st_machine import Machine
 from st_syntax import StError, parsed, tokens
@@ -54,8 +54,8 @@ def hostile() -> DeviceLayout:
         "hostile/device.yaml": text.encode(),
         "protocols/wire.yaml": (TEST_SPECS / "protocols/wire.yaml").read_bytes(),
     }
-    device, found = read(files).devices["hostile"].at("1")
-    assert not has_errors(found), found[0].message
+    device, findings = read(files).devices["hostile"].at("1")
+    assert not has_errors(findings), findings[0].message
     return device_layout(device)
 
 
@@ -69,39 +69,39 @@ def blark_takes(lines: Sequence[str]) -> None:
 def statement_forms() -> list[list[str]]:
     """Every form of statement in the functions of the four devices."""
     seen = Shapes()
-    made = (made_of(SPECS, device) for device in REAL)
-    functions = (item for one in made for item in one.items if item.kind == "function")
+    programs = (program_of(SPECS, device) for device in REAL)
+    functions = (item for program in programs for item in program.items if item.kind == "function")
     return [some for item in functions for some in seen.statements(item.implementation)]
 
 
 @pytest.mark.parametrize("part", range(PARTS))
 def test_blark_parses_every_form_of_statement(part: int) -> None:
-    held = statement_forms()[part::PARTS]
-    for at in range(0, len(held), 4):
-        body = [line for some in held[at : at + 4] for line in some]
+    value = statement_forms()[part::PARTS]
+    for at in range(0, len(value), 4):
+        body = [line for some in value[at : at + 4] for line in some]
         blark_takes(["FUNCTION F_Form : BOOL", *body, "END_FUNCTION"])
 
 
 def test_blark_parses_every_form_of_declaration() -> None:
     seen = Shapes()
     for device in REAL:
-        for item in made_of(SPECS, device).items:
+        for item in program_of(SPECS, device).items:
             if item.kind == "block":
                 continue
             head = item.kind == "function"
-            lines = seen.head(item.declaration) if head else seen.listed(item.declaration)
+            lines = seen.head(item.declaration) if head else seen.new_lines(item.declaration)
             if lines:
                 blark_takes([*lines, "RETURN;", "END_FUNCTION"] if head else lines)
 
 
 def test_blark_parses_whole_blocks() -> None:
-    for item in [one for device in REAL for one in made_of(SPECS, device).items if one.kind == "block"][:6]:
+    for item in [item for device in REAL for item in program_of(SPECS, device).items if item.kind == "block"][:6]:
         blark_takes(item.lines)
 
 
 def test_blark_parses_whole_functions_and_what_hostile_labels_are_in() -> None:
-    program = made_of(SPECS, "esc11")
-    for item in [one for one in program.items if "PointMode" in one.name or "Grip" in one.name][:8]:
+    program = program_of(SPECS, "esc11")
+    for item in [item for item in program.items if "PointMode" in item.name or "Grip" in item.name][:8]:
         blark_takes(item.lines)
     (text,) = (text for name, text in st_files([hostile()]).items() if name.endswith(".st"))
     assert "]] >" in text or "]]>" in text
@@ -113,7 +113,7 @@ def test_blark_parses_whole_functions_and_what_hostile_labels_are_in() -> None:
 @pytest.mark.parametrize(("root", "device"), ALL, ids=[*NAMES, "hostile"])
 def test_tree_sitter_parses_every_function_and_struct(root: Path, device: str) -> None:
     parser = tree_sitter.Parser(tree_sitter.Language(tree_sitter_iec61131_3_st.language()))
-    for item in made_of(root, device).items:
+    for item in program_of(root, device).items:
         # Its grammar has neither pragmas, nor enums with a base type behind them, nor global constants by themselves.
         lines = [line for line in item.lines if not line.startswith("{")]
         if item.kind in ("function", "block") or "STRUCT" in lines:
@@ -137,10 +137,10 @@ def test_texts_of_codes_hold_every_character(text: str) -> None:
     blark_takes(lines)
     unit = parsed("\n".join(lines))
     Machine(unit)
-    assert said(unit.globals[0][2][1]) == text
+    assert literal_text(unit.globals[0][2][1]) == text
 
 
-def said(literal: str) -> str:
+def literal_text(literal: str) -> str:
     """The text that a literal stands for."""
     digits = 4 if literal[0] == '"' else 2
     form = re.compile(rf"\$([0-9A-F]{{{digits}}})|\$(.)|([^$])", re.DOTALL)
@@ -148,10 +148,10 @@ def said(literal: str) -> str:
 
 
 def test_hostile_labels_stay_within_comments_and_texts() -> None:
-    laid = hostile()
-    (text,) = (text for name, text in st_files([laid]).items() if name.endswith(".st"))
-    plain = newest(TEST_SPECS, "hostile")
-    (other,) = (text for name, text in st_files([plain]).items() if name.endswith(".st"))
+    layout = hostile()
+    (text,) = (text for name, text in st_files([layout]).items() if name.endswith(".st"))
+    hostile_text = newest(TEST_SPECS, "hostile")
+    (other,) = (text for name, text in st_files([hostile_text]).items() if name.endswith(".st"))
     assert list(parsed(text).functions) == list(parsed(other).functions)
     Machine(parsed(text))
     for line in text.splitlines():
@@ -160,23 +160,25 @@ def test_hostile_labels_stay_within_comments_and_texts() -> None:
 
 @pytest.mark.parametrize("name", ["plain", "hostile", *REAL])
 def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) -> None:
-    laid = hostile() if name == "hostile" else newest(TEST_SPECS, "widget") if name == "plain" else newest(SPECS, name)
+    layout = (
+        hostile() if name == "hostile" else newest(TEST_SPECS, "widget") if name == "plain" else newest(SPECS, name)
+    )
     schema = etree.XMLSchema(etree.parse(str(HERE / "tc6_xml_v201.xsd")))
-    (text,) = (text for path, text in plcopen_files([laid]).items() if path.endswith(".xml"))
+    (text,) = (text for path, text in plcopen_files([layout]).items() if path.endswith(".xml"))
     document = etree.fromstring(text.encode())
     # The public schema is that of 2.01, which calls its names otherwise; CODESYS exports 2.00.
     renamed = etree.fromstring(text.replace(TC6_NAMESPACE, f"{TC6_NAMESPACE[:-4]}0201").encode())
     assert schema.validate(renamed), schema.error_log.last_error
     spaces = {"p": TC6_NAMESPACE, "x": "http://www.w3.org/1999/xhtml"}
-    (plain,) = (text for path, text in st_files([laid]).items() if path.endswith(".st"))
-    unit = parsed(plain)
-    names = [one.lower() for one in document.xpath("//p:pou/@name", namespaces=spaces)]
+    (unpacked_text,) = (text for path, text in st_files([layout]).items() if path.endswith(".st"))
+    unit = parsed(unpacked_text)
+    names = [item.lower() for item in document.xpath("//p:pou/@name", namespaces=spaces)]
     assert sorted(names) == sorted([*unit.functions, *unit.blocks])
-    types = [one.lower() for one in document.xpath("//p:dataType/@name", namespaces=spaces)]
+    types = [item.lower() for item in document.xpath("//p:dataType/@name", namespaces=spaces)]
     assert sorted(types) == sorted([*unit.enums, *unit.structs])
     for pou in document.xpath("//p:pou", namespaces=spaces):
         (body,) = pou.xpath("p:body/p:ST/x:xhtml", namespaces=spaces)
-        assert body.text in plain
+        assert body.text in unpacked_text
         assert not len(body)
         order = [etree.QName(section).localname for section in pou.find("p:interface", spaces)]
         assert order == [section for section in INTERFACE if section in order], pou.get("name")
@@ -187,33 +189,33 @@ def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) ->
 
 @pytest.mark.parametrize("name", ["hostile", *REAL])
 def test_twincat_files_hold_the_objects_of_the_text(name: str) -> None:
-    laid = hostile() if name == "hostile" else newest(SPECS, name)
-    (plain,) = (text for path, text in st_files([laid]).items() if path.endswith(".st"))
+    layout = hostile() if name == "hostile" else newest(SPECS, name)
+    (unpacked_text,) = (text for path, text in st_files([layout]).items() if path.endswith(".st"))
     seen: dict[str, str] = {}
-    for place, text in twincat_files([laid]).items():
+    for place, text in twincat_files([layout]).items():
         if not place.endswith((".TcDUT", ".TcGVL", ".TcPOU")):
             continue
         assert text.startswith("\ufeff<?xml"), place
         root = ElementTree.fromstring(text.encode())
-        (held,) = root
-        assert place.endswith(f"/{held.attrib['Name']}.Tc{held.tag}")
-        assert held.attrib["Id"] not in seen, (place, seen[held.attrib["Id"]])
-        seen[held.attrib["Id"]] = place
-        declaration = (held.findtext("Declaration") or "").split("\n", 4)[4]
-        implementation = held.findtext("Implementation/ST")
+        (element,) = root
+        assert place.endswith(f"/{element.attrib['Name']}.Tc{element.tag}")
+        assert element.attrib["Id"] not in seen, (place, seen[element.attrib["Id"]])
+        seen[element.attrib["Id"]] = place
+        declaration = (element.findtext("Declaration") or "").split("\n", 4)[4]
+        implementation = element.findtext("Implementation/ST")
         end = "END_FUNCTION_BLOCK" if "\nFUNCTION_BLOCK " in f"\n{declaration}" else "END_FUNCTION"
         whole = declaration if implementation is None else f"{declaration}\n{implementation}\n{end}"
-        assert f"\n{whole}\n" in plain, place
+        assert f"\n{whole}\n" in unpacked_text, place
     assert len(seen) > 10
 
 
 def test_blark_reads_files_of_each_kind(tmp_path: Path) -> None:
-    found = twincat_files([newest(SPECS, "esc11")])
+    actual = twincat_files([newest(SPECS, "esc11")])
     for ending in ("TcDUT", "TcGVL", "TcPOU"):
-        places = sorted((place for place in found if place.endswith(ending)), key=lambda one: len(found[one]))
+        places = sorted((place for place in actual if place.endswith(ending)), key=lambda text: len(actual[text]))
         for place in places[:3]:
             file = tmp_path / Path(place).name
-            file.write_text(found[place], encoding="utf-8")
+            file.write_text(actual[place], encoding="utf-8")
             items = load_file_by_name(file)
             assert items
             for result in (result for item in items for result in parse_item(item)):
@@ -226,7 +228,7 @@ def test_the_identifier_of_an_object_depends_on_its_name_alone() -> None:
 
 
 @pytest.mark.parametrize(
-    ("wrong", "said"),
+    ("wrong", "literal_text"),
     [
         ("FUNCTION f : INT f := g; END_FUNCTION", "declared nowhere"),
         ("FUNCTION f : st f := 1; END_FUNCTION", "declared nowhere"),
@@ -242,13 +244,13 @@ def test_the_identifier_of_an_object_depends_on_its_name_alone() -> None:
         ("TYPE s : STRUCT a : t; END_STRUCT; END_TYPE", "declared nowhere"),
     ],
 )
-def test_what_a_parser_takes_and_means_nothing_is_refused_by_the_machine(wrong: str, said: str) -> None:
-    with pytest.raises(StError, match=re.escape(said)):
+def test_what_a_parser_takes_and_means_nothing_is_refused_by_the_machine(wrong: str, text: str) -> None:
+    with pytest.raises(StError, match=re.escape(text)):
         Machine(parsed(wrong))
 
 
 def test_words_that_forms_keep_are_no_names_of_what_is_generated() -> None:
     for root, device in DEVICES:
-        for item in made_of(root, device).items:
+        for item in program_of(root, device).items:
             assert item.name.lower() not in KEYWORDS
             assert path(item).endswith((f"{item.name}.TcDUT", f"{item.name}.TcGVL", f"{item.name}.TcPOU"))

@@ -14,7 +14,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from compiled import Compiled
-from loaded import REAL, made_of, programs
+from loaded import REAL, program_of, programs
 from scans import of_siemens
 from st_machine import Machine
 from st_syntax import parsed
@@ -32,11 +32,11 @@ PADDING = "abypadding"
 
 def siemens_text(device: str) -> str:
     """The types and functions for TIA Portal as Structured Text."""
-    made = {path: content for path, content in files([newest(SPECS, device)]).items() if isinstance(content, str)}
+    result = {path: content for path, content in files([newest(SPECS, device)]).items() if isinstance(content, str)}
     source = "".join(
         of_siemens(content.lstrip("\ufeff").replace("\r\n", "\n"))
         for kind in (".udt", ".scl")
-        for path, content in made.items()
+        for path, content in result.items()
         if path.endswith(kind)
     )
     for mine, theirs in (("VAR_TEMP", "VAR"), ("IN := ", ""), (", N := ", ", "), ("fbTimeout(", "fbTimeout(IN := ")):
@@ -62,7 +62,7 @@ def compiled_siemens(device: str, folder: Path) -> Compiled:
 @cache
 def structured(device: str) -> Machine:
     """The same functions in Structured Text."""
-    return Machine(parsed(text(made_of(SPECS, device))))
+    return Machine(parsed(text(program_of(SPECS, device))))
 
 
 def shape(machine: Machine, kind: Any) -> Any:
@@ -81,7 +81,7 @@ def drawn(form: Any, dice: random.Random) -> Any:
     if isinstance(form, tuple):
         if form[0] == "array":
             return [drawn(form[3], dice) for _ in range(form[1], form[2] + 1)]
-        return [drawn(one, dice) for one in form[1:]]
+        return [drawn(item, dice) for item in form[1:]]
     if form == "bool":
         return dice.random() < 0.5
     if form in WHOLE:
@@ -94,7 +94,7 @@ def put(machine: Machine, kind: Any, value: Any) -> Any:
     """A value with the names that a type gives to its members."""
     kind = machine.kind(kind)
     if isinstance(kind, tuple) and kind[0] == "array":
-        return [put(machine, kind[3], one) for one in value]
+        return [put(machine, kind[3], item) for item in value]
     if kind in machine.unit.structs:
         left = iter(value)
         members = machine.unit.structs[kind]
@@ -108,22 +108,22 @@ def put(machine: Machine, kind: Any, value: Any) -> Any:
 def bare(value: Any) -> Any:
     """A value without names."""
     if isinstance(value, dict):
-        return [bare(one) for name, one in value.items() if not name.startswith(PADDING)]
-    return [bare(one) for one in value] if isinstance(value, list) else value
+        return [bare(item) for name, item in value.items() if not name.startswith(PADDING)]
+    return [bare(item) for item in value] if isinstance(value, list) else value
 
 
 def parameters(machine: Machine, name: str) -> list[tuple[str, Any, Any]]:
     """What a function is given and lent: name, type and shape."""
     function = machine.unit.functions[name]
-    held = [(one, kind) for role, one, kind, _ in function.variables if role in ("VAR_INPUT", "VAR_IN_OUT")]
-    return [(one, kind, shape(machine, kind)) for one, kind in held]
+    value = [(variable, kind) for role, variable, kind, _ in function.variables if role in ("VAR_INPUT", "VAR_IN_OUT")]
+    return [(variable, kind, shape(machine, kind)) for variable, kind in value]
 
 
 def run(machine: Machine, name: str, values: dict[str, Any]) -> tuple[Any, Any]:
     """What a function gives, and what it leaves in what it was lent; or that the values made it fail."""
-    given = {one: put(machine, kind, values[one]) for one, kind, _ in parameters(machine, name)}
+    value = {text: put(machine, kind, values[text]) for text, kind, _ in parameters(machine, name)}
     try:
-        return machine.call(name, **given), bare(given)
+        return machine.call(name, **value), bare(value)
     except MachineError as error:
         return str(error), None
 
@@ -132,12 +132,12 @@ def run(machine: Machine, name: str, values: dict[str, Any]) -> tuple[Any, Any]:
 def test_scl_does_what_structured_text_does(device: str) -> None:
     ours, theirs, dice, compared = structured(device), siemens(device), random.Random(device), 0
     for name in sorted(ours.unit.functions.keys() & theirs.unit.functions.keys()):
-        forms = {one: form for one, _, form in parameters(ours, name)}
-        if forms != {one: form for one, _, form in parameters(theirs, name)}:
+        forms = {text: form for text, _, form in parameters(ours, name)}
+        if forms != {text: form for text, _, form in parameters(theirs, name)}:
             continue
         compared += 1
         for _ in range(TRIES):
-            values = {one: drawn(form, dice) for one, form in forms.items()}
+            values = {text: drawn(form, dice) for text, form in forms.items()}
             assert run(ours, name, values) == run(theirs, name, values), (name, values)
     # Whole numbers of 64 bits are split in two there.
     assert compared >= len(theirs.unit.functions) - 1
@@ -149,9 +149,9 @@ def test_compiled_scl_does_what_interpreted_scl_does(device: str, tmp_path_facto
     dice = random.Random(device)
     succeeded = 0
     for name in sorted(ours.unit.functions):
-        forms = {one: form for one, _, form in parameters(ours, name)}
+        forms = {text: form for text, _, form in parameters(ours, name)}
         for _ in range(TRIES):
-            values = {one: drawn(form, dice) for one, form in forms.items()}
+            values = {text: drawn(form, dice) for text, form in forms.items()}
             expected = run(ours, name, values)
             # What makes the interpreter fail, such as an index outside an array, is no call that a program makes.
             if expected[1] is not None:

@@ -11,7 +11,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from loaded import DEVICES, NAMES, made_of
+from loaded import DEVICES, NAMES, program_of
 from test_judges import hostile
 
 from fieldspec.backends.iec.backend import constants, files, source, text
@@ -22,16 +22,16 @@ from matiec import matiec
 
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_functions_have_the_statements_of_the_other_dialects_with_numbers_for_members(root: Path, device: str) -> None:
-    other = made_of(root, device)
-    made = source(newest(root, device))
+    other = program_of(root, device)
+    source_text = source(newest(root, device))
     members = {
         f"{enum.name}.{member.name}": str(member.value) for enum in other.declared.enums for member in enum.members
     }
-    assert [one.name for one in made.routines] == [one.name for one in other.routines]
-    for ours, theirs in zip(made.routines, other.functions, strict=True):
+    assert [routine.name for routine in source_text.routines] == [routine.name for routine in other.routines]
+    for ours, theirs in zip(source_text.routines, other.functions, strict=True):
         wanted = re.sub(r"\bE_\w+\.\w+", lambda match: members[match.group()], " ".join(theirs.implementation))
-        found = " ".join(implementation(ours, made.spelling))
-        assert found.split() == wanted.split(), ours.name
+        text = " ".join(implementation(ours, source_text.spelling))
+        assert text.split() == wanted.split(), ours.name
 
 
 def translated(content: str, folder: Path) -> None:
@@ -49,14 +49,16 @@ def translated(content: str, folder: Path) -> None:
 
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_a_program_in_a_configuration_uses_every_constant(root: Path, device: str, tmp_path: Path) -> None:
-    made = source(newest(root, device))
-    listed = [one for held in made.declared.constants for one in held.constants]
-    external = "\n".join(f"{one.name} : {one.type.name};" for one in listed)
-    variables = "\n".join(f"v{number} : {one.type.name};" for number, one in enumerate(listed))
-    uses = "\n".join(f"v{number} := {one.name};" for number, one in enumerate(listed))
+    source_text = source(newest(root, device))
+    all_constants = [
+        constant for constant_list in source_text.declared.constants for constant in constant_list.constants
+    ]
+    external = "\n".join(f"{constant.name} : {constant.type.name};" for constant in all_constants)
+    variables = "\n".join(f"v{number} : {constant.type.name};" for number, constant in enumerate(all_constants))
+    uses = "\n".join(f"v{number} := {constant.name};" for number, constant in enumerate(all_constants))
     translated(
         f"PROGRAM Main VAR_EXTERNAL CONSTANT {external} END_VAR VAR {variables} END_VAR {uses} END_PROGRAM\n"
-        f"CONFIGURATION Plant {constants(made)} RESOURCE Controller ON PLC "
+        f"CONFIGURATION Plant {constants(source_text)} RESOURCE Controller ON PLC "
         "TASK Cycle(INTERVAL := T#20ms, PRIORITY := 0); PROGRAM Instance WITH Cycle : Main; "
         "END_RESOURCE END_CONFIGURATION\n",
         tmp_path,

@@ -19,8 +19,8 @@ def filled(form: str, **texts: str | Iterable[str]) -> str:
     """The text of a form, given by its path in the package. Raises KeyError for a place that nothing is given for."""
     pieces: list[str] = []
     for number, piece in enumerate(_PLACE.split(text(form))):
-        held = texts[piece] if number % 2 else piece
-        pieces += [held] if isinstance(held, str) else held
+        content = texts[piece] if number % 2 else piece
+        pieces += [content] if isinstance(content, str) else content
     return "".join(pieces)
 
 

@@ -1,13 +1,14 @@
-"""What a table and its fields say of access can both hold: a field allows nothing that none of its tables allows, a
-table nothing that none of its fields allows.
+"""The access of a table and the access of its fields fit together: every access that a field permits is
+permitted by one of its tables, and every access that a table permits is permitted by one of its fields.
 
-Why: the narrower of the two holds in every output. A field that says `ro` in a table that says `rw` is a status among
-settings, and a table that says `ro` may hold the record of another table, whose fields say `rw`: that narrows, and is
-fine. What is narrowed everywhere has no effect, so one of the two is misprinted.
+Why: every output uses the narrower of the two. A table of settings may contain a status field with `ro`, and
+a table with `ro` may use a record whose fields have `rw`. An access that is narrowed everywhere has no
+effect, so one of the two is misprinted.
 
-Example: a table with `access: ro`, the only one of its record, and a field of that record with `access: rw`.
+Example: a table with `access: ro`, the only one that uses its record, and a field of that record with
+`access: rw`.
 
-Cure: Put one of them right, and write an erratum where the manual prints it wrongly.
+Cure: Correct one of them, and write an erratum if the manual prints it wrong.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from fieldspec.model.record import Field, Record
 from fieldspec.model.registers import Table
 
 _CODE = "accesses_agree"
-_HELP = "put one of them right: the narrower one holds"
+_HELP = "correct one of them: outputs use the narrower access"
 _VERBS = (("read", readable), ("written", writable))
 
 

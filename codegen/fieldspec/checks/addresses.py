@@ -103,7 +103,7 @@ class Addressed:
 
     @property
     def words(self) -> int:
-        """The words that it takes; one where it is no single value."""
+        """The words that it takes; one where it is not a single value."""
         return max(1, (self.value.size + 1) // 2) if self.value is not None else 1
 
 

@@ -1,12 +1,12 @@
-"""Within a group, every register lies behind the one before it.
+"""Within a group, the address of every register is higher than that of the register before it.
 
-Why: manuals list registers by address. A row that breaks the order is nearly always misprinted, or
-mistyped.
+Why: manuals list registers by address. A row that breaks the order is nearly always a misprint or a typing
+error.
 
 Example: rows at 0x0709, 0x080A and 0x070B: the middle one is out of order.
 
-Cure: Put the address right, and write an erratum if it is printed so. If the manual lists the group in
-another order, say `order: as_listed` on the group.
+Cure: Correct the address, and write an erratum if the manual prints it that way. If the manual lists the
+group in another order, set `order: as_listed` on the group.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ def addresses_ascending(device: Device) -> Iterator[Diagnostic]:
         for number, row in enumerate(rows):
             if number not in in_order:
                 other = rows[number - 1] if number else rows[1]
-                where = "behind" if number else "before"
+                where = "after" if number else "before"
                 yield finding(
                     "addresses_ascending",
                     row.place,
                     "at",
                     f"{row.name} at {hexadecimal(row.address)} breaks the order of {group.name}",
-                    "put the address right, or say `order: as_listed` on the group",
+                    "correct the address, or set `order: as_listed` on the group",
                     label(
                         other.place,
                         "at",

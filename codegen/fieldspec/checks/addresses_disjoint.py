@@ -1,12 +1,11 @@
-"""No two registers, arrays of registers or tables claim the same address of one space.
+"""No two registers, arrays of registers or tables occupy the same address of a space.
 
-Why: two names for one word are nearly always a slip of the pen, and whoever writes one changes the
-other.
+Why: two names for one word are nearly always a mistake, and writing one changes the other.
 
 Example: a register of two words at 0x2000 and another register at 0x2001.
 
-Cure: Put the address or the number of words right, and write an erratum if it is printed so. If the
-overlap is meant, say `allow: {addresses_disjoint: <reason>}` on one of the two.
+Cure: Correct the address or the number of words, and write an erratum if the manual prints it that way. If
+the overlap is intended, set `allow: {addresses_disjoint: <reason>}` on one of the two.
 """
 
 from __future__ import annotations
@@ -36,11 +35,11 @@ def addresses_disjoint(device: Device) -> Iterator[Diagnostic]:
                     block.fact.place,
                     block.key,
                     f"{block.name} at {addresses(block.first, block.last)} overlaps {furthest.name}",
-                    "put one of the addresses or sizes right, or allow the overlap with a reason",
+                    "correct one of the addresses or sizes, or allow the overlap with a reason",
                     label(
                         furthest.fact.place,
                         furthest.key,
-                        f"{furthest.name} holds {addresses(furthest.first, furthest.last)}",
+                        f"{furthest.name} occupies {addresses(furthest.first, furthest.last)}",
                     ),
                 )
         if furthest is None or block.last > furthest.last:
@@ -54,6 +53,7 @@ def _elements_overlap(device: Device) -> Iterator[Diagnostic]:
                 "addresses_disjoint",
                 register.place,
                 "stride",
-                f"elements of {register.name} have {plural(register.width, 'word')} and are {register.stride} apart",
-                "put the stride or the type right",
+                f"elements of {register.name} have {plural(register.width, 'word')}"
+                f", but the stride is {register.stride}",
+                "correct the stride or the type",
             )

@@ -1,11 +1,11 @@
-"""Every register, array of registers and table lies within the bounds of its address space.
+"""Every register, array of registers and table is within the bounds of its address space.
 
-Why: a frame carries an address in 16 bits, and a space may have fewer addresses. What lies outside cannot be
-read, so an address, a stride or a number of elements is wrong, or the bounds of the space are.
+Why: a frame carries an address in 16 bits, and a space may have fewer addresses. An address outside the
+bounds cannot be read. Either the address, the stride or the number of elements is wrong, or the bounds are.
 
 Example: a table of 4096 elements with a stride of 0x10 that begins at 0x9000.
 
-Cure: Put the address, the stride or the number of elements right, or the `bounds` of the space.
+Cure: Correct the address, the stride, the number of elements or the `bounds` of the space.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.sizes import RecordSizes
 
-_HELP = "put the address, the stride or the number of elements right"
+_HELP = "correct the address, the stride or the number of elements"
 
 
 def addresses_within_space(device: Device) -> Iterator[Diagnostic]:

@@ -1,12 +1,12 @@
-"""A register, or a field, that is the same as another one has its type, scale, unit and range. Of two records that
-are laid out alike, this holds of the fields with the same names.
+"""A register or field with `same_as` has the type, scale, unit and range of the one that it names. If a
+record has `same_as`, this applies to the fields that have the same name in both records.
 
-Why: one value that is described twice is described in one way. A difference is a misprint, or the two
-are not the same.
+Why: two descriptions of one value must agree. If they differ, one is misprinted, or the two are not the same
+value.
 
-Example: a register with `same_as: target_position` of type `u32` where the target position is `i32`.
+Example: a register with `same_as: target_position` and type `u32`, where the target position is `i32`.
 
-Cure: Put one of them right and write an erratum, or take `same_as` out.
+Cure: Correct one of them and write an erratum, or remove `same_as`.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
         alike = device.records.get(record.same_as)
         for field in record.fields:
             same = alike.named(field.name) if alike is not None else None
-            yield from _echo(field, same, f"{field.name} is that of {record.same_as}")
+            yield from _echo(field, same, f"{field.name} is the same as in {record.same_as}")
     for message in device.messages.values():
         asked = {field.name: field for field in message.request.fields}
         for field in message.response.fields:
@@ -58,7 +58,7 @@ def _compared(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> 
                 "aliases_agree",
                 fact.place,
                 key,
-                f"{text}, but has another {key.removeprefix('unit_')}",
-                "put one of them right, or take `same_as` out",
-                label(other.place, range_key(other.place) if "range" in key else key, f"that of {other.name}"),
+                f"{text}, but has a different {key.removeprefix('unit_')}",
+                "correct one of them, or remove `same_as`",
+                label(other.place, range_key(other.place) if "range" in key else key, f"in {other.name}"),
             )

@@ -1,10 +1,10 @@
-"""Every `allow` names a check, and that check would fail here.
+"""Every `allow` names a rule that the fact would break without it.
 
-Why: an allowance that is not needed any more hides the next slip at the same place.
+Why: an allowance that is no longer needed hides the next mistake at the same place.
 
 Example: `allow: {addresses_disjoint: an alias}` on a register that overlaps nothing.
 
-Cure: Remove the allowance, or put the name of the check right.
+Cure: Remove the allowance, or correct the name of the rule.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ def allowances_used(
     needed = {_position(allowance) for allowance in used}
     for allowance in allowances:
         if allowance.check not in names:
-            text = f"there is no check `{allowance.check}` that could be allowed to fail"
-            yield _finding(allowance, text, "`fieldspec rule` lists the checks")
+            text = f"there is no rule `{allowance.check}` to allow"
+            yield _finding(allowance, text, "`fieldspec rule` lists the rules")
         elif _position(allowance) not in needed:
-            text = f"`{allowance.check}` passes here, so nothing needs to be allowed"
+            text = f"the fact does not break `{allowance.check}`, so the allowance is not needed"
             yield _finding(allowance, text, "remove the allowance")
 
 

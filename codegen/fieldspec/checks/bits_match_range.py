@@ -1,13 +1,12 @@
-"""The printed range of a word of flags is 0 to the sum of its bits.
+"""The printed range of a bit field is 0 to the sum of its bits.
 
-Why: the range of a word says which bits it has. Where the list of bits says something else, one of them
-is wrong.
+Why: the range of a word shows which bits it has. If the list of bits disagrees, one of them is wrong.
 
 Example: a range of 0..1 for a word with one bit for each of 14 inputs.
 
-Cure: Put the range or the list right, and write an erratum. Bits that are listed as reserved may count
-or not; a field of bits with a closed enum may count with the greatest value of that; and all bits of the
-type may count where the last of them is listed.
+Cure: Correct the range or the list, and write an erratum. Reserved bits may be included or not. A group of
+bits with a closed enum may be included with its greatest member, and the range may be that of the whole type
+if its last bit is in the list.
 """
 
 from __future__ import annotations
@@ -46,8 +45,8 @@ def _compared(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) ->
             "bits_match_range",
             fact.place,
             range_key(fact.place),
-            f"the range of {fact.name} is {ranges.text()}; its bits make 0..{useful}",
-            "put the range or the list of bits right",
+            f"the range of {fact.name} is {ranges.text()}; its bits give 0..{useful}",
+            "correct the range or the list of bits",
             label(word.place, "bits", "the bits"),
         )
 

@@ -1,10 +1,10 @@
-"""No two entries of a word of flags claim the same bit.
+"""No two entries of a bit field use the same bit.
 
-Why: a bit means one thing. Where it means two, under different conditions, each entry says `when`.
+Why: a bit has one meaning. If it has two under different conditions, each entry states its `when`.
 
-Example: bit 3 for alarm, and the bits 2..3 for the mode.
+Example: bit 3 for the alarm, and bits 2..3 for the mode.
 
-Cure: Put a number right and write an erratum, or give both entries their `when`.
+Cure: Correct one of the numbers and write an erratum, or add `when` to both entries.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ def bits_unique(device: Device) -> Iterator[Diagnostic]:
                     "bits_unique",
                     bit.place,
                     _key(bit),
-                    f"{bit.name} claims {_claim(bit)} of {word.name}, which {clash.name} claims too",
-                    "put one of the numbers right, or say `when` each of them holds",
+                    f"{bit.name} uses {_claim(bit)} of {word.name}, which {clash.name} also uses",
+                    "correct one of the numbers, or add `when` to both entries",
                     label(clash.place, _key(clash), f"{clash.name} has {_claim(clash)}"),
                 )
             for number in _numbers(bit):

@@ -1,10 +1,11 @@
-"""Every bit lies within its word, and the word fits each value that uses it.
+"""Every bit is within its word, and the word fits every value that uses it.
 
-Why: a bit that the word does not have cannot be read. The word is too narrow, or the number is wrong.
+Why: a bit that the word does not have cannot be read. Either the word is too narrow or the bit number is
+wrong.
 
-Example: bit 16 in a word of type `u16`, or a word with bit 9 used for a `u8`.
+Example: bit 16 in a word of type `u16`, or a bit field with bit 9 that a `u8` uses.
 
-Cure: Put the type or the bit's number right, and write an erratum if it is printed so.
+Cure: Correct the type or the bit number, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ def bits_within_width(device: Device) -> Iterator[Diagnostic]:
                     bit.place,
                     "bits" if "bits" in bit.place else "bit",
                     f"{bit.name} has bit {bit.last}, but {word.name} has the bits 0 to {width - 1}",
-                    "put the number or the type right",
+                    "correct the number or the type",
                     label(word.place, "type", word.type.name),
                 )
     for fact, value in values(device):
@@ -42,6 +43,6 @@ def bits_within_width(device: Device) -> Iterator[Diagnostic]:
                 fact.place,
                 "flags",
                 f"{fact.name} is {value.type.name} and cannot hold bit {highest.last} of {used.name}",
-                "put the type right, or name the right word of flags",
+                "correct the type, or name the right bit field",
                 label(highest.place, "bit", f"{highest.name}"),
             )

@@ -1,11 +1,11 @@
-"""The default of a lower bound lies below that of the upper bound, unless both are 0.
+"""The default of a lower bound is less than the default of its upper bound, unless both are 0.
 
-Why: two bounds that come as one pair leave something between them. Where the lower one is not below the
-upper one, a sign or a digit is misprinted.
+Why: a pair of bounds leaves values between them. If the lower one is not below the upper one, a sign or a
+digit is misprinted.
 
-Example: soft limits of -2147483648..2147483647, of which both are 2147483647 by default.
+Example: soft limits with the range -2147483648..2147483647 that both default to 2147483647.
 
-Cure: Put one of the defaults right, and write an erratum.
+Cure: Correct one of the defaults, and write an erratum.
 """
 
 from __future__ import annotations
@@ -53,6 +53,6 @@ def _comparable(value: Value, other: Value) -> bool:
 def _compared(fact: Fact, value: Value, other: Fact, above: Value) -> Iterator[Diagnostic]:
     low, high = value.default, above.default
     if isinstance(low, int) and isinstance(high, int) and low >= high and (low, high) != (0, 0):
-        text = f"the default of {fact.name} is {low}, that of {other.name} is {high}"
+        text = f"the default of {fact.name} is {low}, but the default of {other.name} is {high}"
         there = label(other.place, default_key(other.place), "the upper bound")
-        yield finding("bounds_ordered", fact.place, default_key(fact.place), text, "put one of them right", there)
+        yield finding("bounds_ordered", fact.place, default_key(fact.place), text, "correct one of them", there)

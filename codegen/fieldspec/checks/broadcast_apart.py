@@ -1,11 +1,11 @@
-"""The address to which all listen is not the address of a station, and fits the part that carries
+"""The broadcast address is not the unit address of a station, and it fits the part that carries unit
 addresses.
 
-Why: a request to that address is answered by none. A station that had it could not be asked anything.
+Why: no station answers a broadcast request. A station with that address could never be read.
 
 Example: stations 0..15 with `broadcast: 0`.
 
-Cure: Put the range or the address right, and write an erratum if it is printed so.
+Cure: Correct the range or the address, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
         if stations is None or stations.broadcast is None:
             continue
         if stations.ranges is not None and stations.broadcast in stations.ranges:
-            text = f"{stations.broadcast} is the address of all, and of a station too"
+            text = f"{stations.broadcast} is the broadcast address and also a unit address"
             there = label(stations.place, "range", "the stations")
-            yield finding(_CODE, stations.place, "broadcast", text, "put one of them right", there)
+            yield finding(_CODE, stations.place, "broadcast", text, "correct one of them", there)
         part = next((part for part in link.request if part.role == "unit_address" and part.value), None)
         value = part.value if part is not None else None
         if value is None or value.type.kind is not Kind.INTEGER:
             continue
         if not value.type.low <= stations.broadcast <= value.type.high:
             text = f"the address {stations.broadcast} does not fit {value.type.name}"
-            yield finding(_CODE, stations.place, "broadcast", text, "put the address or the type right")
+            yield finding(_CODE, stations.place, "broadcast", text, "correct the address or the type")

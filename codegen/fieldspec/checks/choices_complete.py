@@ -1,14 +1,15 @@
-"""A field whose type another one decides comes last in its record, and that one decides it: it lies before,
-holds one unsigned number with an enum, and each of its members stands in one case at most.
+"""A choice is the last field of its record. The field that decides it comes before it and is a single
+unsigned number with an enum; each member of that enum is in at most one case.
 
-Why: a decoder reads the deciding field first, and then knows how the rest lies. Members without a case are
-refused, as nothing says what follows them.
+Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members
+without a case, because nothing says what follows them.
 
 Example: `choice: {by: format, cases: [...]}` where two cases have `when: [unsigned16]`, or where the field
-`format` stands behind the values.
+`format` comes after the values.
 
-Cure: Put the fields in the order of the wire, name a deciding field with an enum, or take the member out of
-one of the cases. A record with a choice is the data of a message or of a refusal, and lies in no other one.
+Cure: List the fields in the order of the wire, name a deciding field with an enum, or remove the member from
+one of the cases. A record with a choice is the data of a message or of an exception response, and is not part
+of another record.
 """
 
 from __future__ import annotations
@@ -38,8 +39,8 @@ def choices_complete(device: Device) -> Iterator[Diagnostic]:
     for holder in holders:
         record = choosing.get(holder.record)
         if record is not None:
-            text = f"{record.name} has a choice, so it cannot lie in {holder.name}"
-            help = "give the choice to the data of a message"
+            text = f"{record.name} has a choice, so it cannot be part of {holder.name}"
+            help = "move the choice to the data of a message"
             there = label(record.place, "fields", record.name)
             yield finding(_CODE, holder.place, "record", text, help, there)
 
@@ -47,12 +48,12 @@ def choices_complete(device: Device) -> Iterator[Diagnostic]:
 def _placed(layer: Record, field: Field) -> Iterator[Diagnostic]:
     if field is not layer.fields[-1]:
         behind = layer.fields[-1]
-        text = f"{behind.name} stands behind {field.name}, whose size depends on another field"
-        there = label(behind.place, "name", "stands behind it")
-        yield finding(_CODE, field.place, "choice", text, "put the fields in the order of the wire", there)
+        text = f"{behind.name} comes after {field.name}, whose size depends on another field"
+        there = label(behind.place, "name", "comes after it")
+        yield finding(_CODE, field.place, "choice", text, "list the fields in the order of the wire", there)
     if field.count is not None:
         text = f"{field.name} has a choice and a `count`"
-        yield finding(_CODE, field.place, "count", text, "repeat it to the end of the data, or give it once")
+        yield finding(_CODE, field.place, "count", text, "use `repeat` to the end of the data, or remove `count`")
 
 
 def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Iterator[Diagnostic]:
@@ -61,8 +62,8 @@ def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Ite
     if by is None:
         return
     if names.index(by.name) >= names.index(field.name):
-        text = f"{by.name} decides {field.name}, but does not lie before it"
-        help = "put the fields in the order of the wire"
+        text = f"{by.name} decides {field.name}, but does not come before it"
+        help = "list the fields in the order of the wire"
         yield finding(_CODE, field.place, "choice", text, help, label(by.place, "name", by.name))
     objection = _objection(device, by)
     if objection:
@@ -75,12 +76,12 @@ def _objection(device: Device, by: Field) -> str:
     """Why a field can decide nothing, or an empty text."""
     value = by.value
     if value is None or by.count is not None or by.repeat is not None:
-        return "it is no single value"
+        return "it is not a single value"
     if value.type.kind is not Kind.INTEGER or value.type.signed:
         return f"it is {value.type.name}"
     if not value.enum:
         return "it has no enum"
-    return "its words lie in another order than its bytes" if _mixed(device, value) else ""
+    return "its word order differs from its byte order" if _mixed(device, value) else ""
 
 
 def _mixed(device: Device, value: Value) -> bool:
@@ -96,5 +97,5 @@ def _apart(choice: Choice) -> Iterator[Diagnostic]:
                 other = first[member]
                 text = f"`{member}` is in the case {case.name} and in {other.name}"
                 there = label(other.place, "when", other.name)
-                yield finding(_CODE, case.place, "when", text, "take it out of one of them", there)
+                yield finding(_CODE, case.place, "when", text, "remove it from one of them", there)
             first[member] = case

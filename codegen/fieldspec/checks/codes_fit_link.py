@@ -1,10 +1,13 @@
-"""Every message's code fits the part that carries it, and is clear of the bit that marks a refusal.
+"""The code of every message fits the part that carries it, and does not contain the bit that marks an
+exception response.
 
-Why: a code that does not fit cannot be sent; one that has the bit of a refusal would be taken for one.
+Why: a code that does not fit cannot be sent. A code that contains this bit would be decoded as an exception
+response.
 
-Example: a function code 0x86 on a link whose refusals have the bit 0x80.
+Example: function code 0x86 on a link whose exception responses have the bit 0x80.
 
-Cure: Put the code, the part's type or the bit right, and write an erratum if it is printed so.
+Cure: Correct the code, the type of the part or the bit, and write an erratum if the manual prints it that
+way.
 """
 
 from __future__ import annotations
@@ -33,14 +36,14 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
         high = part.value.type.high
         if link.exception_response is not None and not 0 < link.exception_response.flag <= high:
             text = f"{part.name} is {part.value.type.name} and cannot hold the bit {link.exception_response.flag:#x}"
-            help = "put the bit or the part's type right"
+            help = "correct the bit or the part's type"
             yield finding(
                 _CODE, link.place, "exception_response", text, help, label(part.place, "type", part.value.type.name)
             )
         for message in messages_on(device, link):
             if message.code is not None and message.code > high:
                 text = f"the code {message.code:#x} does not fit {part.name}, which is {part.value.type.name}"
-                help = "put the code or the part's type right"
+                help = "correct the code or the part's type"
                 yield finding(_CODE, message.place, "code", text, help, label(part.place, "type", part.name))
             else:
                 yield from _marked(link, message)
@@ -48,6 +51,7 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
 
 def _marked(link: Link, message: Message) -> Iterator[Diagnostic]:
     if link.exception_response is not None and message.code is not None and message.code & link.exception_response.flag:
-        text = f"the code {message.code:#x} has the bit {link.exception_response.flag:#x}, which marks a refusal"
-        there = label(link.place, "exception_response", f"refusals on {link.name}")
-        yield finding(_CODE, message.place, "code", text, "put the code or the bit right", there)
+        text = f"the code {message.code:#x} has the bit {link.exception_response.flag:#x}"
+        text += ", which marks an exception response"
+        there = label(link.place, "exception_response", f"exception responses on {link.name}")
+        yield finding(_CODE, message.place, "code", text, "correct the code or the bit", there)

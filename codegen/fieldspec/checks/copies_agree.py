@@ -1,14 +1,13 @@
-"""What a block prints of its registers is what the block of which it is a copy makes of them: the distance
-of the addresses, in decimal too, the words, and the label.
+"""The registers of a copied block match the original block: the distance between the addresses, in decimal
+too, the number of words, and the label.
 
-Why: a block that stands twice is printed twice, row by row. Where one row differs, one of the two is
-misprinted, and the other one shows what is right.
+Why: the manual prints both blocks row by row. If a row differs, one of the two is misprinted, and the other
+shows the correct value.
 
-Example: parameters in memory from 0x1388 and in flash from 0x1450, of which one lies at 0x13BE and at
-0x1488.
+Example: parameters in memory from 0x1388 and in flash from 0x1450; one of them is at 0x13BE and at 0x1488.
 
-Cure: Put the row of one of the blocks right, and write an erratum if it is printed so. Labels that differ
-in blanks only are the same. If a label really differs, say `allow: {copies_agree: <reason>}` on the
+Cure: Correct the row in one of the blocks, and write an erratum if the manual prints it that way. Labels that
+differ only in spaces are equal. If a label really differs, set `allow: {copies_agree: <reason>}` on the
 register or on its group.
 """
 
@@ -39,26 +38,26 @@ def _of_group(group: RegisterGroup, registers: Mapping[str, Register], first_num
     for row, original in pairs:
         if row.address - original.address != distance:
             right = hexadecimal(original.address + distance)
-            text = f"{row.name} is at {hexadecimal(row.address)}; as {original.name} it belongs to {right}"
-            yield _finding(row, original, "at", text, "put one of the addresses right")
+            text = f"{row.name} is at {hexadecimal(row.address)}; as a copy of {original.name} it should be at {right}"
+            yield _finding(row, original, "at", text, "correct one of the addresses")
         if row.decimal is not None and row.decimal != first_number + original.address + distance:
             right = str(first_number + original.address + distance)
-            text = f"{row.name} is at {row.decimal} in decimal; as {original.name} it belongs to {right}"
-            yield _finding(row, original, "decimal", text, "put one of the addresses right")
+            text = f"{row.name} is at {row.decimal} in decimal; as a copy of {original.name} it should be at {right}"
+            yield _finding(row, original, "decimal", text, "correct one of the addresses")
         yield from _printed(row, original)
 
 
 def _printed(row: Register, original: Register) -> Iterator[Diagnostic]:
     words = original.words or original.width
     if row.words is not None and row.words != words:
-        text = f"{row.name} is printed with {plural(row.words, 'word')}, {original.name} has {words}"
-        yield _finding(row, original, "words", text, "put one of them right")
+        text = f"{row.name} is printed with {plural(row.words, 'word')}, but {original.name} has {words}"
+        yield _finding(row, original, "words", text, "correct one of them")
     for key in ("label", "printed_name"):
         mine, theirs = getattr(row, key), getattr(original, key)
         if mine and theirs and "".join(mine.split()) != "".join(theirs.split()):
-            text = f"{row.name} is called `{mine}`, and {original.name} `{theirs}`"
-            yield _finding(row, original, key, text, "put one of them right, or allow it with a reason")
+            text = f"{row.name} has the label `{mine}`, but {original.name} has `{theirs}`"
+            yield _finding(row, original, key, text, "correct one of them, or allow it with a reason")
 
 
 def _finding(row: Register, original: Register, key: str, text: str, help: str) -> Diagnostic:
-    return finding(_CODE, row.place, key, text, help, label(original.place, key, f"that of {original.name}"))
+    return finding(_CODE, row.place, key, text, help, label(original.place, key, f"in {original.name}"))

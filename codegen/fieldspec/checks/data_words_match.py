@@ -1,12 +1,11 @@
-"""The printed number of words of a message's data is that of its fields.
+"""The printed number of data words of a message is the number of words of its fields.
 
-Why: the number is printed in another table than the fields. Where they differ, a field is missing, has
-another width, or is listed twice.
+Why: the manual prints this number in a different table from the fields. If they differ, a field is missing,
+has the wrong width, or is listed twice.
 
-Example: `data_words: {request: 5}` for a telegram with three words and one value of 32 bits, and one word
-more.
+Example: `data_words: {request: 5}` for a telegram with four words and one value of 32 bits.
 
-Cure: Put a field or the number right, and write an erratum.
+Cure: Correct a field or the number, and write an erratum.
 """
 
 from __future__ import annotations
@@ -30,12 +29,12 @@ def data_words_match(device: Device) -> Iterator[Diagnostic]:
             if printed is None or both is None or both == (2 * printed, 2 * printed):
                 continue
             actual = plural(both[0], "byte") if both[0] == both[1] else f"{both[0]} to {both[1]} bytes"
-            text = f"the {direction} of {message.name} is printed with {plural(printed, 'word')}; it has {actual}"
+            text = f"the {direction} of {message.name} is printed with {plural(printed, 'word')}, but it has {actual}"
             yield finding(
                 "data_words_match",
                 message.place,
                 "data_words",
                 text,
-                "put a field or the number right",
+                "correct a field or the number",
                 label(message.place, direction, "the fields"),
             )

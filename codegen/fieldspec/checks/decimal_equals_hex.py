@@ -1,11 +1,11 @@
-"""Where the manual prints an address in decimal too, both are the same number.
+"""If the manual also prints an address in decimal, both numbers are equal.
 
-Why: the decimal column is written by hand from the hexadecimal one, or the other way round; where they
-differ, one of them sends the user to another register.
+Why: manuals convert one column to the other by hand. If they differ, one of them leads the user to the wrong
+register.
 
 Example: 0x2011 beside 8208.
 
-Cure: Find out which one is right from the rows around, and write an erratum for the other one.
+Cure: Use the neighbouring rows to decide which number is correct, and write an erratum for the other.
 """
 
 from __future__ import annotations
@@ -46,6 +46,6 @@ def _compared(
             place,
             "decimal",
             f"{decimal} is {hexadecimal(decimal)}, but {name} is at {hexadecimal(address)}",
-            f"{hexadecimal(address)} is {address}; put one of them right",
+            f"{hexadecimal(address)} is {address}; correct one of them",
             label(place, key, "the address"),
         )

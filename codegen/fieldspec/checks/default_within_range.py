@@ -1,12 +1,12 @@
-"""A default is a value that the fact may take: within its range, its type and its closed enum.
+"""A default is a value that the fact can have: within its range, its type and its closed enum.
 
-Why: a device does not come with a setting that it refuses. Where the two disagree, one of them is
+Why: a device is not delivered with a setting that it does not accept. If the two disagree, one of them is
 misprinted.
 
 Example: a range of 1..127 with a default of -1.
 
-Cure: Put the range or the default right, and write an erratum. A special value outside of the range is a
-sentinel.
+Cure: Correct the range or the default, and write an erratum. If the default is a special value outside the
+range, list it under `sentinels`.
 """
 
 from __future__ import annotations
@@ -28,13 +28,13 @@ def default_within_range(device: Device) -> Iterator[Diagnostic]:
         if isinstance(value.default, str):
             if value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
                 text = f"the default of {fact.name} is a text"
-                yield finding("default_within_range", fact.place, key, text, "give it as a number of counts")
+                yield finding("default_within_range", fact.place, key, text, "state it as a raw value")
             continue
         if value.default is None:
             continue
         why = legal.objection(value, value.default)
         if why:
             text = f"the default of {fact.name} is {value.default}, which {why}"
-            help = "put one of them right, or list the value under `sentinels`"
+            help = "correct one of them, or list the value under `sentinels`"
             labels = (label(fact.place, range_key(fact.place), "the range"),) if value.ranges else ()
             yield finding("default_within_range", fact.place, key, text, help, *labels)

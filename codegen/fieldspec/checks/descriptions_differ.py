@@ -1,13 +1,14 @@
-"""No two rows of one list, no two members of one enum, no two enums and no two words of flags have the same
-description. Two that do are a warning, and stop nothing: the bytes are the same whatever the description says.
+"""No two rows of a list, members of an enum, enums or bit fields have the same description. A repeated
+description is a warning and does not fail the check, because it does not affect the bytes.
 
-Why: a description that stands twice was copied from the row above and not changed: whoever reads it takes
-an output for an input. Reserved rows may share theirs, and so may rows whose names differ in a number only.
+Why: a repeated description was usually copied from the row above and not changed, so that the reader takes an
+output for an input. Reserved rows may have the same description, and so may rows whose names differ only in a
+number.
 
-Example: two registers, inputs and outputs, both described as "The states of the inputs."
+Example: the registers inputs and outputs, both described as "The states of the inputs."
 
-Cure: Find out what the second one is and say it, and write an erratum with the description that stands
-for both in print. If it is no slip, say `allow: {descriptions_differ: <reason>}`.
+Cure: Find out what the second row is, describe it, and write an erratum with the printed description. If the
+repetition is correct, set `allow: {descriptions_differ: <reason>}`.
 """
 
 from __future__ import annotations

@@ -1,12 +1,11 @@
-"""Elements of a table that the manual prints have the addresses and words that base, stride and record
-make.
+"""The printed elements of a table have the addresses and words that its base, stride and record give.
 
-Why: a manual often prints the first and the last element in full. They prove base, stride and count, or
+Why: a manual often prints the first and the last element in full. They confirm base, stride and count, or
 show that one of them is wrong.
 
-Example: the second element printed at 0x9020..0x902D with 12 words.
+Example: the second element is printed at 0x9020..0x902D with 12 words.
 
-Cure: Put the table or the element right, and write an erratum if it is printed so.
+Cure: Correct the table or the element, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -34,20 +33,20 @@ def _of_table(table: Table, words: int | None) -> Iterator[Diagnostic]:
     for element in table.elements:
         if element.index not in table.indexes:
             text = f"{table.name} has the elements {table.index_from} to {table.indexes[-1]}, not {element.index}"
-            yield finding(_CODE, element.place, "index", text, "put the number or the count right", base)
+            yield finding(_CODE, element.place, "index", text, "correct the number or the count", base)
             continue
         first = table.address(element.index)
         if element.first is not None and element.first != first:
             text = f"element {element.index} is printed at {addresses(element.first, element.first)}"
-            text += f"; it lies at {addresses(first, first)}"
-            yield finding(_CODE, element.place, "at", text, "put the table or the address right", base)
+            text += f", but it is at {addresses(first, first)}"
+            yield finding(_CODE, element.place, "at", text, "correct the table or the address", base)
         if words is None:
             continue
         last = first + words - 1
         if element.last is not None and element.last != last:
             text = f"element {element.index} is printed up to {addresses(element.last, element.last)}"
-            text += f"; it ends at {addresses(last, last)}"
-            yield finding(_CODE, element.place, "at", text, "put the record or the address right", base)
+            text += f", but it ends at {addresses(last, last)}"
+            yield finding(_CODE, element.place, "at", text, "correct the record or the address", base)
         if element.words is not None and element.words != words:
-            text = f"element {element.index} is printed with {plural(element.words, 'word')}; it has {words}"
-            yield finding(_CODE, element.place, "words", text, "put the record or the words right", base)
+            text = f"element {element.index} is printed with {plural(element.words, 'word')}, but it has {words}"
+            yield finding(_CODE, element.place, "words", text, "correct the record or the words", base)

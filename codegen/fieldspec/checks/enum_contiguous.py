@@ -1,13 +1,13 @@
-"""The values between the lowest and the highest member of an enum are all listed, or declared as `gaps`.
+"""All values between the lowest and the highest member of an enum are members or are declared as `gaps`.
 
-Why: a hole in a list is where a line got lost, in print or in transcription. Codes that are sorted into
-blocks, as alarms often are, are looked at if they span at most 64 values; masks of single bits, and lists
-that follow from another one, are not.
+Why: a hole in a list often shows that a row was lost, in print or in transcription. Codes in blocks, such as
+many alarm codes, are checked if they span at most 64 values. Masks of single bits and lists derived from
+another list are not checked.
 
 Example: alarms 0 to 15 and 17.
 
-Cure: Transcribe the missing line, or declare the hole: `gaps: "16: the list goes from 15 to 17"`. An
-erratum says so if the manual should have it.
+Cure: Transcribe the missing row, or declare the hole: `gaps: "16: the list goes from 15 to 17"`. Write an
+erratum if the manual should have the row.
 """
 
 from __future__ import annotations
@@ -33,14 +33,16 @@ def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
             continue
         declared = _declared(enum)
         if declared is None:
-            text = f"`{enum.gaps.partition(':')[0]}` is no list of values"
-            yield finding("enum_contiguous", enum.place, "gaps", text, "write it as in `16, 20..23: the reason`")
+            text = f"`{enum.gaps.partition(':')[0]}` is not a list of values"
+            yield finding("enum_contiguous", enum.place, "gaps", text, "write it like `16, 20..23: the reason`")
             continue
         span = Ranges(((min(values), max(values)),))
         for low, high in declared:
             if low > high or low < span.low or high > span.high or any(low <= value <= high for value in values):
-                text = f"the gap {interval(low, high)} of {enum.name} holds a member, or lies outside of the list"
-                yield finding("enum_contiguous", enum.place, "gaps", text, "name the values that are left out")
+                text = f"the gap {interval(low, high)} of {enum.name} contains a member, or is outside the list"
+                yield finding(
+                    "enum_contiguous", enum.place, "gaps", text, "name the values that are missing from the list"
+                )
                 break
         if _are_masks(values):
             continue
@@ -63,7 +65,7 @@ def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[in
             enum.place,
             "gaps" if enum.gaps else "name",
             f"{enum.name} does not list {enumeration([interval(*hole) for hole in left])}",
-            "transcribe the missing lines, or declare the values under `gaps` with a reason",
+            "transcribe the missing members, or declare the values under `gaps` with a reason",
             label(behind.place, "value", f"the next value is {behind.value}"),
         )
 

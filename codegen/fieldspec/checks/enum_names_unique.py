@@ -1,11 +1,11 @@
 """No two members of an enum have the same name, the same printed identifier or the same label.
 
-Why: where a manual gives two codes one text, a line was copied and not changed. Members that are not
-available, and reserved ones, may share their label.
+Why: if a manual prints one text for two codes, a row was copied and not changed. Reserved members and members
+that are not available may have the same label.
 
-Example: two homing modes that are both called "positive direction, then back to the Z phase".
+Example: two homing modes with the label "positive direction, then back to the Z phase".
 
-Cure: Find out what the second one is, name it so, and write an erratum with what is printed.
+Cure: Find out what the second member is, name it accordingly, and write an erratum with the printed text.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """No two members of an enum have the same value.
 
-Why: a value that has two names means one of two things, and nobody can tell which.
+Why: if a value has two names, nobody can tell which one is meant.
 
 Example: 3 for homing and 3 for preset_position.
 
-Cure: Put one of the values right, and write an erratum if it is printed so.
+Cure: Correct one of the values, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -28,6 +28,6 @@ def enum_values_unique(device: Device) -> Iterator[Diagnostic]:
                     member.place,
                     "value",
                     f"{enum.name} has the value {member.value} twice, as {other.name} and as {member.name}",
-                    "put one of the values right",
+                    "correct one of the values",
                     label(other.place, "value", f"{other.name}"),
                 )

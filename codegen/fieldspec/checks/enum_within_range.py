@@ -1,12 +1,11 @@
-"""Every member of an enum lies within the range, and within the type, of each field that uses the enum.
+"""Every member of an enum is within the range and the type of every field that uses the enum.
 
-Why: a list of values that goes further than the printed range means that one of the two was not brought
-up to date.
+Why: if a list of values goes beyond the printed range, one of the two was not updated.
 
 Example: a range of 0..13 beside a list of modes that goes to 16.
 
-Cure: Put the range right, and write an erratum. Members that the manual calls not available may lie
-outside.
+Cure: Correct the range, and write an erratum. Members that the manual calls not available may be outside the
+range.
 """
 
 from __future__ import annotations
@@ -49,4 +48,4 @@ def _excluded(value: Value, member: Member) -> bool:
 def _finding(fact: Fact, key: str, what: str, out: list[Member]) -> Diagnostic:
     text = f"{what} cannot hold {enumeration([f'{member.name} ({member.value})' for member in out])}"
     there = label(out[0].place, "value", "listed here")
-    return finding("enum_within_range", fact.place, key, text, "put the range, the type or the list right", there)
+    return finding("enum_within_range", fact.place, key, text, "correct the range, the type or the list", there)

@@ -1,12 +1,13 @@
-"""Examples that read or write registers use addresses that exist, as their access permits, with values in
-range.
+"""Examples that read or write registers use existing addresses, in agreement with their access, and values
+within their range.
 
-Why: a sample frame is an independent print of an address and a value. Where it does not fit the table of
-registers, one of the two is misprinted.
+Why: a sample frame is an independent print of an address and a value. If it does not fit the register table,
+one of the two is misprinted.
 
-Example: a sample that writes 13 to a register whose range is 0..12, or to an address that no table has.
+Example: a sample that writes 13 to a register with the range 0..12, or writes to an address that is in no
+table.
 
-Cure: Put the frame or the register right, and write an erratum.
+Cure: Correct the frame or the register, and write an erratum.
 """
 
 from __future__ import annotations
@@ -54,14 +55,14 @@ def _accessed(
     """What is wrong with the words that a request addresses: nothing begins there, or its access forbids it."""
     if addresses.at(access.space, start) is None:
         text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
-        yield finding(_CODE, example.place, "values", text, "put the frame, or a table of registers, right")
+        yield finding(_CODE, example.place, "values", text, "correct the frame or the register table")
     count = len(_words(message, example)) or _number(message, access.count, example) or 1
     for occupant in addresses.within(access.space, start, min(count, _MOST_WORDS)):
         if occupant.access == _REFUSED[access.operation]:
             deed = "reads" if access.operation == "read" else "writes"
             text = f"{example.id} {deed} {occupant.fact.name}, whose access is {occupant.access}"
             there = label(occupant.holder.place, "access", "the access")
-            yield finding(_CODE, example.place, "values", text, "put the frame or the access right", there)
+            yield finding(_CODE, example.place, "values", text, "correct the frame or the access", there)
 
 
 def _valued(
@@ -71,8 +72,8 @@ def _valued(
     if why:
         text = f"{occupant.fact.name} at {hexadecimal(address)} is {number} in {example.id}, which {why}"
         key = "write_range" if writes and "write_range" in occupant.fact.place else range_key(occupant.fact.place)
-        there = label(occupant.fact.place, key, "what it may be")
-        yield finding(_CODE, example.place, "values", text, "put the frame or the range right", there)
+        there = label(occupant.fact.place, key, "its permitted values")
+        yield finding(_CODE, example.place, "values", text, "correct the frame or the range", there)
 
 
 def _number(message: Message, name: str, example: Example) -> int | None:

@@ -1,10 +1,12 @@
-"""Somebody has compared every fact with the manual. A fact that is `unverified` is a warning, and stops nothing.
+"""Every fact has been compared with the manual. A fact with `unverified` is a warning and does not fail the
+check.
 
-Why: what is taken from a list that someone else has made may be wrong in every number, and nothing shows it.
+Why: a list from another source may contain wrong numbers, and nothing in the list shows it.
 
-Example: a register that `fieldspec import` has written, with `unverified: true`.
+Example: a register written by `fieldspec import`, with `unverified: true`.
 
-Cure: Compare the fact with the manual, give the manual's section and line as its source, and take the key away.
+Cure: Compare the fact with the manual, state the section and the line of the manual as its source, and remove
+the key.
 """
 
 from __future__ import annotations
@@ -26,5 +28,5 @@ def facts_verified(device: Device) -> Iterator[Diagnostic]:
     for section, unverified in sections.items():
         names = enumeration([fact.name for fact in unverified])
         text = f"nobody has compared {names} of `{section}` with the manual"
-        help = "compare, cite the manual, and take `unverified` away"
+        help = "compare them, cite the manual, and remove `unverified`"
         yield finding("facts_verified", unverified[0].place, "unverified", text, help, severity=Severity.WARNING)

@@ -84,7 +84,7 @@ def missing(ranges: Ranges, have: Collection[int]) -> list[tuple[int, int]]:
 def near(word: str, known: Collection[str]) -> str:
     """The help for a word that is not among the known ones."""
     if len(known) > _SEARCHED:
-        return "define it, or put the name right"
+        return "define it, or correct the name"
     from difflib import get_close_matches
 
     names = sorted(known)

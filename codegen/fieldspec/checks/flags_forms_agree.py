@@ -1,11 +1,13 @@
-"""Words of flags that the manual calls by one name have a bit of one name at one place, with one sense.
+"""Bit fields with the same name in the manual have bits of the same name at the same position, with the same
+active level and edge.
 
-Why: a control word has several forms, each for some messages, and the manual prints each form whole. A bit
-that moves from one to the other is misprinted in one of them.
+Why: a control word has several forms for different messages, and the manual prints each form in full. If a
+bit is at different positions, one form is misprinted.
 
-Example: the bit fixed_stop in bit 8 of one form of STW2, and in bit 9 of another one.
+Example: fixed_stop is bit 8 in one form of STW2 and bit 9 in another.
 
-Cure: Put the bit right, and write an erratum. If it really moves, say `allow: {flags_forms_agree: <reason>}`.
+Cure: Correct the bit, and write an erratum. If its position really differs, set `allow: {flags_forms_agree:
+<reason>}`.
 """
 
 from __future__ import annotations
@@ -42,8 +44,8 @@ def _compared(word: Flags, bit: Bit, other: Flags, same: Bit) -> Iterator[Diagno
     ):
         if mine != theirs:
             text = f"{bit.name} has {theirs} in {other.name} and {mine} in {word.name}, forms of one word"
-            there = label(same.place, key if key in same.place else "name", f"that of {other.name}")
-            help = "put one of them right, or allow it with a reason"
+            there = label(same.place, key if key in same.place else "name", f"in {other.name}")
+            help = "correct one of them, or allow it with a reason"
             yield finding(_CODE, bit.place, key, text, help, there)
 
 

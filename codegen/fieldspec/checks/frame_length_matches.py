@@ -1,13 +1,13 @@
-"""The printed length of a frame is that of its parts and data.
+"""The printed length of a frame is the sum of its parts and data.
 
-Why: the length is printed beside the data it counts. Where they differ, a field is missing or has
-another width, or the length is that of one of several frames.
+Why: the manual prints the length next to the data that it counts. If they differ, a field is missing or has
+the wrong width, or the length belongs to another frame.
 
-Example: `frame_length: {request: 6}` for a packet of three bytes before the data, three bytes of data
-and one behind.
+Example: `frame_length: {request: 6}` for a packet with a header of three bytes, three bytes of data and a
+trailer of one byte.
 
-Cure: Put a field or the length right, and write an erratum. For data of no fixed size leave the length
-out.
+Cure: Correct a field or the length, and write an erratum. Omit the length if the size of the data is not
+fixed.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def _compared(
         "frame_length_matches",
         message.place,
         "frame_length",
-        f"the {direction} of {message.name} is printed with {plural(printed, 'byte')}; it has {actual}",
-        "put a field or the length right; leave out the length of what has no fixed size",
+        f"the {direction} of {message.name} is printed with {plural(printed, 'byte')}, but it has {actual}",
+        "correct a field or the length; omit the length if the size is not fixed",
         label(message.place, direction, "the data"),
     )

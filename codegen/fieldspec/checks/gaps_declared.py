@@ -1,12 +1,12 @@
-"""Within a group, an address that no register holds lies in a declared gap, and a gap holds no register.
+"""Within a group, every address without a register is in a declared gap, and no gap contains a register.
 
-Why: address plus words is the next address, unless the manual leaves addresses out. A hole that nobody
-declared hides a wrong number of words, a wrong address or a row that was not transcribed.
+Why: address plus words is the next address, unless the manual skips addresses. An undeclared hole hides a
+wrong number of words, a wrong address or a row that was not transcribed.
 
-Example: a register of one word at 0x010B and the next one at 0x010D: 0x010C is in no gap.
+Example: a register of one word at 0x010B, the next register at 0x010D, and no gap that contains 0x010C.
 
-Cure: Put the words or the address right, transcribe the missing row, or declare the addresses under the
-group's `gaps` with a reason.
+Cure: Correct the words or the address, transcribe the missing row, or declare the addresses with a reason
+under `gaps` of the group.
 """
 
 from __future__ import annotations
@@ -50,14 +50,14 @@ def _hole(group: RegisterGroup, before: Register, behind: Register, low: int, hi
         "gaps_declared",
         behind.place,
         "at",
-        f"no register and no gap of {group.name} holds {addresses(low, high)}",
-        "put an address or a number of words right, or declare the addresses under `gaps` with a reason",
+        f"no register and no gap of {group.name} contains {addresses(low, high)}",
+        "correct an address or a number of words, or declare the addresses under `gaps` with a reason",
         label(before.place, "at", f"{before.name} ends at {addresses(before.end - 1, before.end - 1)}"),
     )
 
 
 def _wrong(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagnostic]:
-    help = "a gap names addresses between the rows of its group that nothing holds"
+    help = "a gap contains only unused addresses between the rows of its group"
     if not group.registers:
         return
     first = min(row.address for row in group.registers)
@@ -65,8 +65,8 @@ def _wrong(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagn
     for gap in group.gaps:
         for low, high in gap.addresses.intervals:
             if low < first or high > last:
-                text = f"the gap {addresses(low, high)} leaves the group at {addresses(first, last)}"
+                text = f"the gap {addresses(low, high)} goes beyond the group at {addresses(first, last)}"
                 yield finding("gaps_declared", gap.place, "at", text, help)
             elif uncovered(low, high, taken) != [(low, high)]:
-                text = f"the gap {addresses(low, high)} holds a register or table"
+                text = f"the gap {addresses(low, high)} contains a register or table"
                 yield finding("gaps_declared", gap.place, "at", text, help)

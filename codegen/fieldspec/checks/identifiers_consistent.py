@@ -1,12 +1,12 @@
-"""No two printed identifiers differ in one letter that is missing, or in two that have changed places.
+"""No two printed identifiers differ only by one missing letter or by two swapped letters.
 
-Why: two identifiers of that kind are one, misspelt in one place. Whoever searches the manual for it misses that place.
-Identifiers are words of six letters or more, in capitals or with capitals inside; of letters that are doubled, any
-number is right.
+Why: two such identifiers are the same one, misspelt in one place, and a search of the manual misses that
+place. Identifiers are words of at least six letters that are in capitals or contain capitals. The number of
+repetitions of a doubled letter is not compared.
 
 Example: the signal SOFTLIMIT in one table, and SOFLIMIT in another.
 
-Cure: Write the name in one way, and an erratum with the other one. If they are two names, say `allow:
+Cure: Use one spelling, and write an erratum with the other. If they are two names, set `allow:
 {identifiers_consistent: <reason>}`.
 """
 
@@ -84,7 +84,7 @@ def _finding(used: _Used, word: str, other: str) -> Diagnostic:
         "identifiers_consistent",
         place,
         key,
-        f"`{rare}` is `{usual}` but for a letter",
-        "write it in one way, or allow it with a reason",
+        f"`{rare}` differs from `{usual}` by one letter",
+        "use one spelling, or allow it with a reason",
         label(there, its_key, f"`{usual}`"),
     )

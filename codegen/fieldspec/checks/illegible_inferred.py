@@ -1,10 +1,11 @@
-"""What the spec makes of an empty or garbled place of the manual is inferred, with a reason.
+"""A value that the spec states for an empty or garbled place of the manual is inferred, with a reason.
 
-Why: where nothing can be read, whatever the spec says is our own reading. Without `inferred` it looks printed.
+Why: if nothing is legible, the value is our own interpretation. Without `inferred` it looks as if it were
+printed.
 
 Example: an erratum with `illegible: garbled` about a member whose `doc` has no entry under `inferred`.
 
-Cure: Give the fact a reason under `inferred` for the key that was read into it, or take the reading out of the fact.
+Cure: Add a reason under `inferred` for the key that was interpreted, or remove the value from the fact.
 """
 
 from __future__ import annotations
@@ -26,9 +27,9 @@ def illegible_inferred(device: Device) -> Iterator[Diagnostic]:
     for erratum in illegible:
         fact = by_path.get(erratum.fact.partition("/restated/")[0])
         if fact is not None and not fact.inferred and _read(fact):
-            text = f"the print is {erratum.illegible}, and nothing of {fact.name} is inferred"
+            text = f"the print is {erratum.illegible}, but no key of {fact.name} is inferred"
             there = label(fact.place, _read(fact), "read into the print")
-            help = "give the reason under `inferred`"
+            help = "add the reason under `inferred`"
             yield finding("illegible_inferred", erratum.place, "illegible", text, help, there)
 
 

@@ -1,11 +1,11 @@
-"""Every key under `inferred` is a key that the fact has.
+"""Every key under `inferred` is a key of the fact.
 
-Why: `inferred` says that the manual implies a value and does not print it. A reason for a value that is
-not there is a slip: a key with a typing error, or a value that was taken out again.
+Why: `inferred` states that the manual implies a value but does not print it. A reason for a missing value is
+a mistake: the key is misspelt, or the value was removed.
 
 Example: `inferred: {acces: ...}` on a register with `access: rw`.
 
-Cure: Put the key right, give the value, or take the reason out.
+Cure: Correct the key, add the value, or remove the reason.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ def inferred_keys_present(device: Device) -> Iterator[Diagnostic]:
     for fact in facts(device):
         for key in fact.inferred:
             if not has_key(fact, key):
-                text = f"{fact.name} has no `{key}` that could be inferred"
-                yield finding("inferred_keys_present", fact.place, "inferred", text, "give it, or take the reason out")
+                text = f"{fact.name} has no `{key}` to infer"
+                yield finding("inferred_keys_present", fact.place, "inferred", text, "add it, or remove the reason")
 
 
 def has_key(fact: Fact, key: str) -> bool:

@@ -1,11 +1,12 @@
-"""A value has no key that means nothing for its type: members of enums, bits and constants are whole numbers; a
-floating-point number is counted in its unit; texts and bytes have no order of bytes, no range and no scale.
+"""A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers. A
+floating-point number has no scale. Texts and bytes have no byte order, range or scale.
 
-Why: what no output can obey must not look as if it held. A reader would trust a limit or a name that no codec knows.
+Why: a key that no output can apply must not look as if it had an effect. A reader would rely on a limit or a
+name that no codec knows.
 
 Example: `enum: mode` on an `f32`, or `byte_order: little` on a `text`.
 
-Cure: Take the key away, or put the type right.
+Cure: Remove the key, or correct the type.
 """
 
 from __future__ import annotations
@@ -28,10 +29,10 @@ _UNFIT = {
     Kind.BYTES: (*_NAMED, *_SCALED, "byte_order", "range", "sentinels", "unit"),
 }
 _HELP = {
-    Kind.FLOAT: "take it away, or give the type of a whole number",
-    Kind.BOOLEAN: "take it away, or give the type of a whole number",
-    Kind.TEXT: "take it away; bytes follow each other as they are sent",
-    Kind.BYTES: "take it away; bytes follow each other as they are sent",
+    Kind.FLOAT: "remove it, or use an integer type",
+    Kind.BOOLEAN: "remove it, or use an integer type",
+    Kind.TEXT: "remove it; text and bytes have no byte order, range or scale",
+    Kind.BYTES: "remove it; text and bytes have no byte order, range or scale",
 }
 
 
@@ -40,11 +41,11 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
         kind = value.type.kind
         for key in _UNFIT.get(kind, ()):
             if _has(value, key):
-                text = f"{fact.name} is {value.type.name}, for which `{_key(fact.place, key)}` means nothing"
+                text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
                 yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, _HELP[kind])
         if kind is Kind.INTEGER and value.absent_nan:
-            text = f"{fact.name} is {value.type.name}, and the `bits` of a sentinel are those of an f32"
-            yield finding("keys_fit_type", fact.place, "sentinels", text, "give the count under `value`")
+            text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f32"
+            yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
 
 
 def _key(place: Place, key: str) -> str:

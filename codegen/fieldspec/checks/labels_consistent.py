@@ -1,12 +1,12 @@
-"""Fields with one label and different names have values of one type, range, scale, unit and enum.
+"""Fields with the same label and different names have the same type, range, scale, unit and enum.
 
-Why: a manual labels a quantity in one way wherever it stands. Where one label stands at two quantities, the
-label of one of them was copied from another table. Fields of one record are looked at by labels_unique.
+Why: a manual uses one label for a quantity everywhere. If two quantities have the same label, one of the
+labels was copied from another table. The rule labels_unique covers the fields of one record.
 
-Example: a word that is written, labelled "number of words", as the count of another message is.
+Example: a word to be written is labelled "number of words", like the count of another message.
 
-Cure: Find out what the field is, give it the right label, and write an erratum with the printed one. If both
-are printed with one label and it is no slip, say `allow: {labels_consistent: <reason>}`.
+Cure: Find out what the field is, correct its label, and write an erratum with the printed label. If both
+labels are correct, set `allow: {labels_consistent: <reason>}`.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def _odd(family: Sequence[tuple[Record, Field]]) -> Iterator[Diagnostic]:
                 "labels_consistent",
                 field.place,
                 "label",
-                f"{field.name} and {example.name} have one label, `{field.label}`, and are different values",
+                f"{field.name} and {example.name} have the same label, `{field.label}`, but are different values",
                 "find out what each of them is, or allow it with a reason",
                 label(example.place, "label", example.name),
             )

@@ -1,12 +1,12 @@
-"""No two rows of one list have the same printed name, and no two have the same label.
+"""No two rows of a list have the same printed name or the same label.
 
-Why: where a manual gives two fields, bits or registers one text, a line was copied and not changed.
-Reserved rows may share theirs. The members of enums are looked at by enum_names_unique.
+Why: if a manual prints one text for two fields, bits or registers, a row was copied and not changed. Reserved
+rows may have the same text. The rule enum_names_unique covers the members of enums.
 
 Example: a record whose second and third field are both labelled "hours".
 
-Cure: Find out what the second one is, give it the right label, and write an erratum with the printed
-one. If both are printed with one text and it is no slip, say `allow: {labels_unique: <reason>}`.
+Cure: Find out what the second row is, correct its label, and write an erratum with the printed label. If both
+are correct, set `allow: {labels_unique: <reason>}`.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""A part or field that holds a length can hold it for the longest frame.
+"""A part or field that carries a length is wide enough for the longest frame.
 
-Why: a count of elements that is printed too high, or a length of one byte for more than 255, gives frames that cannot
-exist.
+Why: a frame that is longer than its length field can express cannot exist. The printed number of elements is
+too high, or the type is too narrow.
 
 Example: up to 16 points of 16 bytes in a packet whose length is one byte.
 
-Cure: Put the number of elements or the type right, and write an erratum if it is printed so.
+Cure: Correct the number of elements or the type, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from fieldspec.model.sizes import RecordSizes, Shape, messages_on, shapes
 from fieldspec.model.value import Kind
 
 _CODE = "lengths_hold"
-_HELP = "put the number of elements or the type right"
+_HELP = "correct the number of elements or the type"
 
 
 def lengths_hold(device: Device) -> Iterator[Diagnostic]:
@@ -54,7 +54,7 @@ def _of_field(field: Field, measured: Field, sizes: RecordSizes) -> Iterator[Dia
     there = label(measured.place, "repeat" if "repeat" in measured.place else "name", "what it measures")
     text = f"{field.name} counts {interval(least, most)} {what} of {measured.name}"
     if most > field.value.type.high:
-        text += f", but {field.value.type.name} goes to {field.value.type.high}"
+        text += f", but the maximum of {field.value.type.name} is {field.value.type.high}"
         yield finding(_CODE, field.place, "type", text, _HELP, there)
 
 
@@ -70,7 +70,12 @@ def _of_links(device: Device, direction: str, sizes: RecordSizes) -> Iterator[Di
         if direction == "response" and error is not None and error.record in device.records:
             record = device.records[error.record]
             yield from _of_data(
-                shape, part, f"refusal on {shape.link.name}", (shape.link.place, "exception_response"), record, sizes
+                shape,
+                part,
+                f"exception response on {shape.link.name}",
+                (shape.link.place, "exception_response"),
+                record,
+                sizes,
             )
 
 
@@ -90,11 +95,11 @@ def _of_data(
         text = f"{part.name} would be {longest} in the longest {what}"
         if (part.span, unit, part.plus) == (PartSpan("", ""), 1, 0):
             text = f"the longest {what} has {longest} bytes"
-        yield finding(_CODE, *at, f"{text}; {part.name} goes to {high}", _HELP, there)
+        yield finding(_CODE, *at, f"{text}; the maximum of {part.name} is {high}", _HELP, there)
     if shortest < low:
-        text = f"{part.name} would be {shortest} in the shortest {what}; it begins at {low}"
+        text = f"{part.name} would be {shortest} in the shortest {what}; its minimum is {low}"
         yield finding(_CODE, *at, text, _HELP, there)
     if least == most and least % unit:
-        text = f"the {what} has {least} bytes that are counted, which are no whole words"
-        help = "add what fills the last word, or leave out the link with the message's `links`"
+        text = f"the {what} has {least} counted bytes, which is not a whole number of words"
+        help = "add a field that fills the last word, or exclude the link with the message's `links`"
         yield finding(_CODE, *at, text, help, there)

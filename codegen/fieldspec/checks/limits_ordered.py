@@ -1,11 +1,10 @@
-"""The least of a limit is not more than the most, and its value lies between them.
+"""The minimum of a limit is not greater than its maximum, and its value is between them.
 
-Why: a time of at least 400 ms and at most 200 ms cannot be kept; two columns were exchanged, or a digit
-is wrong.
+Why: no time is both at least 400 ms and at most 200 ms. Two columns are swapped, or a digit is wrong.
 
 Example: `{min: 400, max: 200, unit: ms}`.
 
-Cure: Put one of them right, and write an erratum if it is printed so.
+Cure: Correct one of them, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -28,7 +27,7 @@ def limits_ordered(device: Device) -> Iterator[Diagnostic]:
             if less > more:
                 text = f"{limit.name} has the {before} {less} and the {behind} {more}"
                 there = label(limit.place, before, f"the {before}")
-                yield finding("limits_ordered", limit.place, behind, text, "put one of them right", there)
+                yield finding("limits_ordered", limit.place, behind, text, "correct one of them", there)
 
 
 def _limit_text(

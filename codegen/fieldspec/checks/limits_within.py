@@ -1,12 +1,12 @@
-"""A limit that is made of others is their sum, and a limit that another one bounds does not exceed it.
+"""A limit with parts is their sum, and a limit with a bound does not exceed it.
 
-Why: a device that takes up to 400 ms to answer, and 280 ms to send, cannot be judged by a timeout of 600 ms. The
-manual prints the numbers on different pages, and nobody adds them up.
+Why: a timeout of 600 ms is too short for a device that takes up to 400 ms to answer and 280 ms to send. The
+manual prints these numbers on different pages, and nobody adds them up.
 
-Example: `{name: delay, max: 400, unit: ms, transmits: response, within: limits/timeout}` where the longest response has
-244 bytes, which take 280 ms at 9600 bit/s, and the timeout is 600 ms.
+Example: `{name: delay, max: 400, unit: ms, transmits: response, within: limits/timeout}` where the longest
+response has 244 bytes, which take 280 ms at 9600 bit/s, and the timeout is 600 ms.
 
-Cure: Put the number or the reference right; where the manual prints it so, write an erratum.
+Cure: Correct the number or the reference, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ def limits_within(device: Device) -> Iterator[Diagnostic]:
         there = label(bound.place, "max" if "max" in bound.place else "value", "the bound")
         if limit.unit != bound.unit:
             text = f"{limit.name} is in {limit.unit or 'no unit'}, {bound.name} in {bound.unit or 'no unit'}"
-            yield finding("limits_within", limit.place, "unit", text, "give both in one unit", there)
+            yield finding("limits_within", limit.place, "unit", text, "state both in the same unit", there)
             continue
         more, frame = _transmission(device, limit)
         if limit.most + more > bound.most:
             text = f"{limit.name} goes to {limit.most + more} {limit.unit}{frame}, and {bound.name} to {bound.most}"
-            yield finding("limits_within", limit.place, "within", text, "put one of them right", there)
+            yield finding("limits_within", limit.place, "within", text, "correct one of them", there)
 
 
 def _transmission(device: Device, limit: Limit) -> tuple[Decimal, str]:
@@ -71,11 +71,11 @@ def _sum(limit: Limit, parts: list[Limit]) -> Iterator[Diagnostic]:
     """Whether the greatest values of the parts add up to that of the limit, in its unit."""
     for part in parts:
         if part.most is None or part.unit != limit.unit:
-            text = f"{part.name} has no greatest value in {limit.unit or 'no unit'} that could be added up"
+            text = f"{part.name} has no maximum in {limit.unit or 'no unit'} to add"
             there = label(part.place, "name", "a part of the sum")
             yield finding("limits_within", limit.place, "sum_of", text, "name limits of the same unit", there)
             return
     total = sum(part.most for part in parts if part.most is not None)
     if limit.most is not None and parts and total != limit.most:
         text = f"the parts of {limit.name} add up to {total}, not to {limit.most}"
-        yield finding("limits_within", limit.place, "sum_of", text, "put the sum or the parts right")
+        yield finding("limits_within", limit.place, "sum_of", text, "correct the sum or the parts")

@@ -1,16 +1,16 @@
-"""A link says how its frames look: the byte order, one body, the code of a request, what a length counts and a
-check covers.
+"""A link describes its frames completely: the byte order, one body, the code of a request, and which parts
+the length counts and the checksum covers.
 
-Why: byte order is stated for each link and never assumed; and a frame whose message cannot be told, or
-whose data have no place, cannot be decoded.
+Why: the byte order is stated for each link and never assumed. A frame cannot be decoded if its message is not
+identified or its data has no place.
 
 Example: a link with two messages whose requests have no part with the role `code`.
 
-Cure: Give the `byte_order`, or the missing part, or put the parts in the order of the wire. Station, code, length
-and fields that users give stand before the body; constants and reserved parts stand anywhere. A length counts
-neighbouring parts, the body among them; a check covers neighbouring parts, itself not among them. Where frames
-really carry no code, name the link under the `links` of each of its messages, which then have none either:
-whoever decodes says which message it is.
+Cure: Add the `byte_order` or the missing part, or list the parts in the order of the wire. Unit address,
+code, length and user fields come before the body; constants and reserved parts may be anywhere. A length
+counts adjacent parts that include the body. A checksum covers adjacent parts that do not include itself. If
+frames really carry no code, name the link under `links` of each of its messages and omit their codes; the
+caller of the decoder then states the message.
 """
 
 from __future__ import annotations
@@ -34,13 +34,15 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
     for link in device.links.values():
         if not link.byte_order:
             text = f"the link {link.name} has no byte order"
-            yield finding(_CODE, link.place, "byte_order", text, "give `byte_order: big` or `little`")
+            yield finding(_CODE, link.place, "byte_order", text, "add `byte_order: big` or `byte_order: little`")
         for direction in ("request", "response"):
             yield from _of_parts(device, link, direction, link.parts(direction))
         yield from _messages_distinct(device, link)
         if link.exception_response is not None and not any(part.role == "code" for part in link.response):
-            text = f"the link {link.name} marks refusals in the code, but its responses have none"
-            yield finding(_CODE, link.place, "exception_response", text, "give the part with the code the role `code`")
+            text = f"the link {link.name} marks exception responses in the code, but its responses have no code"
+            yield finding(
+                _CODE, link.place, "exception_response", text, "add the role `code` to the part with the code"
+            )
 
 
 def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
@@ -48,10 +50,10 @@ def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
     sent = messages_on(device, link)
     odd = next((message for message in sent if message.code is not None or not message.links), None)
     if len(sent) > 1 and odd is not None and not coded(link):
-        text = f"the link {link.name} has no code in its requests, but there are {len(sent)} messages"
+        text = f"the link {link.name} has no code in its requests, but it has {len(sent)} messages"
         what = "has a code" if odd.code is not None else "does not say on which links it is sent"
         there = label(odd.place, "code" if odd.code is not None else "name", f"{odd.name} {what}")
-        help = "give the part with the code the role `code`, or the messages their `links` and no code"
+        help = "add the role `code` to the part with the code, or add `links` to the messages and remove their codes"
         yield finding(_CODE, link.place, "request", text, help, there)
 
 
@@ -73,12 +75,12 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
     for role in _NUMBERS:
         if role in roles_in_order and "body" in roles_in_order[: roles_in_order.index(role)]:
             part = parts[roles_in_order.index(role)]
-            text = f"the {role.replace('_', ' ')} {part.name} stands behind the body"
-            yield finding(_CODE, part.place, "name", text, "what says how to read the body stands before it")
+            text = f"the {role.replace('_', ' ')} {part.name} comes after the body"
+            yield finding(_CODE, part.place, "name", text, "parts that tell how to read the body come before it")
     for part in parts[roles_in_order.index("body") :] if "body" in roles_in_order else ():
         if part.role == "plain" and part.value is not None and part.value.const is None and not part.reserved:
-            text = f"{part.name} stands behind the body, but nothing says what it holds"
-            help = "give it a `const` or `reserved: true`; what users give stands before the body"
+            text = f"{part.name} comes after the body, but nothing states its value"
+            help = "give it a `const` or `reserved: true`; parts that users supply come before the body"
             yield finding(_CODE, part.place, "name", text, help)
 
 
@@ -89,19 +91,19 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
     kind, role = part.value.type, part.role.replace("_", " ")
     if part.role == "plain":
         if kind.kind is not Kind.INTEGER:
-            text = f"the part {part.name} is {kind.name}, which is no number"
-            yield finding(_CODE, part.place, "type", text, "give it an integer type")
+            text = f"the part {part.name} is {kind.name}, which is not a number"
+            yield finding(_CODE, part.place, "type", text, "use an integer type")
         enum = device.enums.get(part.value.enum)
         if enum is not None and not enum.open:
-            text = f"the part {part.name} has the enum {enum.name}, which is closed; frames with other values are read"
+            text = f"the enum {enum.name} of the part {part.name} is closed, but frames can contain other values"
             there = label(enum.place, "name", "the enum")
-            yield finding(_CODE, part.place, "enum", text, "give the enum `open: true`", there)
+            yield finding(_CODE, part.place, "enum", text, "set `open: true` on the enum", there)
     elif kind.kind is not Kind.INTEGER:
-        text = f"the {role} {part.name} is {kind.name}, which is no number"
-        yield finding(_CODE, part.place, "type", text, "give it an integer type")
+        text = f"the {role} {part.name} is {kind.name}, which is not a number"
+        yield finding(_CODE, part.place, "type", text, "use an integer type")
     elif kind.signed or kind.size > _GREATEST_SIZE:
-        text = f"the {role} {part.name} is {kind.name}; it has no sign and at most {_GREATEST_SIZE} bytes"
-        yield finding(_CODE, part.place, "type", text, "give it an integer type from `u8` to `u32`")
+        text = f"the {role} {part.name} is {kind.name}; it must be unsigned, with at most {_GREATEST_SIZE} bytes"
+        yield finding(_CODE, part.place, "type", text, "use an integer type from `u8` to `u32`")
 
 
 def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
@@ -119,12 +121,12 @@ def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
     first, last = numbers
     if part.role == "length":
         if first > last or not any(part.role == "body" for part in parts[first : last + 1]):
-            text = f"the length {part.name} does not count the body, so that it is always the same"
-            help = "count the body too, or make the part a plain one with a `const`"
+            text = f"the length {part.name} does not count the body, so it is constant"
+            help = "count the body too, or replace the role of the part by a `const`"
             yield finding(_CODE, part.place, key, text, help)
     elif first > last:
-        text = f"the check {part.name} covers nothing"
-        yield finding(_CODE, part.place, key, text, "give the first and the last part in the order of the wire")
+        text = f"the checksum {part.name} covers nothing"
+        yield finding(_CODE, part.place, key, text, "name the first and the last part in the order of the wire")
     elif first <= names.index(part.name) <= last:
-        text = f"the check {part.name} covers itself"
-        yield finding(_CODE, part.place, key, text, "end before it, or begin behind it")
+        text = f"the checksum {part.name} covers itself"
+        yield finding(_CODE, part.place, key, text, "end before it, or begin after it")

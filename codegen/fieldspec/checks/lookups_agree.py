@@ -1,13 +1,11 @@
-"""Lookups that say the same thing of the same keys say it of all of them.
+"""Lookup tables that give the same facts about the same keys agree in all rows.
 
-Why: a manual prints the pins of one connector in several chapters. Where two tables agree on nearly all
-rows, the one that differs is misprinted.
+Why: a manual prints the pins of one connector in several chapters. If two tables agree in nearly all rows,
+the row that differs is misprinted.
 
-Example: three tables of terminals and their signals, of which one has IN 12 with the signal of an
-output.
+Example: three tables of terminals and signals; one of them has the signal of an output at IN 12.
 
-Cure: Put the cell right and write an erratum, or say `allow: {lookups_agree: <reason>}` on one of the
-tables.
+Cure: Correct the cell and write an erratum, or set `allow: {lookups_agree: <reason>}` on one of the tables.
 """
 
 from __future__ import annotations
@@ -64,7 +62,7 @@ def _compared(what: str, cells: _Cells, theirs: _Cells, other: Lookup, reported:
         (mine, row), (their, their_row) = cells[key], theirs[key]
         if id(row) not in reported:
             reported.add(id(row))
-            text = f"the {what} {key} is {mine}, but {their} in {other.name}, which agrees otherwise"
-            help = "put one of the cells right, or allow the difference with a reason"
+            text = f"the {what} {key} is {mine}, but {their} in {other.name}, which otherwise agrees"
+            help = "correct one of the cells, or allow the difference with a reason"
             there = label(their_row.place, "cells", f"the row of {other.name}")
             yield finding("lookups_agree", row.place, "cells", text, help, there)

@@ -1,12 +1,13 @@
-"""In a long table, a column of numbers that counts, or that rises step by step, does so in all of its rows.
+"""In a long table, a column of numbers that count or rise in steps does so in all rows.
 
-Why: a table of settings often counts through all pairs of two numbers. A cell that falls out of the count is
-misprinted, and nobody sees it among dozens of rows.
+Why: a table of settings often lists all pairs of two numbers. A misprinted cell breaks the sequence, and
+nobody notices it among dozens of rows.
 
-Example: a gain that goes 1, 2, 3, 4, 5, 6, 7, 2 and then begins anew, where all other rounds end with 8.
+Example: a gain column with 1, 2, 3, 4, 5, 6, 7, 2 that then starts again, where all other sequences end with
+8.
 
-Cure: Put the cell right, and write an erratum. If it is really another number, say `allow:
-{lookups_regular: <reason>}` on the table.
+Cure: Correct the cell, and write an erratum. If the number is really different, set `allow: {lookups_regular:
+<reason>}` on the table.
 """
 
 from __future__ import annotations
@@ -39,9 +40,9 @@ def _of_column(lookup: Lookup, name: str, numbers: Sequence[int]) -> Iterator[Di
         if odd and len(odd) * _SMALL <= len(numbers):
             for index, right in odd.items():
                 row, before = lookup.rows[index], lookup.rows[index - 1]
-                text = f"{name} is {numbers[index]} in a column that makes {right} here"
+                text = f"{name} is {numbers[index]}, but its column continues with {right}"
                 there = label(before.place, "cells", "the row before")
-                help = "put the cell right, or allow it with a reason"
+                help = "correct the cell, or allow it with a reason"
                 yield finding("lookups_regular", row.place, "cells", text, help, there)
             return
 

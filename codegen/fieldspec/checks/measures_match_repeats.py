@@ -1,11 +1,12 @@
-"""The range of a field that holds another field's size goes from its least size to its greatest.
+"""The range of a field that carries the size of another field is from the least to the greatest size of that
+field.
 
-Why: the number of bytes, or of elements, follows from how often an element may be repeated. Where the
-print gives the two limits apart, a slip in one of them shows against the other.
+Why: the number of bytes or elements follows from the permitted repetitions. The manual prints both limits, so
+a misprint in one of them shows.
 
-Example: `values` are 1 to 60 words, and the byte count has the range `2..127`: 120 bytes are the most.
+Example: `values` has 1 to 60 words, and the byte count has the range `2..127`, but the maximum is 120 bytes.
 
-Cure: Put the range, or the repetitions, right, and write an erratum for the one that is misprinted.
+Cure: Correct the range or the repetitions, and write an erratum for the one that is misprinted.
 """
 
 from __future__ import annotations
@@ -41,7 +42,8 @@ def _compared(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[Diagn
             "measures_match_repeats",
             field.place,
             range_key(field.place),
-            f"{field.name} goes over {ranges.text()}; {measured.name} has {interval(low, high)} {field.measures.of}",
-            "put the range or the repetitions right",
+            f"{field.name} has the range {ranges.text()}, but {measured.name}"
+            f" has {interval(low, high)} {field.measures.of}",
+            "correct the range or the repetitions",
             label(measured.place, "repeat", f"{measured.name} is repeated"),
         )

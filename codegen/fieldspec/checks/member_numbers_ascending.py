@@ -1,11 +1,11 @@
-"""Where the members of an enum have a second number and nearly all of them are listed by it, all are, and no
-number comes twice.
+"""If members of an enum have a second number and nearly all are sorted by it, all are, and no number is
+repeated.
 
-Why: a table that is sorted by one of its columns shows a misprint in it.
+Why: a misprint shows in a table that is sorted by one of its columns.
 
 Example: internal codes 42, 34, 44: the middle one is out of order.
 
-Cure: Put the number right, and write an erratum if it is printed so.
+Cure: Correct the number, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -33,14 +33,14 @@ def _of_enum(enum: Enum, rows: list[tuple[int, Member]]) -> Iterator[Diagnostic]
         if other is not member:
             text = f"{enum.name} has the number {number} twice, as {other.name} and as {member.name}"
             there = label(other.place, "number", other.name)
-            yield finding(_CODE, member.place, "number", text, "put one of the numbers right", there)
+            yield finding(_CODE, member.place, "number", text, "correct one of the numbers", there)
     ascent = longest_ascent([number for number, _ in rows])
     if (len(rows) - len(ascent)) * _SMALL > len(rows):
         return
     for index, (number, member) in enumerate(rows):
         if index not in ascent:
             last, other = rows[index - 1] if index else rows[1]
-            where = "behind" if index else "before"
-            text = f"{member.name} has the number {number}, out of the order of {enum.name}"
+            where = "after" if index else "before"
+            text = f"{member.name} has the number {number}, which breaks the order of {enum.name}"
             there = label(other.place, "number", f"it is listed {where} {other.name}, {last}")
-            yield finding(_CODE, member.place, "number", text, "put the number right", there)
+            yield finding(_CODE, member.place, "number", text, "correct the number", there)

@@ -1,12 +1,12 @@
-"""Where frames carry a code, every message has one of its own; where they carry none, it has a number of its
-own, or none.
+"""On links with codes, every message has its own code. On links without codes, a message has its own number
+or none.
 
-Why: the code is how a decoder knows which message it has, and the number is how people know it.
+Why: a decoder identifies a message by its code, and people identify it by its number.
 
-Example: two commands with the code 0x44 on one link, or a telegram 111 that is listed twice.
+Example: two commands with the code 0x44 on one link, or two telegrams with the number 111.
 
-Cure: Give the code, or put one of them right and write an erratum if it is printed so. A message that is
-only sent on links without codes names these under `links`.
+Cure: Add the code, or correct one of them and write an erratum if the manual prints it that way. A message
+that is sent only on links without codes names them under `links`.
 """
 
 from __future__ import annotations
@@ -35,14 +35,14 @@ def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
     for message in messages_on(device, link):
         if message.code is None:
             text = f"{message.name} has no code"
-            help = "give it as `code`, or name the links without codes on which it is sent"
+            help = "state its `code`, or name the links without codes on which it is sent"
             yield finding(_CODE, message.place, "code", text, help)
             continue
         other = first.setdefault(message.code, message)
         if other is not message:
             text = f"{message.name} and {other.name} have the code {message.code:#04x}"
             there = label(other.place, "code", other.name)
-            yield finding(_CODE, message.place, "code", text, "put one of the codes right", there)
+            yield finding(_CODE, message.place, "code", text, "correct one of the codes", there)
 
 
 def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:
@@ -52,7 +52,7 @@ def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:
         if other is not message:
             text = f"{message.name} and {other.name} have the number {message.number}"
             there = label(other.place, "number", other.name)
-            yield finding(_CODE, message.place, "number", text, "put one of the numbers right", there)
+            yield finding(_CODE, message.place, "number", text, "correct one of the numbers", there)
 
 
 def _beside(device: Device, message: Message) -> Iterator[Diagnostic]:
@@ -63,7 +63,7 @@ def _beside(device: Device, message: Message) -> Iterator[Diagnostic]:
             continue
         apart = not any(sent_on(link, message) and sent_on(link, other) for link in device.links.values())
         if apart or other.supplements:
-            why = "no link carries both" if apart else "that one is never sent alone either"
+            why = "no link carries both" if apart else "that message is never sent alone either"
             text = f"{message.name} is sent beside {name}, but {why}"
             there = label(other.place, "supplements" if other.supplements else "name", name)
             help = "name messages of the same link that are sent alone"

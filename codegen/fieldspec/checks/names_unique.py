@@ -1,12 +1,13 @@
-"""Names stay apart in every target's case and behind its reserved words, within each space of names.
+"""Names in one name space remain distinct in the spelling of every target, including the escaped names of
+reserved words.
 
-Why: outputs write the words of a name in their own case, and some of them do not tell upper from lower
-case. Two names that become one there would make one of two things vanish, or the output not compile.
+Why: each output spells a name in its own case, and some targets do not distinguish upper and lower case. If
+two names become equal, one of the declarations is lost or the output does not compile.
 
-Example: `line_1_2` and `line1_2` are both `Line1_2`; a record and an enum that are both called zone
-become one type.
+Example: `line_1_2` and `line1_2` both become `Line1_2`; a record and an enum with the name zone become one
+type.
 
-Cure: Give one of them another name.
+Cure: Rename one of them.
 """
 
 from __future__ import annotations
@@ -91,11 +92,11 @@ def _apart(what: str, named: Iterable[_Named]) -> Iterator[Diagnostic]:
             other, there = first.setdefault(case, (name, place))
             if there is not place or other != name:
                 if other == name:
-                    text = f"two of {what} are called `{name}`"
+                    text = f"two of {what} have the name `{name}`"
                 else:
-                    text = f"`{name}` and `{other}` of {what} become the same in a target"
+                    text = f"`{name}` and `{other}` of {what} become the same name in an output"
                 there_too = label(there, "name", f"`{other}`")
-                yield finding("names_unique", place, "name", text, "give one of them another name", there_too)
+                yield finding("names_unique", place, "name", text, "rename one of them", there_too)
                 break
 
 
@@ -121,7 +122,7 @@ def _paths(device: Device) -> Iterator[Diagnostic]:
         if group is not None:
             text = f"`registers/{register.name}` is the path of a register and of a group"
             there = label(group.place, "group", "the group")
-            yield finding("names_unique", register.place, "name", text, "give one of them another name", there)
+            yield finding("names_unique", register.place, "name", text, "rename one of them", there)
 
 
 def _elements(device: Device) -> Iterator[Diagnostic]:
@@ -135,4 +136,4 @@ def _elements(device: Device) -> Iterator[Diagnostic]:
         if array.index_from <= int(number) < array.index_from + array.count:
             text = f"`{register.name}` is also an element of the array `{stem}`"
             there = label(array.place, "name", f"it has {array.count} elements")
-            yield finding("names_unique", register.place, "name", text, "give one of them another name", there)
+            yield finding("names_unique", register.place, "name", text, "rename one of them", there)

@@ -30,17 +30,17 @@ class Legal:
         if writes:
             value = value.for_writing()
         if value.type.kind is Kind.FLOAT and value.ranges is not None and value.sentinel(number) is None:
-            return "" if number in value.ranges else f"lies outside of {value.ranges.text()}"
+            return "" if number in value.ranges else f"is outside {value.ranges.text()}"
         if value.type.kind not in (Kind.INTEGER, Kind.BOOLEAN):
             return ""
         if not value.type.low <= number <= value.type.high:
-            return f"{value.type.name} does not hold"
+            return f"does not fit {value.type.name}"
         if any(sentinel.value == number for sentinel in value.sentinels):
             return ""
         if value.ranges is not None and number not in value.ranges:
-            return f"lies outside of {value.ranges.text()}"
+            return f"is outside {value.ranges.text()}"
         if value.enum in self._closed and number not in self._closed[value.enum]:
-            return f"{value.enum} does not list"
+            return f"is not a member of {value.enum}"
         return ""
 
 

@@ -1,13 +1,12 @@
-"""Where the rows of a group carry the numbers of another table, their addresses rise with the numbers at one
-distance.
+"""If the rows of a group have the numbers of another table, equal steps in number are equal steps in address.
 
-Why: parameter 0 at the first address and two words for each make a rule for all of them. A row that breaks
-it has a misprinted address or number, or a row of one of the tables was left out.
+Why: if parameter 0 is at the first address and each parameter has two words, all addresses follow. A row that
+does not follow has a misprinted address or number, or a row is missing from one of the tables.
 
 Example: parameters 11, 12 and 14 at 0x139E, 0x13A0 and 0x13A2.
 
-Cure: Put the address or the number right, and write an erratum if it is printed so, or transcribe what is
-missing.
+Cure: Correct the address or the number, and write an erratum if the manual prints it that way, or transcribe
+the missing row.
 """
 
 from __future__ import annotations
@@ -22,7 +21,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.registers import Register
 
 _CODE = "numbers_regular"
-_HELP = "put the address or the number right"
+_HELP = "correct the address or the number"
 
 
 def numbers_regular(device: Device) -> Iterator[Diagnostic]:
@@ -55,6 +54,6 @@ def _uneven(rows: list[tuple[int, Register]]) -> Iterator[Diagnostic]:
         right = base + step * number
         if row.address != right:
             where = hexadecimal(int(right)) if right.denominator == 1 else f"{float(right):.1f}"
-            text = f"{row.name} is number {number} at {hexadecimal(row.address)}; the others make it {where}"
+            text = f"{row.name} is number {number} at {hexadecimal(row.address)}, but the others give {where}"
             there = label(usual.place, "number", f"{usual.name} is one of the others")
             yield finding(_CODE, row.place, "at", text, _HELP, there)

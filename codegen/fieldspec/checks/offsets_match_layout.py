@@ -1,11 +1,11 @@
-"""The printed position of a record's field is where the fields before it end.
+"""The printed position of a field is the end of the fields before it in the record.
 
-Why: the addresses of a table's first element and the widths of its fields say the same thing twice.
-Where they differ, one address or one width is misprinted, and what is read lies beside the field.
+Why: the addresses of the first element and the widths of the fields give the same positions. If they differ,
+an address or a width is misprinted, and the wrong bytes are read.
 
-Example: a table at 0x9010 whose record has a field of two words at 0x9011 and the next one at 0x9012.
+Example: a table at 0x9010 whose record has a field of two words at 0x9011 and the next field at 0x9012.
 
-Cure: Put the position or a width right, and write an erratum if it is printed so.
+Cure: Correct the position or a width, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def offsets_match_layout(device: Device) -> Iterator[Diagnostic]:
                     "offsets_match_layout",
                     field.place,
                     "at",
-                    f"{field.name} is printed at {hexadecimal(field.at)}; it lies at {right}",
-                    "put the position, or a type before it, right",
+                    f"{field.name} is printed at {hexadecimal(field.at)}, but it is at {right}",
+                    "correct the position or the type of a field before it",
                     *(label(table.place, "base", f"{table.name} begins here") for table in holders[:1]),
                 )

@@ -1,12 +1,14 @@
-"""All links of a device have the same byte order and the same word order. Where the device has words, such as registers
-or data that are counted in words, a link states the word order, and so does each link whose data are counted in words.
+"""All links of a device have the same byte order and the same word order. If the device has values of several
+words, such as registers or data counted in words, at least one link states the word order, and so does every
+link whose data is counted in words.
 
-Why: a value of several words means nothing without the order of its words. It is stated and never
-assumed; and the same register cannot have two orders. Where a protocol has bytes only, there are no words to order.
+Why: a value of several words needs a word order, which is stated and never assumed. One register cannot have
+two orders. A protocol that has only bytes needs no word order.
 
 Example: a register of type `u32` on a device whose link has no `word_order`.
 
-Cure: Give `word_order: big` or `little`, as inferred with a reason if the manual does not print it.
+Cure: Add `word_order: big` or `word_order: little`, as inferred with a reason if the manual does not print
+it.
 """
 
 from __future__ import annotations
@@ -32,15 +34,15 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
         for link in ordered[1:]:
             if getattr(link, key) != getattr(ordered[0], key):
                 text = f"the links {ordered[0].name} and {link.name} have different orders"
-                help = "a device has one order; give both links the right one"
-                there = label(ordered[0].place, key, f"that of {ordered[0].name}")
+                help = "a device has one order; correct one of the links"
+                there = label(ordered[0].place, key, f"in {ordered[0].name}")
                 yield finding(_CODE, link.place, key, text, help, there)
     if links and not any(link.word_order for link in links) and _has_words(device):
         for fact, value in values(device):
             if _wide(value) and not isinstance(fact, Part):
-                text = f"{fact.name} has several words, and no link says in which order they come"
+                text = f"{fact.name} has several words, but no link states the word order"
                 there = label(fact.place, "type", f"{value.type.name} has {value.size} bytes")
-                yield finding(_CODE, links[0].place, "word_order", text, "give the link its `word_order`", there)
+                yield finding(_CODE, links[0].place, "word_order", text, "add `word_order` to the link", there)
                 return
     for link in links:
         yield from _in_words(device, link)
@@ -52,9 +54,9 @@ def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
         for data in (message.request, message.response):
             for field in data.fields:
                 if field.word_span is not None and field.value is not None and _wide(field.value):
-                    text = f"{field.name} has several words, and {link.name} does not say in which order they come"
-                    there = label(field.place, "word_span", "where they lie")
-                    yield finding(_CODE, link.place, "word_order", text, "give the link its `word_order`", there)
+                    text = f"{field.name} has several words, but {link.name} does not state the word order"
+                    there = label(field.place, "word_span", "the words")
+                    yield finding(_CODE, link.place, "word_order", text, "add `word_order` to the link", there)
                     return
 
 

@@ -1,14 +1,14 @@
-"""A parameter that has an effect with a message has it with every message that carries at least the same
-signals, and with every message that carries a signal whose reference it is.
+"""If a parameter applies to a message, it also applies to every message with at least the same signals, and
+to every message with a signal whose reference it is.
 
-Why: lists of messages beside parameters are not brought up to date when a message is added. One that
-carries all that another one carries, and more, needs the same parameters.
+Why: the lists of messages next to parameters are not always updated when a message is added. A message that
+carries the same signals and more needs the same parameters.
 
 Example: a reference speed with `messages: [telegram_3]` where telegram 5 carries the signals of telegram 3
 and two more.
 
-Cure: Give the missing messages, and write an erratum. If the parameter really has no effect there, say
-`allow: {parameter_messages_complete: <reason>}`.
+Cure: Add the missing messages, and write an erratum. If the parameter really has no effect there, set `allow:
+{parameter_messages_complete: <reason>}`.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def _wider(device: Device, parameter: Parameter, carried: _Signals) -> Iterator[
     for name, signals in carried.items():
         within = [message for message in parameter.messages if carried.get(message) and carried[message] <= signals]
         if name not in parameter.messages and within:
-            text = f"{parameter.name} has an effect with {within[0]}, and {name} carries all signals of that"
+            text = f"{parameter.name} has an effect with {within[0]}, and {name} carries all of its signals"
             yield _finding(device, parameter, name, text)
 
 
@@ -74,5 +74,5 @@ def _referring(
 
 def _finding(device: Device, parameter: Parameter, name: str, text: str) -> Diagnostic:
     there = label(device.messages[name].place, "name", name)
-    help = "give the message under `messages`, or allow it with a reason"
+    help = "add the message under `messages`, or allow it with a reason"
     return finding(_CODE, parameter.place, "messages", text, help, there)

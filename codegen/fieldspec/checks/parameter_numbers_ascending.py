@@ -1,13 +1,13 @@
-"""The numbers of a set's parameters rise, and where nearly all of them rise by one, all do.
+"""The parameter numbers of a set rise, and if nearly all of them rise by one, all do.
 
-Why: parameters are listed by number. A number that falls, repeats or skips is misprinted, or a line was
-left out.
+Why: manuals list parameters by number. If a number falls, repeats or is skipped, it is misprinted or a row is
+missing.
 
-Example: parameters 12, 13, 15 in a list that otherwise goes from 0 to 31 without a hole.
+Example: parameters 12, 13, 15 in a list that is otherwise complete from 0 to 31.
 
-Cure: Transcribe the missing line, as `reserved` if it has no meaning, or put the number right and write
-an erratum. If the manual leaves numbers out, say `allow: {parameter_numbers_ascending: <reason>}` on the
-parameter behind them. A set that says which `numbers` there are may describe some of them only.
+Cure: Transcribe the missing row, as `reserved` if it has no meaning, or correct the number and write an
+erratum. If the manual skips numbers, set `allow: {parameter_numbers_ascending: <reason>}` on the parameter
+after them. A set that states its `numbers` may describe only some of them.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ def parameter_numbers_ascending(device: Device) -> Iterator[Diagnostic]:
                 continue
             if number > last:
                 text = f"{parameter_set.name} does not list {interval(last + 1, number - 1)}"
-                help = "transcribe what is missing, or allow it with a reason"
+                help = "transcribe the missing parameters, or allow it with a reason"
             else:
-                text = f"parameter {number} is listed behind {last}"
-                help = "put one of the numbers right"
+                text = f"parameter {number} is listed after {last}"
+                help = "correct one of the numbers"
             there = label(before.place, "number", f"the one before is {last}")
             yield finding("parameter_numbers_ascending", parameter.place, "number", text, help, there)

@@ -1,13 +1,13 @@
-"""The range of a field that holds the number of a parameter is that of the numbers that its set has, and every
-row of a set has one of these.
+"""The range of a field that carries a parameter number contains exactly the numbers of its set, and every row
+of the set has one of these numbers.
 
-Why: a number in the list that the field refuses cannot be read; a number that it takes and the list
-lacks is a parameter that nobody described.
+Why: a listed number that the field does not accept cannot be read. A number that the field accepts and the
+list does not contain is a parameter that nobody described.
 
-Example: a range of 1..63 for the number of one of the parameters 0 to 31.
+Example: a range of 1..63 for the number of a parameter, where the set has the parameters 0 to 31.
 
-Cure: Put the range right and write an erratum, or transcribe the missing parameters. A set of which the
-manual describes some parameters only says under `numbers` which there are.
+Cure: Correct the range and write an erratum, or transcribe the missing parameters. If the manual describes
+only some parameters of a set, state all numbers under `numbers`.
 """
 
 from __future__ import annotations
@@ -51,14 +51,14 @@ def _set_numbers(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
         if not any(low <= parameter.number and last <= high for low, high in inside):
             text = f"{parameter_set.name} has the numbers {numbers.text()}, not {interval(parameter.number, last)}"
             there = label(parameter_set.place, "numbers", "the numbers")
-            yield finding(_CODE, parameter.place, "number", text, "put the number or the set right", there)
+            yield finding(_CODE, parameter.place, "number", text, "correct the number or the set", there)
 
 
 def _field_numbers(field: Field, count: int, parameter_set: ParameterSet) -> Iterator[Diagnostic]:
     have = sum(parameter.count for parameter in parameter_set.parameters)
     if count != have:
-        text = f"{field.name} has {count} values; {parameter_set.name} has {plural(have, 'parameter')}"
-        help = "put the number of values, or the list, right"
+        text = f"{field.name} has {count} values, but {parameter_set.name} has {plural(have, 'parameter')}"
+        help = "correct the number of values or the list"
         yield finding(_CODE, field.place, "count", text, help, _list(parameter_set))
 
 
@@ -80,7 +80,7 @@ def _compared(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> 
             faults.append(f"takes {enumeration([interval(*hole) for hole in unlisted])}, which {name} does not list")
         key = range_key(fact.place) if value.ranges is not None else "type"
         text = f"the {'range' if value.ranges is not None else 'type'} of {fact.name} {' and '.join(faults)}"
-        yield finding(_CODE, fact.place, key, text, "put the range or the list right", _list(sets[0]))
+        yield finding(_CODE, fact.place, key, text, "correct the range or the list", _list(sets[0]))
 
 
 def _list(parameter_set: ParameterSet) -> Label:

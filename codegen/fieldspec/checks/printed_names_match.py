@@ -1,12 +1,12 @@
-"""Where an enum or a set of parameters says how the manual prints its values, every printed name is so printed.
+"""If an enum or a parameter set states how the manual prints its values, every printed name has that form.
 
-Why: a display code beside its number says the same thing twice. Where the two differ, whoever looks up the
-code finds another alarm.
+Why: a display code and the number next to it give the same information. If they differ, the code leads the
+user to the wrong alarm.
 
-Example: `printed_as: "AL.{value:03X}"` and a member 0xEE0 that is printed as AL.EEO.
+Example: `printed_as: "AL.{value:03X}"` and a member 0xEE0 with the printed name AL.EEO.
 
-Cure: Put the name or the value right, and write an erratum if it is printed so. Large and small letters are
-the same.
+Cure: Correct the name or the value, and write an erratum if the manual prints it that way. Upper and lower
+case are not distinguished.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ def _of_list(holder: Fact, form: str, keys: tuple[str, ...], rows: _Rows) -> Ite
         return
     match = _FORM.fullmatch(form)
     if match is None or match[1] not in keys:
-        text = f"`{form}` is no form of a {keys[0]}"
-        help = f"write it as in `AL.{{{keys[0]}:03X}}`: one pair of braces, and digits in base 2, 8, 10 or 16"
+        text = f"`{form}` is not a form of a {keys[0]}"
+        help = f"write it like `AL.{{{keys[0]}:03X}}`: one pair of braces, and digits in base 2, 8, 10 or 16"
         yield finding(_CODE, holder.place, "printed_as", text, help)
         return
     for row, numbers in rows:
@@ -54,6 +54,6 @@ def _compared(holder: Fact, row: Fact, right: str, key: str) -> Iterator[Diagnos
     printed += [(claim.place, str(claim.values.get("printed_name") or "")) for claim in row.restated]
     for place, name in printed:
         if name and name.casefold() != right.casefold():
-            text = f"{row.name} is printed as `{name}`; its {key} makes it `{right}`"
+            text = f"{row.name} is printed as `{name}`, but its {key} gives `{right}`"
             there = label(holder.place, "printed_as", "how it is printed")
-            yield finding(_CODE, place, "printed_name", text, f"put the name or the {key} right", there)
+            yield finding(_CODE, place, "printed_name", text, f"correct the name or the {key}", there)

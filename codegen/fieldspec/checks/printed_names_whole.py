@@ -1,11 +1,10 @@
-"""A printed identifier whose words are joined by underscores has no blank in it.
+"""A printed identifier with underscores contains no space.
 
-Why: in a narrow column, identifiers are broken, and a blank stays where they were. Whoever looks for the name
-does not find it.
+Why: narrow columns break identifiers and leave a space at the break. A search for the name then fails.
 
 Example: `printed_name: TARGET_SPEE D`
 
-Cure: Write the name in one piece, and an erratum with the printed one.
+Cure: Write the name without the space, and an erratum with the printed name.
 """
 
 from __future__ import annotations
@@ -21,6 +20,6 @@ from fieldspec.model.device import Device
 def printed_names_whole(device: Device) -> Iterator[Diagnostic]:
     for fact in facts(device):
         if "_" in fact.printed_name and len(fact.printed_name.split()) > 1:
-            text = f"the printed name `{fact.printed_name}` has a blank in it"
-            help = "write it in one piece, or allow it with a reason"
+            text = f"the printed name `{fact.printed_name}` contains a space"
+            help = "write it without the space, or allow it with a reason"
             yield finding("printed_names_whole", fact.place, "printed_name", text, help)

@@ -1,11 +1,10 @@
-"""A table of priorities decides: the same states of what is compared give the same result wherever they stand.
+"""A table of priorities is unambiguous: the same states of the inputs always give the same result.
 
-Why: a table that shows a servo on in one moment and off in another, with the same command and the same input, answers
-the question for neither.
+Why: a table that shows both servo on and servo off for the same command and the same input decides nothing.
 
 Example: a row `on | off -> on -> off | on -> on -> off` in a table of the kind `priority`.
 
-Cure: Put the row right; where the manual prints it so, write an erratum, and allow it at the table.
+Cure: Correct the row. If the manual prints it that way, write an erratum and add an allowance to the table.
 """
 
 from __future__ import annotations
@@ -35,7 +34,7 @@ def _of(lookup: Lookup) -> Iterator[Diagnostic]:
             if before != result:
                 text = f"{lookup.name} has {before} and {result} for {', '.join(states)}"
                 there = label(where.place, "cells", f"{before} here")
-                help = "put the row right, or write an erratum and allow it at the table"
+                help = "correct the row, or write an erratum and add an allowance to the table"
                 yield finding("priorities_decide", row.place, "cells", text, help, there)
                 break
 

@@ -1,13 +1,13 @@
-"""Every fact says where it comes from, and in one way: a computed example cites no line of the manual, a standard has
-its name and its clause, what is inferred has a reason, and a report says something that the fact itself does not.
+"""Every fact states exactly one origin: a computed example cites no line of the manual, a standard has a name
+and a clause, an inferred value has a reason, and a report states only what the fact does not state.
 
-Why: a line of the manual is evidence. Where a frame that we have computed cites one, or what a standard gives looks
-printed, nobody can tell evidence from our own work; and what is reported must never pass for what is printed.
+Why: a line of the manual is evidence. If a computed frame cites one, or a value from a standard looks
+printed, nobody can tell evidence from our own work. A reported value must never look printed.
 
 Example: `origin: computed` beside `source: 8.4 L1790`, or `reported: [{by: a program, how: in its code, unit: mm}]`
 on a register with `unit: mm`.
 
-Cure: Take the source, the reason or the report away, or give what is missing.
+Cure: Remove the source, the reason or the report, or add what is missing.
 """
 
 from __future__ import annotations
@@ -32,22 +32,26 @@ def provenance_stated(device: Device) -> Iterator[Diagnostic]:
             yield from _reported(fact)
     for line in device.lines:
         if line.like and not line.inferred.strip():
-            text = f"nothing says why the line {line.name} is like {line.like}"
-            help = "give the reason under `inferred` of the line"
+            text = f"there is no reason why the line {line.name} is like {line.like}"
+            help = "add the reason under `inferred` of the line"
             yield finding(_RULE, device.place, "id", text, help)
     for example in device.examples.values():
         if example.origin == COMPUTED and "source" in example.place:
-            text = f"{example.id} is computed and cites the manual, which does not print it"
+            text = f"{example.id} is computed, but cites the manual"
             yield finding(
-                _RULE, example.place, "source", text, "take the source away; say under `notes` how it is made"
+                _RULE,
+                example.place,
+                "source",
+                text,
+                "remove the source, and state under `notes` how the example is computed",
             )
 
 
 def _inferred(fact: Fact) -> Iterator[Diagnostic]:
     for key, reason in fact.inferred.items():
         if not reason.strip():
-            text = f"nothing says why `{key}` of {fact.name} is inferred"
-            yield finding(_RULE, fact.place, "inferred", text, "give the reason")
+            text = f"there is no reason why `{key}` of {fact.name} is inferred"
+            yield finding(_RULE, fact.place, "inferred", text, "add the reason")
 
 
 def _standard(fact: Fact) -> Iterator[Diagnostic]:
@@ -55,27 +59,27 @@ def _standard(fact: Fact) -> Iterator[Diagnostic]:
         for what, text in (("name", standard.name), ("clause", standard.clause)):
             if not text.strip():
                 text = f"the standard for `{key}` of {fact.name} has no {what}"
-                yield finding(_RULE, fact.place, "standard", text, f"give its {what}")
+                yield finding(_RULE, fact.place, "standard", text, f"add its {what}")
         if not has_key(fact, key):
-            text = f"{fact.name} has no `{key}` that a standard could give"
-            yield finding(_RULE, fact.place, "standard", text, "give it, or take the standard out")
+            text = f"{fact.name} has no `{key}` for the standard to define"
+            yield finding(_RULE, fact.place, "standard", text, "add it, or remove the standard")
         if key in fact.inferred:
-            text = f"`{key}` of {fact.name} is inferred and given by a standard"
-            yield finding(_RULE, fact.place, "standard", text, "say one of the two")
+            text = f"`{key}` of {fact.name} is both inferred and defined by a standard"
+            yield finding(_RULE, fact.place, "standard", text, "state only one of the two")
 
 
 def _reported(fact: Fact) -> Iterator[Diagnostic]:
     for report in fact.reported:
         if not report.values:
-            text = f"nothing says what is reported of {fact.name}"
-            yield finding(_RULE, report.place, "by", text, "give the unit, the scale, or what else is reported")
+            text = f"the report about {fact.name} states no value"
+            yield finding(_RULE, report.place, "by", text, "add the unit, the scale, or another reported value")
         for what, text in (("by", report.by), ("how", report.how)):
             if not text.strip():
-                text = f"nothing says {'who reports it' if what == 'by' else 'how they know it'} of {fact.name}"
+                text = f"the report about {fact.name} has no `{what}`"
                 yield finding(_RULE, report.place, what, text, "name the program or the person, and where it shows")
         for key in report.values:
             if key != "doc" and key in fact.place:
-                text = f"`{key}` of {fact.name} is reported, and the fact has it too"
+                text = f"`{key}` of {fact.name} is reported, but the fact has it too"
                 yield finding(
-                    _RULE, report.place, key, text, "a reported value is no value of the fact: keep one of them"
+                    _RULE, report.place, key, text, "a reported value is not a value of the fact: remove one of them"
                 )

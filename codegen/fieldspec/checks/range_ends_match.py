@@ -1,12 +1,12 @@
-"""A signed range that begins at the least value of its type ends at the greatest, and the other way round.
+"""A signed range that begins at the least value of its type ends at the greatest, and vice versa.
 
-Why: whoever prints -2147483648 means all values of 32 bits. If the other end is another number, a digit
-of it is lost.
+Why: a manual that prints -2147483648 means all values of 32 bits. If the other end is a different number, a
+digit is missing.
 
 Example: -2147483648..214748648.
 
-Cure: Put the other end right, and write an erratum. Ranges that end at -1, 0 or 1 pass, and so do
-symmetrical ones.
+Cure: Correct the other end, and write an erratum. Ranges that end at -1, 0 or 1 and symmetrical ranges are
+permitted.
 """
 
 from __future__ import annotations
@@ -30,5 +30,5 @@ def range_ends_match(device: Device) -> Iterator[Diagnostic]:
         if extreme and not passing and not -1 <= low <= 1 and not -1 <= high <= 1:
             text = f"the range of {fact.name} is {value.ranges.text()}; {value.type.name} holds"
             text += f" {value.type.low}..{value.type.high}"
-            help = "put the other end right, or allow it with a reason"
+            help = "correct the other end, or allow it with a reason"
             yield finding("range_ends_match", fact.place, range_key(fact.place), text, help)

@@ -1,12 +1,12 @@
-"""The range of a field is not wider than its enum, if the enum is closed.
+"""The range of a field is not wider than its closed enum.
 
-Why: a value that the range admits and the list does not name has no meaning. Either the list lacks a
-line, or the range is too wide, or the enum is open.
+Why: a value that is in the range and not in the enum has no meaning. Either a member is missing, or the range
+is too wide, or the enum is open.
 
-Example: a range of 0..12 beside a list that goes from 0 to 11.
+Example: a range of 0..12 and an enum with the values 0 to 11.
 
-Cure: Transcribe the missing line, put the range right and write an erratum, or say `open: true` on the
-enum if values without a name may occur.
+Cure: Transcribe the missing member, correct the range and write an erratum, or set `open: true` on the enum
+if values without a name can occur.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def range_within_enum(device: Device) -> Iterator[Diagnostic]:
                 "range_within_enum",
                 fact.place,
                 range_key(fact.place),
-                f"{fact.name} may be {enumeration([interval(*hole) for hole in holes])}, without a name in {enum.name}",
-                "put the range or the list right, or say `open: true` on the enum",
+                f"{fact.name} can be {enumeration([interval(*hole) for hole in holes])}, without a name in {enum.name}",
+                "correct the range or the list, or set `open: true` on the enum",
                 label(enum.place, "name", "the list of values"),
             )

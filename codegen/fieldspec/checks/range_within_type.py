@@ -1,11 +1,11 @@
-"""A range, a sentinel and a printed range of stations fit the type that holds them.
+"""Ranges, special values and the printed range of unit addresses fit their types.
 
-Why: a bound that the type cannot hold cannot be sent. Either the type is too narrow, or its sign is
-wrong, or a digit of the bound is.
+Why: a bound that does not fit its type cannot be sent. Either the type is too narrow, its sign is wrong, or a
+digit of the bound is wrong.
 
 Example: a range of -1..127 on a `u16`.
 
-Cure: Put the type or the bound right; give a signed type where the manual prints negative values.
+Cure: Correct the type or the bound. Use a signed type if the manual prints negative values.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.link import Link
 from fieldspec.model.value import Kind, Primitive, Ranges, Value
 
-_HELP = "put the type or the bound right"
+_HELP = "correct the type or the bound"
 _QUIET_NAN = 0x7FC00000
 _WHOLE = (Kind.INTEGER, Kind.BOOLEAN)
 
@@ -54,25 +54,27 @@ def _of_float(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     for bound in (bound for pair in (value.ranges.intervals if value.ranges else ()) for bound in pair):
         if not _exact(bound):
             text = f"{fact.name} cannot be exactly {bound} as {value.type.name}"
-            yield finding("range_within_type", fact.place, range_key(fact.place), text, "give a bound of 24 bits")
+            yield finding(
+                "range_within_type", fact.place, range_key(fact.place), text, "use a bound of at most 24 bits"
+            )
     for sentinel in value.sentinels:
         nan = sentinel.value & 0x7FFFFFFF > 0x7F800000
         if sentinel.is_nan and not nan:
-            text = f"the bits {sentinel.value:#010x} ({sentinel.name}) of {fact.name} are those of a number"
-            yield finding("range_within_type", fact.place, "sentinels", text, "give the number under `value`")
+            text = f"the bits {sentinel.value:#010x} ({sentinel.name}) of {fact.name} represent a number"
+            yield finding("range_within_type", fact.place, "sentinels", text, "state the number under `value`")
         elif sentinel.is_nan and sentinel.value != _QUIET_NAN and getattr(fact, "access", "") != "ro":
-            text = f"{fact.name} can be written, and what is no number is written as {_QUIET_NAN:#010x}"
-            help = "say `access: ro` where it is only read, or state the value as a `u32` of bits"
+            text = f"{fact.name} can be written, and NaN is written as {_QUIET_NAN:#010x}"
+            help = "set `access: ro` if it is only read, or state the value as a `u32` of bits"
             yield finding("range_within_type", fact.place, "sentinels", text, help)
         elif not sentinel.is_nan and 0x7F800000 < sentinel.value <= 0xFFFFFFFF and nan:
             text = f"{sentinel.value:#010x} ({sentinel.name}) of {fact.name} looks like the bits of a NaN"
-            yield finding("range_within_type", fact.place, "sentinels", text, "give them under `bits`")
+            yield finding("range_within_type", fact.place, "sentinels", text, "state them under `bits`")
         elif not sentinel.is_nan and not _exact(sentinel.value):
             text = f"{fact.name} cannot be exactly {sentinel.value} ({sentinel.name}) as {value.type.name}"
-            yield finding("range_within_type", fact.place, "sentinels", text, "give a number of 24 bits")
+            yield finding("range_within_type", fact.place, "sentinels", text, "use a number of at most 24 bits")
     if sum(sentinel.is_nan for sentinel in value.sentinels) > 1:
-        text = f"{fact.name} has several sentinels that are no number, which many machines cannot tell apart"
-        yield finding("range_within_type", fact.place, "sentinels", text, "keep one of them")
+        text = f"{fact.name} has several special values that are NaN, which many machines cannot distinguish"
+        yield finding("range_within_type", fact.place, "sentinels", text, "remove one of them")
 
 
 def _exact(number: int) -> bool:
@@ -94,7 +96,7 @@ def _of_stations(link: Link) -> Iterator[Diagnostic]:
 
 
 def _type_range(primitive: Primitive) -> str:
-    return f"{primitive.name}, which holds {primitive.low}..{primitive.high}"
+    return f"{primitive.name}, which has the range {primitive.low}..{primitive.high}"
 
 
 def _text(ranges: Ranges | None) -> str:

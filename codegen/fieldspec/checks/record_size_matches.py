@@ -1,11 +1,11 @@
-"""The printed size of a record is the sum of its fields, and a table leaves each element enough room.
+"""The printed size of a record is the sum of its fields, and a table leaves enough room for each element.
 
-Why: a size that does not add up means that a field has the wrong width, is missing, or is listed twice;
-and every address behind it is wrong too.
+Why: if the size differs from the sum, a field has the wrong width, is missing or is listed twice, and all
+following addresses are wrong too.
 
-Example: a record of 16 bytes whose fields have 14, or elements of 14 words that are 12 words apart.
+Example: a record of 16 bytes with fields of 14 bytes, or elements of 14 words with a stride of 12 words.
 
-Cure: Put the width of a field, the printed size or the stride right, and write an erratum.
+Cure: Correct the width of a field, the printed size or the stride, and write an erratum.
 """
 
 from __future__ import annotations
@@ -38,10 +38,10 @@ def _of_record(record: Record, sizes: RecordSizes) -> Iterator[Diagnostic]:
             continue
         if size is None:
             text = f"{record.name} is printed with {plural(printed, noun)}, but its size is not fixed"
-            yield finding(_CODE, record.place, key, text, "take the size out, or the repetition", fields)
+            yield finding(_CODE, record.place, key, text, "remove the size or the repetition", fields)
         elif printed * each != size:
-            text = f"{record.name} is printed with {plural(printed, noun)}; its fields have {plural(size, 'byte')}"
-            yield finding(_CODE, record.place, key, text, "put a field or the size right", fields)
+            text = f"{record.name} is printed with {plural(printed, noun)}, but its fields have {plural(size, 'byte')}"
+            yield finding(_CODE, record.place, key, text, "correct a field or the size", fields)
 
 
 def _of_table(table: Table, sizes: RecordSizes, record: Record | None) -> Iterator[Diagnostic]:
@@ -54,12 +54,13 @@ def _of_table(table: Table, sizes: RecordSizes, record: Record | None) -> Iterat
         return
     there = label(record.place, "fields", f"the fields have {plural(size, 'byte')}")
     if size % 2:
-        text = f"elements of {table.name} have {plural(size, 'byte')}, which is no whole number of words"
-        yield finding(_CODE, table.place, "record", text, "put a field right", there)
+        text = f"elements of {table.name} have {plural(size, 'byte')}, which is not a whole number of words"
+        yield finding(_CODE, table.place, "record", text, "correct a field", there)
         return
     if table.words is not None and table.words != size // 2:
-        text = f"elements of {table.name} are printed with {plural(table.words, 'word')}; {record.name} has {size // 2}"
-        yield finding(_CODE, table.place, "words", text, "put a field or the words right", there)
+        text = f"elements of {table.name} are printed with {plural(table.words, 'word')}"
+        text += f", but {record.name} has {size // 2}"
+        yield finding(_CODE, table.place, "words", text, "correct a field or the words", there)
     if table.count > 1 and table.stride < size // 2:
-        text = f"elements of {table.name} have {plural(size // 2, 'word')} and are {table.stride} apart"
-        yield finding(_CODE, table.place, "stride", text, "put a field or the stride right", there)
+        text = f"elements of {table.name} have {plural(size // 2, 'word')}, but the stride is {table.stride}"
+        yield finding(_CODE, table.place, "stride", text, "correct a field or the stride", there)

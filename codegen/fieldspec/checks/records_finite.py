@@ -1,10 +1,10 @@
-"""No record lies in itself, and records are nested at most 64 deep.
+"""No record contains itself, and records are nested at most 64 deep.
 
-Why: a record that holds itself has no end, and no layout.
+Why: a record that contains itself has no end and no layout.
 
 Example: a record point with a field `record: zone`, and a record zone with a field `record: point`.
 
-Cure: Take the field out of one of them, or name the record that was meant.
+Cure: Remove the field from one of them, or name the intended record.
 """
 
 from __future__ import annotations
@@ -23,6 +23,6 @@ def records_finite(device: Device) -> Iterator[Diagnostic]:
         record = device.records[name]
         for field in record.fields:
             if field.record in endless:
-                text = f"{name} lies in itself, or is nested more than {MOST_LEVELS} deep, through {field.record}"
-                help = "take the field out, or name the record that was meant"
+                text = f"{name} contains itself, or is nested more than {MOST_LEVELS} deep, through {field.record}"
+                help = "remove the field, or name the intended record"
                 yield finding("records_finite", field.place, "record", text, help)

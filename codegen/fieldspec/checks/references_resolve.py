@@ -1,11 +1,11 @@
-"""Every name that a fact refers to exists: enums, flags, bits, records, fields, signals, parameters, links,
-messages, examples, and the facts at the end of paths.
+"""Every name that a fact refers to exists: enums, bit fields, bits, records, fields, signals, parameters,
+links, messages, examples, and facts named by a path.
 
-Why: a reference that leads nowhere leaves a value without a meaning, and nothing can be laid out.
+Why: without the referenced fact, a value has no meaning and no layout.
 
-Example: `enum: homing_mod` where the enum is called homing_mode.
+Example: `enum: homing_mod` where the enum has the name homing_mode.
 
-Cure: Put the name right, or define what it names.
+Cure: Correct the name, or define the missing fact.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         if value.enum:
             yield from _named(fact.place, "enum", "enum", value.enum, device.enums)
         if value.flags:
-            yield from _named(fact.place, "flags", "word of flags", value.flags, device.flags)
+            yield from _named(fact.place, "flags", "bit field", value.flags, device.flags)
         if value.parameter is not None:
             yield from _of_part(device, fact.place, value.parameter)
     for record in device.records.values():
@@ -116,7 +116,7 @@ def _of_part(device: Device, place: Place, part: ParameterPart) -> Iterator[Diag
     sets = {*device.parameters, *(parameter_set.space for parameter_set in device.parameters.values())}
     yield from _named(place, "parameter", "parameter set", part.set, sets)
     if part.part == "values" and len(device.sets(part.set)) > 1:
-        text = f"the values of {part.set} are those of several sets, whose order nothing says"
+        text = f"the values of {part.set} are in several sets, and nothing states their order"
         yield finding("references_resolve", place, "parameter", text, "name one of the sets")
 
 
@@ -177,8 +177,8 @@ def _number(field: Field, value: Value | None, numbers: Collection[str]) -> Iter
     if part is None or part.part not in ("value", "subindex"):
         return
     if not part.number:
-        text = f"nothing says which parameter {field.name} is"
-        help = "name the field with its number under `number`"
+        text = f"there is no parameter number for {field.name}"
+        help = "name the field that contains it under `number`"
         yield finding("references_resolve", field.place, "parameter", text, help)
     yield from _named(field.place, "parameter", "field", part.number, numbers)
 
@@ -204,16 +204,16 @@ def _of_example(device: Device, example: Example) -> Iterator[Diagnostic]:
     yield from _named(place, "message", "message", example.message, device.messages)
     yield from _named(place, "reply_to", "example", example.reply_to, device.examples)
     if not example.message and not example.refused and not example.exception_response:
-        text = f"nothing says which message {example.id} is"
-        yield finding("references_resolve", place, "message", text, "name it, or say why it is `refused`")
+        text = f"{example.id} names no message"
+        yield finding("references_resolve", place, "message", text, "name the message, or state why it is `refused`")
     link, message = device.links.get(example.link), device.messages.get(example.message)
     if link is not None and message is not None and not sent_on(link, message):
         text = f"{message.name} is not sent on the link {link.name}"
         yield finding("references_resolve", place, "link", text, "name the link, or the message, of the frame")
     if example.exception_response and link is not None and link.exception_response is None:
-        text = f"the link {link.name} has no `exception_response`, so no reply can refuse a request"
-        yield finding("references_resolve", place, "exception_response", text, "describe the refusal in the link")
+        text = f"the link {link.name} has no `exception_response`, so no response can be an exception response"
+        yield finding("references_resolve", place, "exception_response", text, "add `exception_response` to the link")
     request = device.examples.get(example.reply_to)
     if request is not None and (request.direction, example.direction) != ("request", "response"):
-        text = f"{example.id} cannot reply to {request.id}: only a response replies, and to a request"
+        text = f"{example.id} cannot reply to {request.id}: only a response can reply, and only to a request"
         yield finding("references_resolve", place, "reply_to", text, "name the example with the request")

@@ -1,11 +1,11 @@
-"""What is repeated to the end of the data comes last, and its elements have a fixed size.
+"""A field that repeats to the end of the data comes last, and its elements have a fixed size.
 
-Why: only the end of the data says how many elements there are, so nothing can stand behind them, and
-they cannot be told apart if their size varies.
+Why: only the end of the data gives the number of elements. Nothing can follow them, and elements of varying
+size cannot be separated.
 
-Example: a list of points with `repeat: 1..15`, and a field behind it.
+Example: a list of points with `repeat: 1..15` and a field after it.
 
-Cure: Give the number of elements as `count`, or put the fields in the order of the wire.
+Cure: State the number of elements as `count`, or list the fields in the order of the wire.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
             if field.repeat is not None:
                 if field is not layer.fields[-1]:
                     behind = layer.fields[-1]
-                    text = f"{field.name} is repeated to the end of the data, but {behind.name} stands behind it"
-                    help = "give its `count`, or the fields in the order of the wire"
-                    there = label(behind.place, "name", "stands behind it")
+                    text = f"{field.name} repeats to the end of the data, but {behind.name} comes after it"
+                    help = "state its `count`, or list the fields in the order of the wire"
+                    there = label(behind.place, "name", "comes after it")
                     yield finding(_CODE, field.place, "repeat", text, help, there)
                 if field.count is not None:
                     text = f"{field.name} has a `count` and a `repeat`"
-                    yield finding(_CODE, field.place, "count", text, "keep one of them")
+                    yield finding(_CODE, field.place, "count", text, "remove one of them")
             inner = device.records.get(field.record)
             if inner is not None and inner.name not in sizes.endless and sizes.element(field) is None:
-                text = f"{inner.name} has no fixed size, so it cannot lie in another record"
-                help = "give the repeated field to the outer record"
-                there = label(inner.place, "fields", "its last field is repeated")
+                text = f"{inner.name} has no fixed size, so it cannot be part of another record"
+                help = "move the repeated field to the outer record"
+                there = label(inner.place, "fields", "its last field repeats")
                 yield finding(_CODE, field.place, "record", text, help, there)

@@ -1,12 +1,12 @@
-"""A reply in an example answers the request that it names: same link, message and station, same echoed
-fields.
+"""A response in an example belongs to the request that it names: it has the same link, message and unit
+address, and the same echoed fields.
 
-Why: the two frames of a sample are one exchange. Where the reply repeats something else, one frame is
+Why: the two frames of a sample are one exchange. If the response repeats different values, one frame is
 misprinted or belongs to another sample.
 
-Example: a request to station 1 whose reply comes from station 2.
+Example: a request to station 1 and a response from station 2.
 
-Cure: Put one of the frames right and write an erratum, or name the right example under `reply_to`.
+Cure: Correct one of the frames and write an erratum, or name the right example under `reply_to`.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.texts import Example
 
 _CODE = "replies_agree"
-_HELP = "put one of the frames right, or name the right example"
+_HELP = "correct one of the frames, or name the right example"
 
 
 def replies_agree(device: Device) -> Iterator[Diagnostic]:

@@ -1,11 +1,11 @@
-"""What the manual says of a fact in a second place is what it says in the first.
+"""A fact that the manual states in two places is the same in both.
 
-Why: two tables of one manual that differ are a contradiction, and a reader of either one believes it.
-`restated` holds what the second place should say, so every difference in print needs an erratum.
+Why: two tables of one manual that differ are a contradiction, and a reader of either table believes it.
+`restated` contains what the second place should say, so every difference in print needs an erratum.
 
 Example: a speed of 0..100 in the register table, restated as 1..100 in the chapter on points.
 
-Cure: Give both places the right value, and write an erratum for the one that is misprinted. Leave out of
+Cure: State the right value in both places, and write an erratum for the one that is misprinted. Omit from
 `restated` what that place does not print.
 """
 
@@ -59,17 +59,17 @@ def _compared(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diag
         if key == "present":
             if claimed is not True:
                 text = f"{fact.name} is missing where {_where(claim)} should have it"
-                help = "say `present: true` and write an erratum"
+                help = "set `present: true` and write an erratum"
                 yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
             continue
         have = own.get(key)
         if have is None:
-            text = f"{fact.name} has no `{key}` that {_where(claim)} could state again"
-            help = "give it to the fact, or take it out of `restated`"
+            text = f"{fact.name} has no `{key}` for {_where(claim)} to restate"
+            help = "add it to the fact, or remove it from `restated`"
             yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
         elif claimed_value(key, claimed) != have:
             text = f"`{key}` of {fact.name} is {as_text(key, have)}, but {as_text(key, claimed)} in {_where(claim)}"
-            help = "give both the right value, and write an erratum for the misprint"
+            help = "use the right value in both places, and write an erratum for the misprint"
             yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
 
 

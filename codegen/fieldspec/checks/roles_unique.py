@@ -1,12 +1,12 @@
-"""A role stands once where a step looks for it: among the registers, the parameters, the commands, the frames, in a
-record, and in each message.
+"""A role occurs once wherever a step looks for it: among the registers, the parameters, the commands and the
+frames, in a record, and in each message.
 
-Why: a step that writes the target position must know which value that is. With two of them it would be a guess, and a
-machine would move by it.
+Why: a step that writes the target position must find exactly one value. With two, the compiler would have to
+guess, and a machine would move by the guess.
 
 Example: `roles: target_position` on two registers.
 
-Cure: Keep the role at the fact that the task uses; a step can name the other one by its path.
+Cure: Keep the role on the fact that the task uses. A step can name the other fact by its path.
 """
 
 from __future__ import annotations
@@ -31,4 +31,4 @@ def roles_unique(device: Device) -> Iterator[Diagnostic]:
             reported.add(key)
             text = f"{before.path} and {operand.path} have the role `{role}`"
             there = label(before.fact.place, "roles", "the first one")
-            yield finding("roles_unique", operand.fact.place, "roles", text, "keep it at one of them", there)
+            yield finding("roles_unique", operand.fact.place, "roles", text, "remove it from one of them", there)

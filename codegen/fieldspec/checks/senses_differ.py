@@ -1,10 +1,10 @@
-"""A bit means one thing when it is 0, and another when it is 1.
+"""A bit has different meanings at 0 and at 1.
 
-Why: where a manual prints one text for both, a line was copied and not changed.
+Why: if a manual prints the same text for both, a row was copied and not changed.
 
-Example: a bit with `zero: outside of the zone` and `one: outside of the zone`.
+Example: a bit with `zero: outside the zone` and `one: outside the zone`.
 
-Cure: Put one of the texts right, and write an erratum with what is printed.
+Cure: Correct one of the texts, and write an erratum with the printed text.
 """
 
 from __future__ import annotations
@@ -20,6 +20,6 @@ def senses_differ(device: Device) -> Iterator[Diagnostic]:
     for word in device.flags.values():
         for bit in word.bits:
             if bit.zero and bit.zero == bit.one:
-                text = f"{bit.name} means `{bit.one}` at 0 and at 1"
+                text = f"{bit.name} means `{bit.one}` both at 0 and at 1"
                 there = label(bit.place, "zero", "at 0")
-                yield finding("senses_differ", bit.place, "one", text, "put one of the texts right", there)
+                yield finding("senses_differ", bit.place, "one", text, "correct one of the texts", there)

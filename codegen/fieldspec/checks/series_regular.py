@@ -1,12 +1,12 @@
-"""Things that the manual numbers one after the other lie one after the other.
+"""Items that the manual numbers consecutively have consecutive places.
 
-Why: inputs 1 to 14, bits 0 to 6 of a point's number and the like are printed in order. One that lies
-elsewhere is misprinted, in its number or in its address.
+Why: inputs 1 to 14, bits 0 to 6 of a point number and similar series are printed in order. If an item is at
+another place, its number or its address is misprinted.
 
-Example: OUT 1 to OUT 10 in the bits 0 to 9, but OUT 4 in bit 5.
+Example: OUT 1 to OUT 10 are bits 0 to 9, but OUT 4 is bit 5.
 
-Cure: Put the number, the bit, the value or the address right, and write an erratum. If the place is
-really another one, say `allow: {series_regular: <reason>}`.
+Cure: Correct the number, the bit, the value or the address, and write an erratum. If the place is correct,
+set `allow: {series_regular: <reason>}`.
 """
 
 from __future__ import annotations
@@ -75,6 +75,6 @@ def _odd(numbered: list[tuple[int, _Placed]]) -> Iterator[Diagnostic]:
     for number, (fact, key, place, _) in numbered:
         if place - step * number != base:
             text = f"{fact.name} is number {number} of a series, but has {place}, not {base + step * number}"
-            help = "put its place or its number right, or allow it with a reason"
-            there = label(usual[0].place, usual[1], f"{usual[0].name} is where the series expects it")
+            help = "correct its place or its number, or allow it with a reason"
+            there = label(usual[0].place, usual[1], f"{usual[0].name} matches the series")
             yield finding("series_regular", fact.place, key, text, help, there)

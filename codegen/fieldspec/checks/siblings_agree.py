@@ -1,12 +1,12 @@
-"""A field agrees in range, scale and unit with the fields of the same name and type. A field that holds the size of
-another one is left to measures_match_repeats: its range follows from what it measures.
+"""Fields with the same name and type have the same range, scale and unit. The rule measures_match_repeats
+covers fields that carry the size of another field, because their range follows from what they measure.
 
-Why: a manual describes the same quantity in many places. If one of them differs from all the others, it
-is misprinted more often than not, and nobody who reads that one alone can see it.
+Why: a manual describes the same quantity in many places. If one place differs from all others, it is usually
+misprinted, and a reader of that place alone cannot see it.
 
-Example: six commands whose force is 0..100, and a seventh one where it is 1..100.
+Example: six commands with a force of 0..100, and a seventh with 1..100.
 
-Cure: Look at the print again; put it right and write an erratum. If it really differs, say `allow:
+Cure: Compare the field with the manual, correct it and write an erratum. If it really differs, set `allow:
 {siblings_agree: <reason>}`.
 """
 
@@ -57,8 +57,8 @@ def _odd(
                 "siblings_agree",
                 field.place,
                 _key(field, what),
-                f"{field.name} has another {what} here than in {times} other places",
-                "look at the print again, or allow it with a reason",
+                f"{field.name} has a different {what} in {times} other places",
+                "compare it with the manual, or allow it with a reason",
                 label(example.place, _key(example, what), "one of the others"),
             )
 

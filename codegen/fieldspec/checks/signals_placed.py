@@ -1,12 +1,11 @@
-"""A signal lies only in the data of its direction, under its own printed name, and somewhere at all.
+"""Every signal is part of some message, only in its own direction, and under its own printed name.
 
-Why: a list of signals says which way each of them goes, and the tables of messages say it again. Where they
-differ, or where a signal is in the list and in no table, one of the two is misprinted or not up to date.
+Why: the list of signals and the tables of messages both state the direction. If they differ, or if a listed
+signal is in no table, one of the two is misprinted or out of date.
 
-Example: a signal with `direction: request` that lies in a response; OVERRIDE in the list and VERRIDE in a
-table.
+Example: a signal with `direction: request` in a response; OVERRIDE in the list and VERRIDE in a table.
 
-Cure: Put the list or the table right, and write an erratum. If no message carries the signal, say so under
+Cure: Correct the list or the table, and write an erratum. If no message carries the signal, state this under
 its `notes`.
 """
 
@@ -40,14 +39,14 @@ def signals_placed(device: Device) -> Iterator[Diagnostic]:
     for signal in device.signals.values():
         if signal.direction and signal.name not in placed and not signal.notes:
             text = f"no message carries {signal.name}"
-            help = "place it, or say under `notes` that none carries it"
+            help = "add it to a message, or state under `notes` that no message carries it"
             yield finding(_CODE, signal.place, "name", text, help)
 
 
 def _astray(field: Field, signal: Signal, holder: str) -> Diagnostic:
-    text = f"{signal.name} goes {_WAYS[signal.direction]}, but lies in {holder}"
+    text = f"{signal.name} goes {_WAYS[signal.direction]}, but is part of {holder}"
     there = label(signal.place, "direction", "its direction")
-    return finding(_CODE, field.place, "signal", text, "put the direction or the message right", there)
+    return finding(_CODE, field.place, "signal", text, "correct the direction or the message", there)
 
 
 def _named(field: Field, signal: Signal) -> Iterator[Diagnostic]:
@@ -55,4 +54,4 @@ def _named(field: Field, signal: Signal) -> Iterator[Diagnostic]:
     if mine and theirs and mine != theirs:
         text = f"{field.name} is printed as `{field.printed_name}`, its signal as `{signal.printed_name}`"
         there = label(signal.place, "printed_name", signal.name)
-        yield finding(_CODE, field.place, "printed_name", text, "put one of the names right", there)
+        yield finding(_CODE, field.place, "printed_name", text, "correct one of the names", there)

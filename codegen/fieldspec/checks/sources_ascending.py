@@ -1,12 +1,12 @@
-"""The rows of a list cite lines of the manual that rise from row to row.
+"""The rows of a list cite lines of the manual in ascending order.
 
-Why: registers, fields, bits, signals and parameters are transcribed in the order of the print. A line that
-falls back is mistyped, or the row stands in the wrong place. Where a table prints several columns side by
-side, each of them begins at the same line again. The members of enums may be in another order.
+Why: registers, fields, bits, signals and parameters are transcribed in the order of the manual. If a line
+number falls, it is mistyped, or the row is at the wrong place. If a table prints several columns side by
+side, each column starts again at the same line. Members of enums may be in another order.
 
 Example: rows that cite L1160, L1611 and L1162.
 
-Cure: Put the line, or the order of the rows, right.
+Cure: Correct the line or the order of the rows.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ def _of_column(rows: Sequence[Fact]) -> Iterator[Diagnostic]:
     for number, row in enumerate(rows):
         if number not in ascent:
             other = rows[number - 1] if number else rows[1]
-            text = f"{row.name} cites line {row.sources[0].line()}, out of the order of the rows around it"
+            text = f"{row.name} cites line {row.sources[0].line()}, out of order with the rows around it"
             there = label(other.place, "source", f"{other.name} cites line {other.sources[0].line()}")
-            help = "put the line, or the order of the rows, right"
+            help = "correct the line or the order of the rows"
             yield finding("sources_ascending", row.place, "source", text, help, there)

@@ -1,13 +1,13 @@
-"""Every fact says where the manual prints it: a section, and lines that the manual has.
+"""Every fact states where the manual prints it: a section, and lines that exist in the manual.
 
-Why: the manual is the authority. A fact without a place in it cannot be looked up by whoever doubts it,
-and a line behind the end of the text is a slip.
+Why: the manual is the authority. Without a source, nobody can verify the fact, and a line after the end of
+the text is a mistake.
 
 Example: a register without `source`, or `source: 8.2 L16222` where the text has 3100 lines.
 
-Cure: Give the section and the line. What a protocol defines is cited in the device's own entry of that
-name. A row may leave the section out where its group has one. Of a block that stands twice, the manual
-prints the rows of the copy too: each of them has its own line, unless no row of the copy is printed.
+Cure: Add the section and the line. Facts of a protocol are cited in the entry of the same name in the device.
+A row may omit the section if its group has one. If the manual prints the rows of a copied block, each row
+cites its own line.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, 
 def sources_present(device: Device) -> Iterator[Diagnostic]:
     for what, place, sources, needed in cited_places(device):
         if not sources and needed:
-            text = f"nothing says where the manual prints {what}"
-            yield finding("sources_present", place, "source", text, "give `source: <section> L<line>`")
+            text = f"{what} has no source"
+            yield finding("sources_present", place, "source", text, "add `source: <section> L<line>`")
         for citation in sources:
             yield from _wrong(device, what, place, citation)
 
@@ -91,10 +91,10 @@ def _copied_as_blocks(device: Device) -> set[str]:
 def _wrong(device: Device, what: str, place: Place, citation: Citation) -> Iterator[Diagnostic]:
     if not citation.section:
         text = f"the source of {what} names no section"
-        yield finding("sources_present", place, "source", text, "give it as in `8.2 L1622`, or to the group")
+        yield finding("sources_present", place, "source", text, "add it like `8.2 L1622`, or add it to the group")
     lines = device.manual.lines
     for first, last in citation.lines:
         if not 1 <= first <= last <= lines:
             text = f"the source of {what} is {citation.text()}; the manual's text has the lines 1 to {lines}"
-            yield finding("sources_present", place, "source", text, "put the lines right")
+            yield finding("sources_present", place, "source", text, "correct the lines")
             return

@@ -1,13 +1,13 @@
-"""What lies in an address space can be reached: the space is one of words, some message reads it where something in it
-can be read, and some message writes it where something in it can be written.
+"""An address space with registers or tables consists of words. If it contains values that can be read, a
+message reads it, and if it contains values that can be written, a message writes it.
 
-Why: registers and tables are made of words, and a bit or a byte at an address is none. A register that no message
-reaches has no request in any output; a message of another space would read another register.
+Why: registers and tables consist of words, so an address of a bit or a byte is no register. A register that
+no message reaches has no request in any output, and a message for another space would read another register.
 
 Example: a group of input registers in a device whose only reading message accesses holding registers.
 
-Cure: Give the message that reads or writes the space, with `space` under its `accesses`; or put the group into the
-space that the message reaches. State coils and discrete inputs as data of the messages that carry them.
+Cure: Add the message that reads or writes the space, with `space` under its `accesses`, or move the group to
+the space that the message accesses. State coils and discrete inputs as data of the messages that carry them.
 """
 
 from __future__ import annotations
@@ -34,15 +34,15 @@ def spaces_reachable(device: Device) -> Iterator[Diagnostic]:
     for fact, name, accesses in _holders(device):
         space = device.space(name)
         if space.unit != WORD:
-            text = f"{fact.name} has registers of words, and an address of {space.name} holds a {space.unit}"
+            text = f"{fact.name} has registers of words, but an address of {space.name} is a {space.unit}"
             help = (
-                f"state each {space.unit} as data of the messages that carry it, or put the group into a space of words"
+                f"state each {space.unit} as data of the messages that carry it, or move the group to a space of words"
             )
             yield finding(_CODE, fact.place, "space", text, help, label(space.place, "unit", "the unit of the space"))
             continue
         for operation, needs in (("read", {"ro", "rw"}), ("write", {"rw", "wo"})):
             if accesses & needs and (space.name, operation) not in reached:
-                text = f"no message {operation}s {space.name}, in which {fact.name} lies"
+                text = f"no message {operation}s {space.name}, which contains {fact.name}"
                 help = f"name the space under `accesses` of the message that {operation}s it"
                 yield finding(_CODE, fact.place, "space", text, help, label(space.place, "name", "the space"))
 

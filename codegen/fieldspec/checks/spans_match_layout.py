@@ -1,12 +1,12 @@
-"""Printed positions of bytes and words, counted from 1 in the data, are those that the fields before and the
-type make.
+"""Printed positions of bytes and words, counted from 1 at the start of the data, match the preceding fields
+and the type.
 
-Why: the manual prints where each field lies. Where that is not where the fields before it end, one of
-the widths is wrong, a field is missing, or the column holds something else.
+Why: the manual prints the position of each field. If it is not the end of the preceding fields, a width is
+wrong, a field is missing, or the column means something else.
 
-Example: `span: "2"` for a field of two bytes that begins with the data; `word_span: 7` for one of 32 bits.
+Example: `span: "2"` for a field of two bytes at the start of the data; `word_span: 7` for a field of 32 bits.
 
-Cure: Put a type or the span right, and write an erratum if it is printed so.
+Cure: Correct a type or the span, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -85,10 +85,10 @@ def _finding(field: Field, place: Place, key: str, printed: _Span, fitting: list
     right = _text(fitting[0], unit) if fitting else f"no fixed {unit}s"
     if len(fitting) > 1:
         right += f", up to {_text(fitting[-1], unit)}"
-    text = f"{field.name} is printed at {_text(printed, unit)}; it lies at {right}"
+    text = f"{field.name} is printed at {_text(printed, unit)}, but it is at {right}"
     holder = "type" if field.value is not None else "record" if field.record else "choice"
-    help = "put a type or the span right"
-    return finding("spans_match_layout", place, key, text, help, label(field.place, holder, "what lies here"))
+    help = "correct a type or the span"
+    return finding("spans_match_layout", place, key, text, help, label(field.place, holder, "the field"))
 
 
 def _text(span: _Span, unit: str) -> str:

@@ -1,12 +1,12 @@
-"""What places of the manual state of one subject agrees: what is so always in one of them is not sometimes or never so
-in another.
+"""The statements of a manual about one subject agree: nothing is `always` in one place and `sometimes` or
+`never` in another.
 
-Why: `the device always answers` on one page, and `it does not answer` on another, leave whoever writes a driver with a
-timeout that is either a fault or the rule.
+Why: `the device always answers` on one page and `it does not answer` on another leave the author of a driver
+with a timeout that is either a fault or normal.
 
 Example: `{subject: reply, says: always, source: 6 L10}` beside `{subject: reply, says: never, source: 7 L20}`.
 
-Cure: State what is right at both places, and write an erratum for the place that prints something else.
+Cure: State the correct fact in both places, and write an erratum for the place that prints something else.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def statements_agree(device: Device) -> Iterator[Diagnostic]:
         for statement in note.statements:
             before = first.setdefault(statement.subject, statement)
             if before.says != statement.says:
-                text = f"{statement.subject} is so {before.says} in one place, and {statement.says} in another"
+                text = f"{statement.subject} is `{before.says}` in one place, but `{statement.says}` in another"
                 there = label(before.place, "says", "the first one")
-                help = "state what is right, and write an erratum for the place that prints something else"
+                help = "state the correct fact, and write an erratum for the place that prints something else"
                 yield finding("statements_agree", statement.place, "says", text, help, there)

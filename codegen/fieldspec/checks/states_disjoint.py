@@ -1,12 +1,12 @@
-"""No two states of a word hold at the same time, and no state asks a bit to be 1 and 0.
+"""No two states of a word are possible at the same time, and no state requires a bit to be both 1 and 0.
 
-Why: the bits of a word show one state. Where two of them fit the same bits, a bit of one of them is
-misprinted or was left out.
+Why: the bits of a word show one state. If two states match the same bits, a bit of one of them is misprinted
+or missing.
 
-Example: a state with `set: [ready]` beside one with `set: [ready, operating]`: the first one needs
-`clear: [operating]`.
+Example: a state with `set: [ready]` and one with `set: [ready, operating]`: the first needs `clear:
+[operating]`.
 
-Cure: Give the bits that tell the states apart, and write an erratum if they are misprinted.
+Cure: Add the bits that distinguish the states, and write an erratum if they are misprinted.
 """
 
 from __future__ import annotations
@@ -34,16 +34,16 @@ def _of_word(word: Flags) -> Iterator[Diagnostic]:
         both = [name for name in state.set if name in state.clear]
         if both or not (state.set or state.clear):
             text = (
-                f"{state.name} asks {enumeration(both)} to be 1 and 0"
+                f"{state.name} requires {enumeration(both)} to be both 1 and 0"
                 if both
                 else f"no bit shows the state {state.name}"
             )
-            yield finding(_CODE, state.place, "set", text, "put the bits of the state right")
+            yield finding(_CODE, state.place, "set", text, "correct the bits of the state")
     states = [state for state in word.states if state.set or state.clear]
     for state, other in combinations(states[:_MOST], 2):
         mask, value = word.masked(state)
         same, theirs = word.masked(other)
         if not (value ^ theirs) & mask & same:
-            text = f"{state.name} and {other.name} of {word.name} can hold at the same time"
+            text = f"{state.name} and {other.name} of {word.name} are possible at the same time"
             there = label(state.place, "name", state.name)
-            yield finding(_CODE, other.place, "name", text, "give the bits that tell them apart", there)
+            yield finding(_CODE, other.place, "name", text, "add the bits that distinguish them", there)

@@ -1,13 +1,13 @@
-"""Every step of a task can be done: its target is there once, it can be written or read, and the value is one that it
-may have.
+"""Every step of a task can be carried out: its target exists exactly once, has the necessary access, and can
+have the value.
 
-Why: function blocks and clients are made of these steps. A step that writes what can only be read, or a value out of
-its range, would be refused by the device, or do something else.
+Why: function blocks and clients consist of these steps. If a step writes a read-only value, or a value
+outside its range, the device rejects it or does something else.
 
 Example: `{write: actual_position, argument: position}`, or `{wait: in_position, value: 2}`.
 
-Cure: Name the fact that is meant, by its role or its path, and a value that it has. A bit whose edge has the effect
-needs `pulse`, any other bit `set` or `clear`.
+Cure: Name the intended fact by its role or its path, and a value that it can have. Use `pulse` for a bit
+whose edge has the effect, and `set` or `clear` for any other bit.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def steps_possible(device: Device) -> Iterator[Diagnostic]:
             yield from _of_step(device, operands, task, step)
             limit = timeouts.get(step.timeout)
             if step.timeout and (limit is None or limit.kind != "timing"):
-                text = f"there is no timing `{step.timeout}`" if limit is None else f"{limit.name} is no timing"
+                text = f"there is no timing `{step.timeout}`" if limit is None else f"{limit.name} is not a timing"
                 yield finding(_RULE, step.place, "timeout", text, "name a limit of the kind `timing` by its path")
 
 
@@ -51,8 +51,8 @@ def _of_step(device: Device, operands: Operands, task: Task, step: Step) -> Iter
         targets = operands.target(step.target, message)
         if len(targets) != 1:
             where = f" in {message}" if message else ""
-            text = f"nothing{where} is `{step.target}`"
-            help = "give a fact this role, or name one by its path"
+            text = f"there is no `{step.target}`{where}"
+            help = "add this role to a fact, or name a fact by its path"
             if targets:
                 text = f"{enumeration([operand.path for operand in targets])} are `{step.target}`{where}"
                 help = "name one of them by its path"
@@ -67,28 +67,28 @@ def _value_present(step: Step) -> Iterator[Diagnostic]:
     has = step.value is not None or bool(step.argument)
     if takes and not has:
         text = f"the step {_TAKE[step.action]} nothing"
-        yield finding(_RULE, step.place, step.action, text, "give a `value`, or the name of an `argument`")
+        yield finding(_RULE, step.place, step.action, text, "add a `value`, or the name of an `argument`")
     elif has and not takes:
         key = "argument" if step.argument else "value"
-        yield finding(_RULE, step.place, key, f"`{step.action}` takes no `{key}`", "take it away")
+        yield finding(_RULE, step.place, key, f"`{step.action}` does not take `{key}`", "remove it")
     if step.value is not None and step.argument:
-        yield finding(_RULE, step.place, "argument", "the step has a value and an argument", "keep one of them")
+        yield finding(_RULE, step.place, "argument", "the step has a value and an argument", "remove one of them")
     if step.action != "send" and (step.values or step.arguments):
         key = "values" if step.values else "arguments"
-        yield finding(_RULE, step.place, key, f"`{step.action}` takes no `{key}`", "they are those of `send`")
+        yield finding(_RULE, step.place, key, f"`{step.action}` does not take `{key}`", "only `send` takes it")
 
 
 def _on(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic]:
     place = step.place
     if (step.action == "send") != isinstance(operand.fact, Message):
         text = f"{operand.path} is {'a' if step.action != 'send' else 'no'} message"
-        yield finding(_RULE, place, step.action, text, "a message is sent, everything else is written or read")
+        yield finding(_RULE, place, step.action, text, "messages are sent; other facts are written or read")
     elif isinstance(operand.fact, Message):
         yield from _sent(device, step, operand.fact)
     elif step.action in ("read", "wait") and not operand.readable:
-        yield finding(_RULE, place, step.action, f"{operand.path} cannot be read", "name what shows it")
+        yield finding(_RULE, place, step.action, f"{operand.path} cannot be read", "name the fact that shows it")
     elif step.action not in ("read", "wait") and not operand.writable:
-        yield finding(_RULE, place, step.action, f"{operand.path} cannot be written", "name what commands it")
+        yield finding(_RULE, place, step.action, f"{operand.path} cannot be written", "name the fact that commands it")
     elif step.action in _ON_BITS:
         yield from _on_bit(step, operand)
     elif step.value is not None:
@@ -98,8 +98,8 @@ def _on(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic]:
 def _on_bit(step: Step, operand: Operand) -> Iterator[Diagnostic]:
     bit = operand.bit
     if bit is None or bit.width != 1:
-        text = f"{operand.path} is no bit"
-        yield finding(_RULE, step.place, step.action, text, "write its value, or name a bit of it")
+        text = f"{operand.path} is not a bit"
+        yield finding(_RULE, step.place, step.action, text, "write its value, or name one of its bits")
     elif (bit.edge == "rising") != (step.action == "pulse") and step.action != "clear":
         text = f"the {bit.edge or 'level'}{' edge' if bit.edge else ''} of {operand.path} has the effect"
         yield finding(_RULE, step.place, step.action, text, "use `pulse` for a rising edge, and `set` for a level")
@@ -109,27 +109,29 @@ def _valued(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic
     wrong = _refused(device, operand, step.value)
     if wrong:
         text = f"{operand.path} cannot be {value_text(step.value)}: {wrong}"
-        yield finding(_RULE, step.place, "value", text, "give a value that it may have")
+        yield finding(_RULE, step.place, "value", text, "use a value that it can have")
 
 
 def _refused(device: Device, operand: Operand, value: object) -> str:
     """Why an operand cannot have a value, or nothing."""
     bit, content = operand.bit, operand.value
     if isinstance(value, bool):
-        return "" if (bit and bit.width == 1) or (content and content.type.name.startswith("bool")) else "it is no bit"
+        return (
+            "" if (bit and bit.width == 1) or (content and content.type.name.startswith("bool")) else "it is not a bit"
+        )
     enum = device.enums.get(bit.enum if bit else content.enum if content else "")
     if isinstance(value, str):
         names = [member.name for member in enum.members] if enum else []
         names += [sentinel.name for sentinel in content.sentinels] if content else []
         return "" if value in names else f"there is no value with this name, {near(value, names)}"
     if not isinstance(value, int):
-        return "counts are whole"
+        return "raw values are whole numbers"
     if bit is not None:
         return "" if 0 <= value < 1 << bit.width else f"the bits go to {(1 << bit.width) - 1}"
     if enum is not None and not enum.open and value not in {member.value for member in enum.members}:
         return f"{enum.name} has no such value"
     ranges = content.ranges if content is not None else None
-    return "" if ranges is None or value in ranges else f"it goes over {ranges.text()}"
+    return "" if ranges is None or value in ranges else f"its range is {ranges.text()}"
 
 
 def _sent(device: Device, step: Step, message: Message) -> Iterator[Diagnostic]:
@@ -143,7 +145,7 @@ def _sent(device: Device, step: Step, message: Message) -> Iterator[Diagnostic]:
         if name in step.values:
             text = f"{name} has the value {value_text(step.values[name])} and the argument "
             text += argument_text(step.arguments[name])
-            yield finding(_RULE, step.place, "arguments", text, "keep one of them")
+            yield finding(_RULE, step.place, "arguments", text, "remove one of them")
     for name, value in step.values.items():
         field = fields.get(name)
         if field is None or isinstance(value, dict | list):
@@ -152,7 +154,7 @@ def _sent(device: Device, step: Step, message: Message) -> Iterator[Diagnostic]:
         wrong = _refused(device, operand, value)
         if wrong:
             text = f"{operand.path} cannot be {value_text(value)}: {wrong}"
-            yield finding(_RULE, step.place, "values", text, "give a value that it may have")
+            yield finding(_RULE, step.place, "values", text, "use a value that it can have")
     left = [
         field.name
         for field in message.request.fields
@@ -163,5 +165,5 @@ def _sent(device: Device, step: Step, message: Message) -> Iterator[Diagnostic]:
         and (field.value is None or field.value.const is None)
     ]
     if left:
-        text = f"nothing says what {enumeration(left)} of {message.name} is"
-        yield finding(_RULE, step.place, step.action, text, "give each under `values` or `arguments`")
+        text = f"there is no value for {enumeration(left)} of {message.name}"
+        yield finding(_RULE, step.place, step.action, text, "add each to `values` or `arguments`")

@@ -1,12 +1,12 @@
-"""The elements of an array that are described one by one are those that it has, each once.
+"""If the elements of an array are described individually, every element is described exactly once.
 
-Why: the number of elements is printed beside the type, and the elements in a table of their own. Where they
-differ, a row got lost, or the number is misprinted.
+Why: the manual prints the number of elements next to the type, and the elements in a separate table. If they
+differ, a row is missing or the number is misprinted.
 
-Example: `elements: 7` for a parameter whose sub-indices go from 0 to 5.
+Example: `elements: 7` for a parameter with the subindices 0 to 5.
 
-Cure: Transcribe what is missing, or put the number right, and write an erratum. If the manual describes some
-elements only, say `allow: {subindices_match_elements: <reason>}`.
+Cure: Transcribe the missing elements or correct the number, and write an erratum. If the manual describes
+only some elements, set `allow: {subindices_match_elements: <reason>}`.
 """
 
 from __future__ import annotations
@@ -37,14 +37,16 @@ def _of_parameter(parameter: Parameter) -> Iterator[Diagnostic]:
         for low, high in inner.indices.intervals:
             if low < 0 or high > last:
                 text = f"{inner.name or interval(low, high)} is element {interval(low, high)} of {parameter.name}"
-                help = "put the sub-index or the number of elements right"
+                help = "correct the subindex or the number of elements"
                 yield finding(_CODE, inner.place, "index", text, help, count)
             elif uncovered(low, high, merged(taken)) != [(low, high)]:
                 text = f"element {interval(low, high)} of {parameter.name} is described twice"
-                yield finding(_CODE, inner.place, "index", text, "put one of the sub-indices right")
+                yield finding(_CODE, inner.place, "index", text, "correct one of the subindices")
             taken.append((low, high))
     holes = uncovered(0, last, merged(taken))
     if holes:
-        text = f"nothing says what element {enumeration([interval(*hole) for hole in holes])} of {parameter.name} holds"
+        text = (
+            f"there is no description of element {enumeration([interval(*hole) for hole in holes])} of {parameter.name}"
+        )
         help = "transcribe the missing elements, or allow it with a reason"
         yield finding(_CODE, parameter.place, "subindices", text, help, count)

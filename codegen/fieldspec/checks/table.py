@@ -230,7 +230,7 @@ def _unallowed(
             continue
         if count == MOST_FINDINGS:
             text = f"`{name}` has more than {MOST_FINDINGS} findings; the rest is not listed"
-            yield Diagnostic("too_many_findings", text, finding.span, help="mend the first ones")
+            yield Diagnostic("too_many_findings", text, finding.span, help="correct the first findings")
             return
         count += 1
         yield finding

@@ -1,11 +1,11 @@
-"""A field of a table in the register space has no constant, unless it is reserved.
+"""A field of a register table has no `const`, unless it is reserved.
 
-Why: what a device answers when it is asked is read, whatever it is; a constant binds what lies in a frame. A record is
-read as a whole, and a register that holds another value than its constant would make all of it unreadable.
+Why: a constant restricts frames, but a device may return any value of a register. A record is read as a
+whole, so one register with another value than its constant would make the whole record unreadable.
 
 Example: a record of a table with a field `{name: version, type: u16, const: 3}`.
 
-Cure: Give the field a `range` of that one value, and a `default`: both bind what is written only.
+Cure: Use a `range` with only that value and a `default`: both apply only to writing.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ def _of_record(device: Device, table: Table, record: Record, done: set[str], lev
     done.add(record.name)
     for field in record.fields:
         if field.value is not None and field.value.const is not None and not field.reserved:
-            text = f"{field.name} is a constant in a table, but {table.name} can answer anything"
-            help = f"write `range: {field.value.const}` instead, which binds what is written only"
+            text = f"{field.name} is a constant, but {table.name} can return any value"
+            help = f"write `range: {field.value.const}` instead, which restricts only writing"
             there = label(table.place, "record", "the table")
             yield finding("table_fields_readable", field.place, "const", text, help, there)
         inner = device.records.get(field.record)

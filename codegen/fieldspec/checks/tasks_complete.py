@@ -1,8 +1,8 @@
-"""A device that has tasks answers each task of the schema: with steps, with a reason why it has none, or with the
-question that the manual leaves open.
+"""A device with tasks has an entry for every task of the schema: its steps, the reason why it does not apply,
+or the question that the manual leaves open.
 
-Why: what nobody has asked looks as if it were not there. "How do I run a stored point?" must have an answer, or the
-manual has none, and then the spec says so.
+Why: a missing task looks as if the device could not do it. "How do I run a stored point?" needs an answer,
+and if the manual has none, the spec says so.
 
 Example: a section `tasks` without an entry for `save`.
 
@@ -25,6 +25,6 @@ def tasks_complete(device: Device) -> Iterator[Diagnostic]:
     answered = {task.kind for task in device.tasks}
     missing = [kind for kind in schema()["$defs"]["task_kind"]["enum"] if kind not in answered]
     if missing:
-        text = f"nothing says how {device.name} does {enumeration(missing)}"
+        text = f"{device.name} has no entry for the tasks {enumeration(missing)}"
         help = "add a task with `steps`, `not_applicable` or `open` for each"
         yield finding("tasks_complete", device.tasks[0].place, "task", text, help)

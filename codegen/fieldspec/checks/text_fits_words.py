@@ -1,11 +1,11 @@
-"""The characters that a text may have fit its bytes, and so does its default.
+"""The permitted characters of a text fit its bytes, and so does its default.
 
-Why: a text that is longer than its registers runs into the next ones, or is cut off. Whether a text
-needs room for an end mark the manual rarely says, so none is asked for.
+Why: a text that is longer than its registers overwrites the next ones or is cut off. No room for a terminator
+is required, because manuals rarely state whether there is one.
 
 Example: 31 characters in a text of one word.
 
-Cure: Put the number of characters, the words or the length right, and write an erratum.
+Cure: Correct the number of characters, the words or the length, and write an erratum.
 """
 
 from __future__ import annotations
@@ -24,16 +24,16 @@ def text_fits_words(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         if value.characters is not None and value.type.kind is not Kind.TEXT:
             text = f"{fact.name} is {value.type.name}, which has no characters"
-            yield finding("text_fits_words", fact.place, "characters", text, "give it the type `text`")
+            yield finding("text_fits_words", fact.place, "characters", text, "use the type `text`")
         elif value.characters is not None and value.characters > value.size:
-            text = f"{fact.name} may have {value.characters} characters, but has {plural(value.size, 'byte')}"
-            help = "put the characters or the size right"
+            text = f"{fact.name} can have {value.characters} characters, but has {plural(value.size, 'byte')}"
+            help = "correct the characters or the size"
             yield finding("text_fits_words", fact.place, "characters", text, help, _size(fact))
         if isinstance(value.default, str) and value.type.kind is Kind.TEXT:
             length = len(value.default.encode())
             if length > value.size:
                 text = f"the default of {fact.name} takes {length} bytes, but it has {value.size}"
-                help = "put the default or the size right"
+                help = "correct the default or the size"
                 yield finding("text_fits_words", fact.place, "default", text, help, _size(fact))
 
 

@@ -1,10 +1,11 @@
 """A register or parameter that starts an action can be written.
 
-Why: only writing starts it. A trigger that is read only is a misprinted access, or no trigger.
+Why: only writing starts the action. If a trigger is read-only, its access is misprinted, or it is not a
+trigger.
 
 Example: `trigger: true` with `access: ro`.
 
-Cure: Put the access right and write an erratum, or take `trigger` out.
+Cure: Correct the access and write an erratum, or remove `trigger`.
 """
 
 from __future__ import annotations
@@ -24,5 +25,5 @@ def triggers_writable(device: Device) -> Iterator[Diagnostic]:
         if fact.trigger and fact.access == "ro":
             text = f"{fact.name} starts an action when it is written, but its access is ro"
             there = label(fact.place, "trigger", "only writing starts an action")
-            help = "put the access right, or take `trigger` out"
+            help = "correct the access, or remove `trigger`"
             yield finding("triggers_writable", fact.place, "access", text, help, there)

@@ -1,12 +1,12 @@
-"""A constant, and every number in an example, is a value that its field may take.
+"""Constants and all numbers in examples are values that their fields can have.
 
-Why: the manual shows the value on the wire. Where the printed range excludes it, the range or the value
-is misprinted.
+Why: the manual shows the value on the wire. If the printed range excludes it, the range or the value is
+misprinted.
 
-Example: a field with a range of 1..100 that is 0 in a sample frame.
+Example: a field with a range of 1..100 and the value 0 in a sample frame.
 
-Cure: Put the range or the value right, and write an erratum. A special value outside of the range is a
-sentinel.
+Cure: Correct the range or the value, and write an erratum. If it is a special value outside the range, list
+it under `sentinels`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from fieldspec.checks.numbers import Legal, numbers
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 
-_HELP = "put one of them right, or list the value under `sentinels`"
+_HELP = "correct one of them, or list the value under `sentinels`"
 
 
 def value_within_range(device: Device) -> Iterator[Diagnostic]:
@@ -36,5 +36,5 @@ def value_within_range(device: Device) -> Iterator[Diagnostic]:
             why = legal.objection(value, number)
             if why:
                 text = f"{path} is {number} in the example {example.id}, which {why}"
-                there = label(fact.place, range_key(fact.place), "what it may be")
+                there = label(fact.place, range_key(fact.place), "its permitted values")
                 yield finding("value_within_range", example.place, "values", text, _HELP, there)

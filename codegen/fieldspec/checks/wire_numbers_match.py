@@ -1,12 +1,13 @@
 """The printed number of a parameter on the wire is the base of its set plus its number, and no number belongs
 to two sets of one space.
 
-Why: a manual that prints `Pt25B` and `0x225B` says the same thing twice. Where the two differ, one of them
-sends the user to another parameter.
+Why: a manual that prints `Pt25B` and `0x225B` states the same number twice. If the two differ, one of them
+leads the user to another parameter.
 
-Example: number 0x317 of a set with the base 0x2000, beside 0x2371.
+Example: parameter 0x317 of a set with the base 0x2000 that is printed as 0x2371 on the wire.
 
-Cure: Put the number, the printed one or the base right, and write an erratum if it is printed so.
+Cure: Correct the number, the printed number or the base, and write an erratum if the manual prints it that
+way.
 """
 
 from __future__ import annotations
@@ -40,11 +41,11 @@ def _printed(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
         right = parameter_set.base + parameter.number
         if parameter.wire_number is not None and parameter.wire_number != right:
             text = f"{parameter.name} has the number {hexadecimal(parameter.wire_number)} on the wire; as"
-            text += f" {parameter_set.number_text(parameter.number)} it has {hexadecimal(right)}"
+            text += f" {parameter_set.number_text(parameter.number)} it should have {hexadecimal(right)}"
             there = label(
                 parameter_set.place, "base", f"{parameter_set.name} begins at {hexadecimal(parameter_set.base)}"
             )
-            help = "put the number, the one on the wire or the base right"
+            help = "correct the number, the number on the wire or the base"
             yield finding(_CODE, parameter.place, "wire_number", text, help, there)
 
 
@@ -60,8 +61,8 @@ def _claimed(parameter_set: ParameterSet, other: ParameterSet) -> Iterator[Diagn
         )
     for low, high, name, place, key in claims:
         if uncovered(low, high, taken) != [(low, high)]:
-            text = f"{name} has {addresses(low, high)} on the wire, where {other.name} has numbers too"
+            text = f"{name} has {addresses(low, high)} on the wire, which {other.name} also uses"
             there = label(other.place, "base", f"{other.name} has {addresses(taken[0][0], taken[-1][1])}")
-            help = "put a number, a base or the space of one of the sets right"
+            help = "correct a number, a base or the space of one of the sets"
             yield finding(_CODE, place, key, text, help, there)
             return

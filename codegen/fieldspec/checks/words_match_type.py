@@ -1,11 +1,11 @@
 """The printed number of words of a register or field is the width of its type.
 
-Why: the type says how many words are read. Where the manual prints another number, a read asks for too
-few words, or for those of the next register.
+Why: the type determines how many words are read. If the manual prints another number, a request reads too few
+words, or words of the next register.
 
 Example: a type `u32` with `words: 1`.
 
-Cure: Put the type, the length or the words right, and write an erratum if the words are printed so.
+Cure: Correct the type, the length or the words, and write an erratum if the manual prints the words that way.
 """
 
 from __future__ import annotations
@@ -39,6 +39,6 @@ def _compared(fact: Fact, words: int | None, size: int, type_name: str) -> Itera
             fact.place,
             "words",
             f"{fact.name} is printed with {plural(words, 'word')}; as {type_name} it has {plural(size, 'byte')}",
-            "put the type, the length or the words right",
+            "correct the type, the length or the words",
             label(fact.place, "length" if "length" in fact.place else "type", "its type"),
         )

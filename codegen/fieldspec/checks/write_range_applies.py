@@ -1,11 +1,14 @@
-"""A range of writing stands at a whole number that a device holds, and that can be written.
+"""Only a whole number in a register, a register table or a parameter has a `write_range`, and only if it can
+be written.
 
-Why: a request is always written and a response always read, so that the fields of messages have one range, and what can
-only be read has none of writing. A record with a range of writing may lie in tables of registers, not in messages.
+Why: a request is always written and a response is always read, so a field of a message has only one range,
+and a read-only value has no `write_range`. A record with a `write_range` is used in register tables, not in
+messages.
 
 Example: a register with `access: ro` and `write_range: 0..1`.
 
-Cure: Give the field of a message its `range`, or take `write_range` out. Give a message a record of its own.
+Cure: Use `range` for the field of a message, or remove `write_range`. Define a separate record for the
+message.
 """
 
 from __future__ import annotations
@@ -39,16 +42,16 @@ def write_range_applies(device: Device) -> Iterator[Diagnostic]:
 
 def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     if value.type.kind is not Kind.INTEGER or value.flags:
-        text = f"{fact.name} is no whole number, for which alone there is a range of writing"
-        yield finding(_CODE, fact.place, "write_range", text, "take it out")
+        text = f"{fact.name} is not a whole number, so `write_range` does not apply"
+        yield finding(_CODE, fact.place, "write_range", text, "remove it")
     elif value.const is not None:
         text = f"{fact.name} is always {value.const} when it is written"
-        there = label(fact.place, "const", "all that may be written")
-        yield finding(_CODE, fact.place, "write_range", text, "take one of them out", there)
+        there = label(fact.place, "const", "the values that can be written")
+        yield finding(_CODE, fact.place, "write_range", text, "remove one of them", there)
     elif getattr(fact, "access", "") == "ro":
-        text = f"{fact.name} can only be read, so no value may be written"
+        text = f"{fact.name} is read-only, so no value can be written"
         there = label(fact.place, "access", "its access")
-        yield finding(_CODE, fact.place, "write_range", text, "put one of them right", there)
+        yield finding(_CODE, fact.place, "write_range", text, "correct one of them", there)
 
 
 def _in_frame(device: Device, outer: Field, field: Field, depth: int = 8) -> Iterator[Diagnostic]:
@@ -56,9 +59,9 @@ def _in_frame(device: Device, outer: Field, field: Field, depth: int = 8) -> Ite
     values_here = [field.value] if field.value is not None else []
     values_here += [case.value for case in field.choice.cases] if field.choice is not None else []
     if any(value.write_ranges is not None for value in values_here):
-        text = f"{field.name} lies in a message, and is either written or read"
+        text = f"{field.name} is in a message, which is either written or read"
         there = label(outer.place, "name", "the field of the message")
-        help = "give the message a field of its own, with the `range` that it has there"
+        help = "define a separate field for the message, with its own `range`"
         yield finding(_CODE, field.place, "write_range", text, help, *([there] if outer is not field else []))
     record: Record | None = device.records.get(field.record)
     for inner in record.fields if record is not None and depth else ():

@@ -1,11 +1,12 @@
-"""What may be written is a part of what may be read, and sentinels are a part of what may be written.
+"""The `write_range` of a value is part of its `range` and contains its special values.
 
-Why: a device reads back what was written to it. A value that may be written and never read is a misprint. A sentinel
-that cannot be written contradicts the range of writing: a value that is only ever read is a member of an enum.
+Why: a device returns what was written to it. A value that can be written and never read is a misprint. A
+special value that cannot be written contradicts the `write_range`: a value that is only read is a member of
+an enum.
 
 Example: a parameter with `range: 0..2, 4` and `write_range: 0..3`.
 
-Cure: Put one of the ranges right, or list the value as a member of an enum.
+Cure: Correct one of the ranges, or make the value a member of an enum.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.value import Kind, Ranges, Value, merged, uncovered
 
 _CODE = "write_range_within_range"
-_HELP = "put one of them right"
+_HELP = "correct one of them"
 
 
 def write_range_within_range(device: Device) -> Iterator[Diagnostic]:
@@ -34,14 +35,16 @@ def _compared(fact: Fact, value: Value, writable: Ranges) -> Iterator[Diagnostic
     sentinels = tuple((sentinel.value, sentinel.value) for sentinel in value.sentinels)
     beyond = _beyond(writable, [*read, *sentinels])
     if beyond is not None:
-        text = f"{beyond} may be written to {fact.name}, but is none of what it may be"
+        text = f"{beyond} can be written to {fact.name}, but is not in its range"
         key = "type" if value.ranges is None else range_key(fact.place)
-        yield finding(_CODE, fact.place, "write_range", text, _HELP, label(fact.place, key, "what it may be"))
+        yield finding(_CODE, fact.place, "write_range", text, _HELP, label(fact.place, key, "its permitted values"))
     for sentinel in value.sentinels:
         if sentinel.value not in writable:
-            text = f"the sentinel {sentinel.name}, {sentinel.value}, cannot be written to {fact.name}"
+            text = f"the special value {sentinel.name}, {sentinel.value}, cannot be written to {fact.name}"
             help = "add it to `write_range`, or make it a member of an enum if it is only read"
-            yield finding(_CODE, fact.place, "write_range", text, help, label(fact.place, "sentinels", "the sentinel"))
+            yield finding(
+                _CODE, fact.place, "write_range", text, help, label(fact.place, "sentinels", "the special value")
+            )
 
 
 def _beyond(writable: Ranges, read: list[tuple[int, int]]) -> int | None:

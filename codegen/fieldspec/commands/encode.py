@@ -38,7 +38,7 @@ def run(arguments: argparse.Namespace) -> int:
         if name not in fields:
             raise unknown("field", name, fields)
     _with_address(layout, way.message, texts)
-    parts = layout.links[way.link].frame(way.direction).head
+    parts = layout.links[way.link].frame(way.direction).header
     body = body_of(layout, way.link, way.direction, way.message, False)
     try:
         _with_words(layout, way.message, texts)
@@ -216,7 +216,7 @@ def _count_of(layout: DeviceLayout, way: _Way, name: str, text: object) -> objec
 def _fields(layout: DeviceLayout, way: _Way) -> list[str]:
     """The names that take values: parts of the header that nothing else decides, and fields of the body."""
     shape = layout.links[way.link].frame(way.direction)
-    head = [part.name for part in shape.head if part.role in ("unit_address", "plain") and not part.reserved]
+    head = [part.name for part in shape.header if part.role in ("unit_address", "plain") and not part.reserved]
     body = body_of(layout, way.link, way.direction, way.message, False)
     return [*head, *(field.name for field in body.fields if field.field.measures is None)]
 

@@ -136,7 +136,7 @@ def _of_length(link: LinkLayout, direction: str, frame: bytes) -> list[str]:
 def lengths(link: LinkLayout, direction: str, message: str) -> tuple[int, int | None]:
     """The least and the greatest size of a message's frames without delimiters, in bytes; None is unbounded."""
     shape, body = link.frame(direction), link.messages[message].data(direction)
-    around = shape.head_size + shape.tail_size
+    around = shape.header_size + shape.trailer_size
     return body.least + around, None if body.most is None else body.most + around
 
 
@@ -162,7 +162,7 @@ class _Frame:
         """The whole explanation. The header comes first, as its code tells what the body is."""
         rows = [*start_rows(self.wrapped), *self._head()]
         registers: tuple[ExplanationRow, ...] = ()
-        if len(self.data) >= self.shape.head_size:
+        if len(self.data) >= self.shape.header_size:
             inside, registers = self._body()
             rows += [*inside, *self._tail()]
         if self.surplus:
@@ -183,7 +183,7 @@ class _Frame:
             return data, b""
         number = whole(data[length.offset : length.offset + length.size], length.order)
         stated = number * length.unit_size + length.base
-        early = self.shape.head_size + self.shape.tail_size <= stated < len(data)
+        early = self.shape.header_size + self.shape.trailer_size <= stated < len(data)
         if (
             early
             and _sum(check, data) != _checksum(check, data)
@@ -193,7 +193,7 @@ class _Frame:
         return data, b""
 
     def _head(self) -> Iterator[ExplanationRow]:
-        for part in self.shape.head:
+        for part in self.shape.header:
             data = self.data[part.offset : part.offset + part.size]
             if len(data) < part.size:
                 if self.wrapped.whole or data:
@@ -287,8 +287,8 @@ class _Frame:
 
     def _body(self) -> tuple[list[ExplanationRow], tuple[ExplanationRow, ...]]:
         """The rows of the body, and those of the registers that it reads or writes."""
-        start, record = self.shape.head_size, self._record()
-        end = max(start, len(self.data) - self.shape.tail_size) if self.wrapped.whole else len(self.data)
+        start, record = self.shape.header_size, self._record()
+        end = max(start, len(self.data) - self.shape.trailer_size) if self.wrapped.whole else len(self.data)
         if record is None:
             return list(self._unknown(start, end)), ()
         message = self.message.message if self.message else None
@@ -318,9 +318,9 @@ class _Frame:
     def _tail(self) -> Iterator[ExplanationRow]:
         if not self.wrapped.whole:
             return
-        start = max(self.shape.head_size, len(self.data) - self.shape.tail_size)
-        for part in self.shape.tail:
-            at = start + self.shape.tail_size + part.offset
+        start = max(self.shape.header_size, len(self.data) - self.shape.trailer_size)
+        for part in self.shape.trailer:
+            at = start + self.shape.trailer_size + part.offset
             data = self.data[at : at + part.size]
             if len(data) < part.size:
                 yield self._short(part, at, data)

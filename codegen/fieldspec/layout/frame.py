@@ -83,21 +83,21 @@ class PartLayout:
 
 @dataclass(frozen=True, slots=True)
 class FrameLayout:
-    """The parts before the body, `head_size` bytes; then the body; then `tail_size` bytes.
+    """The parts before the body, `header_size` bytes; then the body; then `trailer_size` bytes.
 
     All sizes count bytes of the parts, before these are encoded as characters and put between delimiters.
     """
 
     direction: str
-    head: tuple[PartLayout, ...]
-    head_size: int
-    tail: tuple[PartLayout, ...]
-    tail_size: int
+    header: tuple[PartLayout, ...]
+    header_size: int
+    trailer: tuple[PartLayout, ...]
+    trailer_size: int
 
     @property
     def parts(self) -> tuple[PartLayout, ...]:
         """All parts but the body, in the order in which they are sent."""
-        return (*self.head, *self.tail)
+        return (*self.header, *self.trailer)
 
     def role(self, role: str) -> PartLayout | None:
         """The first part with a role, None if there is none."""
@@ -175,5 +175,5 @@ def _frame(link: Link, direction: str) -> FrameLayout:
                 reserved=part.reserved,
             )
         )
-    head, tail = tuple(placed[:body]), tuple(placed[body + 1 :])
-    return FrameLayout(direction, head, sum(sizes[:body]), tail, sum(sizes[body + 1 :]))
+    header, trailer = tuple(placed[:body]), tuple(placed[body + 1 :])
+    return FrameLayout(direction, header, sum(sizes[:body]), trailer, sum(sizes[body + 1 :]))

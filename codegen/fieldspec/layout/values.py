@@ -43,7 +43,7 @@ def raw_values(layout: DeviceLayout, example: Example) -> dict[str, Raw]:
 
     Raises MeaningError for a value that has no raw value.
     """
-    parts = layout.links[example.link].frame(example.direction).head
+    parts = layout.links[example.link].frame(example.direction).header
     body: RecordLayout | None = None
     if example.message or example.exception_response:
         body = body_of(layout, example.link, example.direction, example.message, example.exception_response)

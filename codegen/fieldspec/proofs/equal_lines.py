@@ -63,6 +63,6 @@ def lines_alike(spec: DeviceSpec, shared: Mapping[str, str]) -> Iterator[Diagnos
     for version, other in shared.items():
         if not other:
             line = spec.lines.alike[version]
-            text = f"no version of the line `{line.text}` is on the wire as `{version}` is"
-            help = "build the line of this version, or put the bounds right in which both differ"
+            text = f"on the wire, `{version}` differs from every version of the line `{line.text}`"
+            help = "build separate outputs for the line of this version, or correct the bounds in which the two differ"
             yield Diagnostic("lines_alike", text, line.span, help=help)

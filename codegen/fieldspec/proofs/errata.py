@@ -82,29 +82,29 @@ def _unsound(tree: Mapping, erratum: Erratum, known: frozenset[str]) -> Diagnost
         own = node.values.get(key)
         if _same(exact(own) if own is not None else None, printed, key):
             span = own.span if own is not None else node.span
-            text = f"the spec has the printed value of `{key}`"
-            label = Label(span, "the value that is used")
+            text = f"the spec uses the printed value of `{key}`"
+            label = Label(span, "the value in the spec")
             return Diagnostic("errata_differ", text, place["printed"], (label,), "use the right value in the spec")
     if erratum.proof == JUDGEMENT:
         return None
     if erratum.proof not in known:
-        text = f"there is no check `{erratum.proof}`"
-        return Diagnostic("errata_proven", text, place["proof"], help="`fieldspec rule` lists the checks")
+        text = f"there is no rule `{erratum.proof}`"
+        return Diagnostic("errata_proven", text, place["proof"], help="`fieldspec rule` lists the rules")
     if not erratum.printed:
         text = "a proof needs the printed value to put back"
-        return Diagnostic("errata_proven", text, place["proof"], help="give `printed`, or say `judgement`")
+        return Diagnostic("errata_proven", text, place["proof"], help="add `printed`, or use `judgement`")
     return None
 
 
 def _cannot_stand(erratum: Erratum, broken: Diagnostic) -> Diagnostic:
-    text = f"the printed value cannot stand in the spec: {broken.message}"
-    help = f"{broken.help}; what cannot be written in the language belongs into `literal`"
+    text = f"the printed value is not valid in the spec: {broken.message}"
+    help = f"{broken.help}; use `literal` for what the language cannot express"
     return Diagnostic("errata_proven", text, erratum.place["printed"], help=help)
 
 
 def _passes(erratum: Erratum) -> Diagnostic:
-    text = f"with the print put back, `{erratum.proof}` still passes"
-    help = "name the check that fails, or say `judgement`"
+    text = f"with the printed value, `{erratum.proof}` still passes"
+    help = "name the rule that fails, or use `judgement`"
     return Diagnostic("errata_proven", text, erratum.place["proof"], help=help)
 
 

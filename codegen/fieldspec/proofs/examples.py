@@ -77,16 +77,16 @@ def example_proven(layout: DeviceLayout, reference: DeviceCodec, example: Exampl
     except CodecError as error:
         code = CHECKS.get(error.reason, "meaning_matches_bytes")
         help = _length_help(frames, example, error) if error.reason == "wrong_length" else _mend(code)
-        yield Diagnostic(code, f"the frame is refused: {error}", example.place["frame"], help=help)
+        yield Diagnostic(code, f"the frame is invalid: {error}", example.place["frame"], help=help)
         return
     if decoded.message is not None and decoded.message.name != example.message:
         text = f"the frame is a {decoded.message.name}, not a {example.message}"
         yield Diagnostic("meaning_matches_bytes", text, example.place["message"], help="name the right message")
         return
     if decoded.error != example.exception_response:
-        kind = "an error reply" if decoded.error else "no error reply"
+        kind = "an exception response" if decoded.error else "not an exception response"
         text = f"the frame is {kind}"
-        yield Diagnostic("meaning_matches_bytes", text, example.place["frame"], help="give or remove `error: true`")
+        yield Diagnostic("meaning_matches_bytes", text, example.place["frame"], help="add or remove `error: true`")
         return
     try:
         expected = raw_values(layout, example)
@@ -100,7 +100,7 @@ def example_proven(layout: DeviceLayout, reference: DeviceCodec, example: Exampl
 def _mend(code: str) -> str:
     if code == "meaning_matches_bytes":
         return "compare the bytes with the message's fields"
-    return "where the manual prints these bytes, give the right ones here and the printed ones in an erratum"
+    return "if the manual prints these bytes, state the right ones here and the printed ones in an erratum"
 
 
 def _length_help(frames: FrameCodec, example: Example, error: CodecError) -> str:
@@ -108,13 +108,13 @@ def _length_help(frames: FrameCodec, example: Example, error: CodecError) -> str
     length = frames.link.frame(example.direction).role("length")
     of_part = length is not None and error.offset == length.offset
     if not frames.has_right_checksum(example.frame, example.direction):
-        cure = "say under `counts` what the length counts; " if of_part else ""
+        cure = "state under `counts` what the length counts; " if of_part else ""
         return cure + _mend("length_byte_correct")
     if not of_part or length is None:
-        return "the checksum is right, so that these are the bytes: compare them with the message's fields"
+        return "the checksum is correct, so the bytes are too: compare them with the message's fields"
     return (
-        f"the checksum is right, so that these are the bytes: say under `counts` what {length.name} counts; if no"
-        f" `counts` says it, take the role `length` away, so that users give {length.name}"
+        f"the checksum is correct, so the bytes are too: state under `counts` what {length.name} counts; if no"
+        f" `counts` says it, remove the role `length`, so that users supply {length.name}"
     )
 
 
@@ -122,7 +122,7 @@ def _characters(layout: DeviceLayout, example: Example) -> Iterator[Diagnostic]:
     if example.characters and example.characters.encode("latin-1", "replace") != example.frame:
         label = Label(example.place["frame"], f"these bytes read {_hex_text(example.frame)}")
         text = f"the characters are {_hex_text(example.characters.encode('latin-1', 'replace'))}"
-        help = "put the row right that is misprinted, and write an erratum"
+        help = "correct the misprinted row, and write an erratum"
         yield Diagnostic("characters_match_bytes", text, example.place["characters"], (label,), help)
 
 
@@ -135,30 +135,30 @@ def _refused(reference: DeviceCodec, example: Example) -> Iterator[Diagnostic]:
         reference.links[example.link].decode(example.frame, example.direction, example.message)
     except CodecError as error:
         if error.reason != example.refused:
-            text = f"the frame is refused, but as {error}"
+            text = f"the frame is invalid, but for another reason: {error}"
             code = CHECKS.get(error.reason, "meaning_matches_bytes")
             yield Diagnostic(code, text, example.place["refused"], help=_mend(code))
         return
-    text = "the frame is not refused"
-    yield Diagnostic("meaning_matches_bytes", text, example.place["refused"], help="give its meaning instead")
+    text = "the frame is valid"
+    yield Diagnostic("meaning_matches_bytes", text, example.place["refused"], help="state its meaning instead")
 
 
 def _compare_meaning(
     layout: DeviceLayout, example: Example, decoded: Decoded, expected: dict[str, Raw]
 ) -> Iterator[Diagnostic]:
     """The values in the spec against those of the bytes. Values that follow from others may be left out."""
-    head = layout.links[example.link].frame(example.direction).head
+    head = layout.links[example.link].frame(example.direction).header
     implied = {part.name for part in head if part.role == "code" or (part.value and part.value.const is not None)}
     actual = {**decoded.head, **decoded.values}
     for name, value in actual.items():
         if name in expected:
             if not _same(expected[name], value):
-                text = f"{name} is {_text(value)} in the bytes and {_text(expected[name])} in the values"
+                text = f"{name} is {_text(value)} in the bytes, but {_text(expected[name])} in the values"
                 span = example.place["values"]
                 label = Label(example.place["frame"], "these bytes")
-                yield Diagnostic("meaning_matches_bytes", text, span, (label,), "put one of them right")
+                yield Diagnostic("meaning_matches_bytes", text, span, (label,), "correct one of them")
         elif name not in implied and not _implied(decoded, name):
-            text = f"the values do not say what {name} is"
+            text = f"the values do not contain {name}"
             help = f"add `{name}: {_text(value)}` if the manual means that"
             yield Diagnostic("meaning_matches_bytes", text, example.place["values"], help=help)
 
@@ -217,7 +217,7 @@ def _bytes(
         text = f"the values encode to {data.hex(' ').upper()}"
         label = Label(example.place["frame"], "these bytes")
         span = example.place["values"]
-        yield Diagnostic("meaning_matches_bytes", text, span, (label,), "put one of them right")
+        yield Diagnostic("meaning_matches_bytes", text, span, (label,), "correct one of them")
 
 
 def _text(value: Any) -> str:

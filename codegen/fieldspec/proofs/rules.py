@@ -5,76 +5,82 @@ from __future__ import annotations
 RULES = {
     "accepts_used": """Every change that a spec accepts is one that the comparison finds.
 
-Why: an acceptance that is not needed any more hides the next slip at the same place.
+Why: an acceptance that is no longer needed hides the next mistake at the same place.
 
-Example: `accepts: [{rule: range_narrowed, path: registers/speed, ...}]` where the range of the speed is what it was.
+Example: `accepts: [{rule: range_narrowed, path: registers/speed, ...}]` where the range of the speed has not
+changed.
 
-Cure: Put the rule or the path right as `fieldspec diff` shows them, or remove the entry.
+Cure: Correct the rule or the path as shown by `fieldspec diff`, or remove the entry.
 """,
-    "characters_match_bytes": """The row of characters above an example's bytes is what the bytes read as.
+    "characters_match_bytes": """The printed characters of an example match its bytes.
 
-Why: the manual prints an ASCII frame twice, as characters and as bytes. Where they differ, one row is misprinted.
+Why: the manual prints an ASCII frame twice, as characters and as bytes. If they differ, one row is
+misprinted.
 
 Example: `characters: ":0106"` above `3A 30 31 30 33`.
 
-Cure: Put the row right that is misprinted, and write an erratum.
+Cure: Correct the misprinted row, and write an erratum.
 """,
-    "check_code_correct": """The check of every example is right.
+    "check_code_correct": """The checksum of every example is correct.
 
-Why: a frame with a wrong check is refused by the device; either the check or a byte before it is misprinted.
+Why: a device rejects a frame with a wrong checksum. Either the checksum or a byte before it is misprinted.
 
-Example: a packet that ends with 17h where the bytes before add up to 37h.
+Example: a packet that ends with 17h, where the sum of the bytes before it is 37h.
 
-Cure: Give the right bytes as `frame`, and an erratum with the printed ones.
+Cure: State the right bytes as `frame`, and write an erratum with the printed bytes.
 """,
-    "errata_differ": """What an erratum calls printed differs from what the spec says.
+    "errata_differ": """The printed value in an erratum differs from the value in the spec.
 
-Why: an erratum that puts nothing right is left over, or the spec holds the misprint.
+Why: an erratum that corrects nothing is obsolete, or the spec contains the misprint.
 
 Example: an erratum with `printed: {range: 0..100}` for a fact whose range is 0..100.
 
 Cure: Use the right value in the spec, or remove the erratum.
 """,
-    "errata_paths_resolve": """The path of an erratum leads to a fact.
+    "errata_paths_resolve": """The path of an erratum names an existing fact.
 
-Why: an erratum about nothing corrects nothing.
+Why: an erratum without its fact corrects nothing.
 
-Example: `fact: registers/servo_off` where the register is called servo.
+Example: `fact: registers/servo_off` where the register has the name servo.
 
-Cure: Put the path right; `fieldspec facts` lists them.
+Cure: Correct the path; `fieldspec facts` lists all paths.
 """,
-    "errata_proven": """With the printed value put back, the check that an erratum names fails.
+    "errata_proven": """If the printed value replaces the correct one, the spec breaks the rule that the
+erratum names.
 
-Why: that is the proof that the print is wrong, and that somebody would notice it again.
+Why: this proves that the print is wrong, and that the same mistake would be detected again.
 
 Example: `proof: addresses_disjoint` for an address that overlaps nothing.
 
-Cure: Name the check that fails, or say `judgement`.
+Cure: Name the rule that the printed value breaks, or use `judgement`.
 """,
-    "length_byte_correct": """The length in every example is the number of its bytes.
+    "length_byte_correct": """The length in every example is the number of bytes that it counts.
 
-Why: a frame whose length is wrong is never complete, or swallows the next one; a byte is missing, or one too many.
+Why: a frame with a wrong length is never complete, or it swallows the next frame. A byte is missing, or there
+is one too many.
 
-Example: 19 bytes that begin with 14h.
+Example: a frame of 19 bytes whose length is 14h.
 
-Cure: Where the manual misprints the bytes, give the right ones as `frame`, and an erratum with the printed ones. Where
-the checksum is right, or all examples differ in one way, put right what the link's length `counts`. If no `counts` says
-it, take the role `length` away: users then give the number.
+Cure: If the manual misprints the bytes, state the right ones as `frame`, and write an erratum with the
+printed ones. If the checksum is correct, or all examples differ in the same way, correct the `counts` of the
+link. If no `counts` can express it, remove the role `length`; users then supply the number.
 """,
-    "lines_alike": """Each version of a line that is like another one is on the wire as a version of that line.
+    "lines_alike": """A version whose line is `like` another line is on the wire the same as a version of that
+line.
 
-Why: it shares the outputs of that version; where they differ on the wire, its users would get wrong code.
+Why: it uses the outputs of that version; if they differ on the wire, its users would get wrong code.
 
 Example: `like: firmware_2` where 3.12.5 has a parameter that no version of line 2 has.
 
-Cure: Give the facts the bounds of both lines, or let the line have outputs of its own: `builds: true`.
+Cure: Give the facts the bounds of both lines, or build separate outputs for the line: `builds: true`.
 """,
-    "meaning_matches_bytes": """The values of every example are what its bytes mean, in both directions.
+    "meaning_matches_bytes": """The values of every example encode to its bytes, and its bytes decode to the
+values.
 
-Why: the manual's own frames are the only proof that a spec is right.
+Why: the frames in the manual are the only proof that a spec is right.
 
-Example: `distance: 20.00 mm` beside bytes that hold 2 mm.
+Example: `distance: 20.00 mm` with bytes that mean 2 mm.
 
-Cure: Put the bytes, the values or the fields right; write an erratum for what is misprinted.
+Cure: Correct the bytes, the values or the fields, and write an erratum for the misprint.
 """,
 }

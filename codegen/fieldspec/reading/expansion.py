@@ -82,13 +82,13 @@ class _Expansion:
         return field
 
     def enum(self, enum: Mapping) -> Mapping:
-        """The enum, with the members that follow from a word of flags or from another enum."""
+        """An enum with the members that follow from a bit field or from another enum."""
         derived = enum.values.get("derived")
         if not isinstance(derived, Mapping):
             return enum
         own = enum.values.get("members")
         members: list[Node] = list(own.items) if isinstance(own, Sequence) else []
-        if flags := self._known(derived.values.get("flags"), self.flags, "word of flags"):
+        if flags := self._known(derived.values.get("flags"), self.flags, "bit field"):
             members += _masks(flags)
         if other := self._known(derived.values.get("enum"), self.enums, "enum"):
             members += _numbers(other)

@@ -30,7 +30,7 @@ def bounded(findings: list[Diagnostic]) -> list[Diagnostic]:
     if len(findings) <= MOST_FINDINGS:
         return findings
     text = f"more than {MOST_FINDINGS} findings; the rest is not listed"
-    more = Diagnostic("too_many_findings", text, findings[MOST_FINDINGS].span, help="mend the first ones")
+    more = Diagnostic("too_many_findings", text, findings[MOST_FINDINGS].span, help="correct the first findings")
     return [*findings[:MOST_FINDINGS], more]
 
 

@@ -108,7 +108,7 @@ class _Application:
         if at is None:
             self._refuse(
                 "overlay_fact_missing",
-                f"there is no fact {quoted(path.text)} in the version that this one is based on",
+                f"there is no fact {quoted(path.text)} in the base version",
                 path,
                 "see `fieldspec facts` for the paths",
             )
@@ -127,7 +127,7 @@ class _Application:
             return
         at, fact = place
         if not isinstance(fact, Mapping):
-            self._refuse("overlay_fact_missing", "this is no fact", entry.values["fact"], "name a fact, not a list")
+            self._refuse("overlay_fact_missing", "this is not a fact", entry.values["fact"], "name a fact, not a list")
             return
         keys_set = entry.values["set"]
         assert isinstance(keys_set, Mapping)
@@ -139,8 +139,8 @@ class _Application:
             if not self._was(key, was, old, fact, at):
                 sound = False
             elif _same(was, now):
-                text = f"`{key}` is what it was"
-                self._refuse("overlay_changes_nothing", text, pair, "give another value, or remove the entry")
+                text = f"`{key}` does not change"
+                self._refuse("overlay_changes_nothing", text, pair, "state another value, or remove the entry")
                 sound = False
             elif _absent(now):
                 new = new.without(key)
@@ -160,10 +160,10 @@ class _Application:
         if old is not None and not _absent(was) and exact(typed_at(was, (*part, "properties", key))[0]) == exact(old):
             return True
         have = f"is {quoted(_node_text(old))}" if old is not None else "is not given"
-        text = f"`{key}` {have} in the version that this one is based on, not {quoted(_node_text(was))}"
-        label = Label((old or fact).span, "what it is there")
+        text = f"`{key}` {have} in the base version, not {quoted(_node_text(was))}"
+        label = Label((old or fact).span, "the value in the base version")
         self._refuse(
-            "overlay_base_differs", text, was, "the base has changed: look at both, and put `was` right", label
+            "overlay_base_differs", text, was, "the base has changed: look at both places, and correct `was`", label
         )
         return False
 
@@ -180,7 +180,7 @@ class _Application:
         if place is None:
             return
         if not isinstance(place[0][-1], int):
-            self._refuse("overlay_fact_missing", "this is no fact", entry.values["fact"], "name an item of a list")
+            self._refuse("overlay_fact_missing", "this is not a fact", entry.values["fact"], "name an item of a list")
             return
         self._put(place[0], None)
 
@@ -199,10 +199,10 @@ class _Application:
         around = node_at(self.tree, at[:-1])
         taken = next((item for item in mappings(around) if identity(item) == to.text), None)
         if taken is not None:
-            text = f"there is a {quoted(to.text)} already"
+            text = f"{quoted(to.text)} already exists"
             same = taken is fact
             code = "overlay_changes_nothing" if same else "overlay_name_taken"
-            self._refuse(code, text, to, "give another name", Label(taken.span, "this one"))
+            self._refuse(code, text, to, "use another name", Label(taken.span, "this one"))
             return
         old = path.text.rpartition("/")[2]
         self._put(at, fact.with_value("name", to))
@@ -228,7 +228,7 @@ class _Application:
         if isinstance(node, Mapping):
             inner = next((key for key in ("rows", "members", "fields", "bits") if key in node.values), None)
             if inner is None:
-                self._refuse("overlay_fact_missing", "nothing can be added to this", path, "name a list of facts")
+                self._refuse("overlay_fact_missing", "this is not a list of facts", path, "name a list of facts")
                 return
             at, node = [*at, inner], node.values[inner]
         assert isinstance(node, Sequence)
@@ -236,8 +236,8 @@ class _Application:
         taken = next((item for item in node.items if name is not None and identity(item) == name), None)
         if taken is not None:
             label = Label(taken.span, "this one")
-            help = "change it under `changes`, or give another name"
-            self._refuse("overlay_name_taken", f"there is a {quoted(name or '')} already", item, help, label)
+            help = "change it under `changes`, or use another name"
+            self._refuse("overlay_name_taken", f"{quoted(name or '')} already exists", item, help, label)
             return
         new, findings = typed_at(item, (*schema_path(at), "items"))
         self.findings += findings

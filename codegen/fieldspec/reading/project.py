@@ -35,8 +35,8 @@ def joined(files: list[Mapping]) -> tuple[Mapping, list[Diagnostic]]:
                 whole = whole.with_entry(key, value, tree)
             else:
                 first = Label(key_span(whole, key), "the first one")
-                text = f"the section `{key}` stands in two files of the device"
-                findings.append(Diagnostic("section_twice", text, key_span(tree, key), (first,), "keep one of them"))
+                text = f"the section `{key}` is in two files of the device"
+                findings.append(Diagnostic("section_twice", text, key_span(tree, key), (first,), "remove one of them"))
     return whole, findings
 
 
@@ -104,7 +104,7 @@ _NOT_OF_A_PROTOCOL = ("device", "versions", "accepts", "audit", "reviews", *_OF_
 
 
 DEEPEST_USE = 16
-"""How many protocols may use each other in a row."""
+"""How many protocols may are in one chain of uses."""
 MOST_USES = 100
 """Protocols that a device or a protocol may use."""
 MOST_OVERLAYS = 250
@@ -206,9 +206,9 @@ class _Reader:
                 first = Label(_id_span(other.tree), "the first one")
                 text = f"two devices have the id `{spec.id}`"
                 if other.id != spec.id:
-                    text = f"the ids `{other.id}` and `{spec.id}` are one name in generated code"
+                    text = f"the ids `{other.id}` and `{spec.id}` become the same name in generated code"
                 span = _id_span(spec.tree)
-                self.findings.append(Diagnostic("device_id_unique", text, span, (first,), "give one another id"))
+                self.findings.append(Diagnostic("device_id_unique", text, span, (first,), "change one of them"))
                 continue
             devices[spec.id] = spec
         for path in sorted(self.files) if not only else ():
@@ -256,7 +256,7 @@ class _Reader:
         self.uses[""] = set()
         files = {path.rpartition("/")[2].removesuffix(".yaml"): tree for path, tree in others.items() if tree}
         if len(files) > MOST_OVERLAYS:
-            text = f"the device has {len(files)} files of versions; there may be {MOST_OVERLAYS}"
+            text = f"the device has {len(files)} files of versions; the limit is {MOST_OVERLAYS}"
             help = "write the oldest version that is still in use as the base, and remove those before it"
             span = Span([*files.values()][MOST_OVERLAYS].file, 0, 1)
             self.findings.append(Diagnostic("versions_bounded", text, span, help=help))
@@ -266,7 +266,7 @@ class _Reader:
         lines = Lines(whole)
         self.findings += bounded(lines.findings) + bounded(lines.unknown(whole))
         if len(lines.place) * sum(len(self.files[path]) for path in own) > LARGEST_VERSIONS:
-            text = f"{len(lines.place)} versions of a spec of this size are more than can be read"
+            text = f"{len(lines.place)} versions of a spec of this size exceed the limit"
             help = "remove versions that are not in use any more"
             self.findings.append(Diagnostic("versions_bounded", text, key_span(whole, "versions"), help=help))
             return None
@@ -305,15 +305,15 @@ class _Reader:
         for key in foreign:
             if key in tree.values:
                 text = f"there is no key `{key}` here"
-                help = "a file is of a device or of a protocol, not of both"
+                help = "a file belongs to a device or to a protocol, not to both"
                 self.findings.append(Diagnostic("unknown_key", text, key_span(tree, key), help=help))
 
     def _with_protocols(self, tree: Mapping, within: tuple[str, ...]) -> Mapping:
         """The tree, merged over every protocol that it uses."""
         uses = tree.values.get("uses")
         if isinstance(uses, Sequence) and len(uses.items) > MOST_USES:
-            text = f"{len(uses.items)} protocols are used here; there may be {MOST_USES}"
-            help = "join protocols that go together into one"
+            text = f"{len(uses.items)} protocols are used here; the limit is {MOST_USES}"
+            help = "combine related protocols into one"
             self.findings.append(Diagnostic("uses_bounded", text, uses.items[MOST_USES].span, help=help))
             return tree
         for use in uses.items if isinstance(uses, Sequence) else ():
@@ -336,8 +336,8 @@ class _Reader:
             self.findings.append(Diagnostic("import_cycle", text, name.span, help="remove one of these uses"))
             return None
         if len(within) >= DEEPEST_USE and name.text not in self.protocols:
-            text = f"more than {DEEPEST_USE} protocols use each other in a row"
-            help = "let a protocol use those that it needs itself"
+            text = f"more than {DEEPEST_USE} protocols are in one chain of uses"
+            help = "let each protocol use the ones that it needs directly"
             self.findings.append(Diagnostic("uses_bounded", text, name.span, help=help))
             return None
         path = f"{PROTOCOLS}/{name.text}.yaml"
@@ -355,7 +355,7 @@ class _Reader:
             head = tree.values.get("protocol") if tree is not None else None
             if tree is not None and not isinstance(head, Mapping):
                 text = "the key `protocol` is missing"
-                help = "say what the protocol is, under the key `protocol`"
+                help = "describe the protocol under the key `protocol`"
                 self.findings.append(Diagnostic("missing_key", text, Span(tree.file, 0, 1), help=help))
             elif tree is not None and isinstance(head, Mapping):
                 self._placed(tree, head, name, _NOT_OF_A_PROTOCOL)

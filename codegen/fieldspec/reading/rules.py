@@ -1,19 +1,19 @@
-"""The documentation of the rules of reading: what is true in a good spec, why, an example, the cure."""
+"""What the rules of reading say, in the words of their documentation: what holds, why, an example, the cure."""
 
 from __future__ import annotations
 
 RULES = {
     "alias_unknown": """An alias names an anchor that comes before it.
 
-Why: otherwise it has no value.
+Why: without the anchor, the alias has no value.
 
 Example: `*parameter` where the file has no `&parameter`, or has it further down.
 
 Cure: Write the data out, or set the anchor first.
 """,
-    "aliases_grow": """Aliases do not make a file grow without bound.
+    "aliases_grow": """Aliases do not expand a file without limit.
 
-Why: ten lines of aliases of aliases can mean more values than fit into memory.
+Why: ten lines of nested aliases can expand to more values than fit into memory.
 
 Example: a list of ten aliases, each of which is a list of ten aliases, and so on.
 
@@ -21,56 +21,56 @@ Cure: Write the data out.
 """,
     "device_id_unique": """No two devices have the same id.
 
-Why: the id names what is generated; one device would overwrite the other.
+Why: the id names the generated files; one device would overwrite the other.
 
 Example: two folders whose `device` has `id: gadget`.
 
-Cure: Give one of them another id.
+Cure: Give one of them a different id.
 """,
-    "device_section": """One file of a device's folder says what the device is.
+    "device_section": """One file in the folder of a device identifies the device.
 
-Why: without an id and a manual nothing can be generated or looked up.
+Why: without an id and a manual, nothing can be generated or verified.
 
-Example: a folder with registers alone.
+Example: a folder with only registers.
 
-Cure: Write the section `device` in `device.yaml`.
+Cure: Add the section `device` in `device.yaml`.
 """,
     "duplicate_key": """A key occurs once in its mapping.
 
-Why: only one of the two values could count, and readers take different ones.
+Why: only one of the two values could apply, and YAML readers disagree about which.
 
-Example: a register with two `range`.
+Example: a register with two `range` keys.
 
 Cure: Remove one of them.
 """,
     "duplicate_name": """No two entries of a section have the same name.
 
-Why: paths, references and outputs know an entry by its name.
+Why: paths, references and outputs identify an entry by its name.
 
-Example: two records called point.
+Example: two records named point.
 
-Cure: Give one of them another name.
+Cure: Rename one of them.
 """,
-    "file_empty": """A spec file says something.
+    "file_empty": """A spec file has content.
 
-Why: an empty file is one that was not written or was cut off.
+Why: an empty file was never written or was truncated.
 
-Example: a file with a comment alone.
+Example: a file with only a comment.
 
-Cure: Write a section, or remove the file.
+Cure: Add a section, or remove the file.
 """,
-    "file_missing": """A protocol that is used has a file.
+    "file_missing": """Every protocol under `uses` has a file.
 
-Why: what it defines is missing from the device.
+Why: without the file, the definitions of the protocol are missing from the device.
 
 Example: `uses: [{protocol: wires}]` where the file is `protocols/wire.yaml`.
 
-Cure: Put the name right, or write the file.
+Cure: Correct the name, or add the file.
 """,
     "file_regular": """A spec file is a regular file within the folder of the specs.
 
-Why: a pipe can wait for ever and a device can go on for ever. What is behind a link that leads out of the folder is
-not of the specs, and no finding may quote it.
+Why: reading a pipe can block for ever, and reading a special file may never end. A file outside the folder is
+not part of the specs, and no finding may quote it.
 
 Example: `device.yaml` is a symbolic link to `/etc/passwd`.
 
@@ -78,23 +78,24 @@ Cure: Put the file itself into the folder.
 """,
     "file_too_large": """A spec file has at most 16 MiB and two million values, a folder 1000 files and 32 MiB.
 
-Why: what is larger is no spec that a person wrote.
+Why: a larger file is not a spec that a person wrote.
 
-Example: a capture of a line that was saved with the ending `.yaml`.
+Example: a capture of a line, saved with the extension `.yaml`.
 
-Cure: Split it over several files, or take it out of the folder.
+Cure: Split it into several files, or move it out of the folder.
 """,
-    "id_matches_path": """A device has the id of its folder, a protocol that of its file.
+    "id_matches_path": """The id of a device is the name of its folder, and the id of a protocol is the name
+of its file.
 
 Why: the command line finds a device by its folder, and `uses` finds a protocol by its file.
 
 Example: `id: gadget_2` in the folder `gadget`.
 
-Cure: Rename the folder or file, or put the id right.
+Cure: Rename the folder or the file, or correct the id.
 """,
-    "import_cycle": """No protocol uses itself, neither directly nor through others.
+    "import_cycle": """No protocol uses itself, directly or through others.
 
-Why: there would be no first one to begin with.
+Why: in a cycle there is no protocol to read first.
 
 Example: a protocol a that uses b, which uses a.
 
@@ -106,91 +107,93 @@ Why: no key of the language is a list or a mapping.
 
 Example: `? [a, b]`
 
-Cure: Write a plain word.
+Cure: Use a word as the key.
 """,
-    "missing_key": """A mapping has the keys that it needs.
+    "missing_key": """A mapping has all required keys.
 
-Why: the fact has no layout, or cannot be looked up, without them.
+Why: without them, the fact has no layout or no source.
 
-Example: an enum's member without its `value`.
+Example: a member of an enum without `value`.
 
-Cure: Give the key.
+Cure: Add the key.
 """,
-    "not_utf8": """A spec file is UTF-8.
+    "not_utf8": """A spec file is encoded in UTF-8.
 
-Why: labels are in the manual's language, and another encoding turns them into other characters.
+Why: labels are in the language of the manual, and another encoding turns them into other characters.
 
-Example: a file that was saved as GB 18030.
+Example: a file saved as GB 18030.
 
 Cure: Save the file as UTF-8.
 """,
-    "overlay_base_differs": """What the file of a version says was so, was so in the version that it is based on.
+    "overlay_base_differs": """The `was` values in a version file match the base version.
 
-Why: the base has been changed since the file was written, and its author did not know what it is now.
+Why: if they differ, the base has changed since the file was written, and the author did not know its new
+value.
 
 Example: `range: {was: 1..100, is: 1..120}` where the base has 1..90.
 
-Cure: Look at both places, decide what is right now, and put `was` right.
+Cure: Look at both places, decide which value is right now, and correct `was`.
 """,
-    "overlay_changes_nothing": """Every entry in the file of a version changes something.
+    "overlay_changes_nothing": """Every entry in a version file changes something.
 
-Why: an entry without effect is a slip, or a change that the base has taken over.
+Why: an entry without effect is a mistake, or a change that is now in the base.
 
 Example: `unit: {was: mm, is: mm}`.
 
-Cure: Give the new value, or remove the entry.
+Cure: State the new value, or remove the entry.
 """,
-    "overlay_cycle": """No version is based on itself, directly or by way of others.
+    "overlay_cycle": """No version is based on itself, directly or through others.
 
-Why: there would be nothing to start from.
+Why: in a cycle there is no version to start from.
 
 Example: 2.1 is based on 2.2, and 2.2 on 2.1.
 
-Cure: Base one of them on a version that does not need it.
+Cure: Base one of them on a version that does not depend on it.
 """,
-    "overlay_fact_missing": """The facts that the file of a version changes are in the version that it is based on.
+    "overlay_fact_missing": """The facts that a version file changes are in its base version.
 
-Why: an entry that matches nothing would silently do nothing.
+Why: an entry that matches nothing would have no effect, and nobody would notice.
 
-Example: `fact: registers/sped`, or a register that only another line of versions has.
+Example: `fact: registers/sped`, or a register that only another version line has.
 
-Cure: Put the path right, or base the version on the one that has the fact.
+Cure: Correct the path, or base the version on one that has the fact.
 """,
-    "overlay_name_taken": """What the file of a version adds or renames gets a name that is free.
+    "overlay_name_taken": """A fact that a version file adds or renames has a name that is not in use.
 
-Why: two facts of one list with one name could not be told apart.
+Why: two facts with the same name in one list cannot be distinguished.
 
-Example: a register renamed to `speed` where there is a register `speed`.
+Example: a register renamed to `speed` where a register `speed` exists.
 
-Cure: Give another name; what is there already is changed under `changes`.
+Cure: Use another name. To change an existing fact, use `changes`.
 """,
-    "section_twice": """A section that is no list is in one file of a device.
+    "section_twice": """A section that is not a list occurs in only one file of a device.
 
-Why: lists are joined; of two other sections only one could count.
+Why: lists are joined, but only one of two other sections could apply.
 
 Example: `device` in two files of a folder.
 
-Cure: Keep one of them.
+Cure: Remove one of them.
 """,
-    "several_documents": """A spec file is one document.
+    "several_documents": """A spec file is one YAML document.
 
-Why: a second one would be passed over.
+Why: a second document would be ignored.
 
 Example: a line `---` in the middle of a file.
 
-Cure: Give the second document a file of its own.
+Cure: Move the second document to its own file.
 """,
-    "tab_indent": """Lines are indented with blanks.
+    "tab_indent": """Lines are indented with spaces.
 
-Why: YAML allows no tab there, and how wide a tab is nobody knows.
+Why: YAML does not permit tabs there, because their width is not defined.
 
 Example: a line that begins with a tab.
 
-Cure: Indent with blanks.
+Cure: Indent with spaces.
 """,
-    "tag_used": """A spec is plain data, without tags.
+    "tag_used": """A spec contains data without tags.
 
-Why: a tag asks a reader to build something else than data, and the schema decides what a value is.
+Why: a tag asks the reader to construct something other than data, but only the schema decides what a value
+is.
 
 Example: `!!python/name:os.system`
 
@@ -198,122 +201,123 @@ Cure: Remove the tag.
 """,
     "too_deep": """A file is nested at most 64 levels deep.
 
-Why: the language needs a dozen; more is a slip or an attack.
+Why: the language needs about a dozen levels; more is a mistake or an attack.
 
 Example: a thousand opening brackets.
 
 Cure: Use fewer levels.
 """,
-    "too_many_findings": """A file, and a check, has at most 200 findings.
+    "too_many_findings": """A file has at most 200 findings, and so does a check.
 
-Why: more of them help nobody; most of them are the same slip again.
+Why: more findings do not help; most of them repeat the same mistake.
 
-Example: a file in another form with ten thousand lines.
+Example: a file in another format with ten thousand lines.
 
-Cure: Mend the first ones.
+Cure: Correct the first findings.
 """,
-    "type_present": """The spec states the encoding of every value, once.
+    "type_present": """The spec states the type of every value on the wire, once.
 
 Why: width and sign are never guessed.
 
 Example: a register without `type`, a text without `length`, a field with both `type` and `record`.
 
-Cure: Give the type, as inferred with a reason if the manual only implies it.
+Cure: Add the type, as inferred with a reason if the manual only implies it.
 """,
-    "units_known": """A unit is one of the closed list.
+    "units_known": """A unit is in the list of the schema.
 
-Why: whoever converts values has to know what a unit is; a misspelt one is no unit.
+Why: software that converts values must know the unit, and a misspelt unit is unknown.
 
 Example: `unit: Pluse`
 
-Cure: Use the unit that is meant, and an erratum for what is printed. A new unit is added to the schema.
+Cure: Use the intended unit, and write an erratum with the printed one. Add a new unit to the schema.
 """,
-    "unknown_key": """Every key belongs to the language.
+    "unknown_key": """Every key is part of the language.
 
-Why: a key with a typing error would be passed over, and what it says with it.
+Why: a misspelt key would be ignored together with its value.
 
 Example: `acces: rw`
 
-Cure: Put the key right; `docs/language.md` lists all of them.
+Cure: Correct the key; `docs/language.md` lists all keys.
 """,
-    "unknown_word": """A value that is a word is one of those that its key allows.
+    "unknown_word": """A word is one of those that its key permits.
 
-Why: other words mean nothing there.
+Why: other words have no meaning there.
 
 Example: `access: readonly`
 
 Cure: Use one of the words that the finding lists.
 """,
-    "uses_bounded": """A device or a protocol uses at most 100 protocols, and at most 16 use each other in a row.
+    "uses_bounded": """A device or a protocol uses at most 100 protocols, and a chain of uses has at most 16
+protocols.
 
-Why: a folder of specs must be read in bounded time, whoever has written it.
+Why: reading a folder of specs must take a bounded time, whoever wrote it.
 
-Example: a protocol that uses a protocol that uses a protocol, seventeen times.
+Example: a chain of seventeen protocols, each of which uses the next.
 
-Cure: Join protocols that go together, and let each use those that it needs itself.
+Cure: Combine related protocols, and let each protocol use the ones that it needs directly.
 """,
-    "version_twice": """A version is declared once, and has one place on its line.
+    "version_twice": """A version is declared once and has one place in its line.
 
-Why: `since` and `until` have to mean one place in one line.
+Why: `since` and `until` must name a single place in a line.
 
 Example: two members with the id `1.17`.
 
-Cure: Give each version an identifier of its own; where two files follow the same version, say `after`.
+Cure: Give each version its own identifier. If two files follow the same version, add `after`.
 """,
     "version_unknown": """`since`, `until` and `only` name versions that the device declares.
 
-Why: a fact that applies from an unknown version on applies never or always.
+Why: the compiler cannot tell in which versions a fact with an unknown bound applies.
 
-Example: `since: "2.00"` where the version is called `2.0`.
+Example: `since: "2.00"` where the version is declared as `2.0`.
 
-Cure: Put the identifier right, or declare the version.
+Cure: Correct the identifier, or declare the version.
 """,
-    "versions_bounded": """A device has at most 250 files of versions, and 32 MiB, counted once for each version.
+    "versions_bounded": """A device has at most 250 version files, and 32 MiB, counted once for each version.
 
-Why: each version is made of the files anew, so that many versions of a large spec take long to read.
+Why: every version is built from the files, so many versions of a large spec take a long time to read.
 
 Example: a file in `versions/` for each day of a year.
 
-Cure: Make a version that is in use the base, and remove the files of those before it.
+Cure: Make a version that is in use the base, and remove the files of earlier versions.
 """,
-    "wrong_form": """A value is written in the form that its key asks for.
+    "wrong_form": """A value has the form that its key requires.
 
-Why: what cannot be read would have to be guessed.
+Why: a value in another form would have to be guessed.
 
-Example: `range: 5-10` instead of `5..10`, or a bound that is no whole number of counts.
+Example: `range: 5-10` instead of `5..10`, or a bound that is not a whole number of counts.
 
-Cure: Write it as the description of the key says.
+Cure: Use the form in the description of the key.
 """,
-    "wrong_size": """A list, or a row of a table, has as many entries as it should.
+    "wrong_size": """A list or a row of a table has the required number of entries.
 
-Why: a row that is too short puts its cells into other columns.
+Why: if a row is too short, its cells move to other columns.
 
 Example: a row of two cells in a table of three columns.
 
 Cure: Write `~` for an empty cell.
 """,
-    "wrong_type": """A value is of the kind that its key asks for: a number, a text, a list, a mapping.
+    "wrong_type": """A value has the type that its key requires: a number, a text, a list or a mapping.
 
-Why: another kind cannot mean what the key means.
+Why: a value of another type has no meaning for the key.
 
 Example: `at: servo`
 
-Cure: Write a value of that kind.
+Cure: Use a value of the required type.
 """,
     "wrong_value": """A number is within the bounds of its key.
 
-Why: a number outside of them cannot exist on the wire.
+Why: a number outside the bounds cannot occur on the wire.
 
 Example: `at: 0x12000`
 
-Cure: Put the number right.
+Cure: Correct the number.
 """,
-    "yaml_syntax": """A spec file is YAML.
+    "yaml_syntax": """A spec file is valid YAML.
 
-Why: what cannot be parsed says nothing.
+Why: a file that cannot be parsed has no content.
 
 Example: `label: a: b` without quotes.
 
-Cure: Look at the place of the finding, and a little before it; quote texts with `: `, `#`, `{` or `[`.
+Cure: Look at the place of the finding and just before it. Quote texts that contain `: `, `#`, `{` or `[`.
 """,
 }

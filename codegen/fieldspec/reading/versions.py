@@ -41,7 +41,7 @@ def overlays(files: Table[str, Mapping], base: Mapping) -> tuple[Overlays, Mappi
         if not isinstance(head, Mapping):
             text = "the key `overlay` is missing"
             result.findings.append(
-                Diagnostic("missing_key", text, Span(tree.file, 0, 1), help="say which version the file is about")
+                Diagnostic("missing_key", text, Span(tree.file, 0, 1), help="state which version the file describes")
             )
             continue
         own = _text(head, "id")
@@ -54,7 +54,7 @@ def overlays(files: Table[str, Mapping], base: Mapping) -> tuple[Overlays, Mappi
         for key in tree.values:
             if key not in (*PARTS, "overlay", "accepts"):
                 text = f"there is no key `{key}` here"
-                help = "a file of the folder `versions` says what a version changes; write new facts under `adds`"
+                help = "a file in the folder `versions` states the changes of a version; write new facts under `adds`"
                 result.findings.append(Diagnostic("unknown_key", text, key_span(tree, key), help=help))
         result.heads[own], result.trees[own] = head, tree
     declared = _declared(base)
@@ -98,12 +98,12 @@ def _ordered(overlays: Overlays, base: Mapping, declared: Table[str, Scalar]) ->
                 overlays.findings.append(Diagnostic("version_unknown", text, named.span, help=hint))
                 break
         else:
-            text = f"the version `{version}` is based on itself, by way of others"
+            text = f"the version `{version}` is based on itself, through others"
             if _text(head, "based_on") == version:
                 text = f"the version `{version}` is based on itself"
             span = head.values["based_on"].span
             overlays.findings.append(
-                Diagnostic("overlay_cycle", text, span, help="base it on a version that does not need it")
+                Diagnostic("overlay_cycle", text, span, help="base it on a version that does not depend on it")
             )
     bases = {version: _text(overlays.heads[version], "based_on") for version in ordered}
     return Overlays(ordered, overlays.heads, bases, overlays.findings), base
@@ -120,14 +120,14 @@ def _with_version(base: Mapping, head: Mapping, others: Table[str, Mapping]) -> 
     at = keys(base, f"versions/{line.text}/members")
     if at is None:
         known = [identity(version_node) or "" for version_node in mappings(base.values.get("versions"))]
-        text = f"the device has no line of versions {quoted(line.text)}"
+        text = f"the device has no version line {quoted(line.text)}"
         return base, [Diagnostic("version_unknown", text, line.span, help=near(line.text, known))]
     members = node_at(base, at)
     assert isinstance(members, Sequence)
     ids = [identity(item) for item in members.items]
     follows = _follows(head)
     if follows not in ids:
-        text = f"the line `{line.text}` has no version `{follows}` behind which this one could stand"
+        text = f"the line `{line.text}` has no version `{follows}` for this version to follow"
         help = "name the version of its own line that it follows, under `after`"
         return base, [Diagnostic("version_unknown", text, head.values["id"].span, help=help)]
     behind = ids.index(follows) + 1
@@ -135,7 +135,7 @@ def _with_version(base: Mapping, head: Mapping, others: Table[str, Mapping]) -> 
     if behind < len(ids) and ids[behind] in others:
         text = f"two versions of the line `{line.text}` follow `{follows}`"
         label = Label(members.items[behind].span, "the other one")
-        help = "say under `after` which of them comes first"
+        help = "state under `after` which of them comes first"
         findings = [Diagnostic("version_twice", text, head.values["id"].span, (label,), help)]
     for key in _VERSION_KEYS:
         head = head.without(key)
@@ -173,7 +173,7 @@ class Lines:
         built = [identity(line) or "" for line in mappings(lines) if _true(line, "builds")]
         for named in {id(scalar): scalar for scalar in self.alike.values()}.values():
             if named.text not in built:
-                text = f"the device has no line of versions with outputs that is called {quoted(named.text)}"
+                text = f"no version line with outputs has the name {quoted(named.text)}"
                 self.findings.append(Diagnostic("version_unknown", text, named.span, help=near(named.text, built)))
 
     def _add(self, number: int, line: Mapping) -> None:
@@ -186,9 +186,7 @@ class Lines:
         for order, node in enumerate(ids):
             if node.text in self.place:
                 text = f"the version `{node.text}` is declared twice"
-                self.findings.append(
-                    Diagnostic("version_twice", text, node.span, help="give it an identifier of its own")
-                )
+                self.findings.append(Diagnostic("version_twice", text, node.span, help="use a different identifier"))
             self.place[node.text] = (number, order)
         like = line.values.get("like")
         if _true(line, "builds"):

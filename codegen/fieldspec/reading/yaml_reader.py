@@ -62,8 +62,8 @@ def decoded(path: str, data: bytes) -> tuple[SourceFile, list[Diagnostic]]:
         return file, [Diagnostic(data.code, data.decode(), Span(file, 0, 0), help=data.help)]
     if len(data) > LARGEST_FILE:
         file = SourceFile(path, "")
-        text = f"the file has {len(data)} bytes; a spec file may have {LARGEST_FILE}"
-        return file, [Diagnostic("file_too_large", text, Span(file, 0, 0), help="split it over several files")]
+        text = f"the file has {len(data)} bytes; the limit is {LARGEST_FILE}"
+        return file, [Diagnostic("file_too_large", text, Span(file, 0, 0), help="split it into several files")]
     if data.startswith(b"\xef\xbb\xbf"):
         data = data[3:]
     try:
@@ -90,7 +90,7 @@ def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
     """The node tree of a file, or None, and what is wrong with its YAML."""
     tab = _indenting_tab(file)
     if tab is not None:
-        help = "indent with blanks"
+        help = "indent with spaces"
         return None, [Diagnostic("tab_indent", "a tab indents this line", Span(file, tab, tab + 1), help=help)]
     builder = _Builder(file, _Parser(file.text))
     try:
@@ -151,7 +151,7 @@ class _Builder:
                 if seen > 1:
                     span = self._span(event)
                     text = "a second document starts here; a spec file is one document"
-                    self.findings.append(Diagnostic("several_documents", text, span, help="use a file of its own"))
+                    self.findings.append(Diagnostic("several_documents", text, span, help="move it to its own file"))
                     return None, self.findings
                 root = self._node(self.get(), 0)
         return root, self.findings
@@ -173,7 +173,7 @@ class _Builder:
         self._grow(event, 1, depth)
         assert isinstance(event, (ScalarEvent, CollectionStartEvent))
         if event.tag is not None and not (isinstance(event, ScalarEvent) and event.tag == "!"):
-            text = f"the tag {quoted(event.tag)}: a spec holds plain data"
+            text = f"the tag {quoted(event.tag)}: a spec contains only data"
             raise _Refused(Diagnostic("tag_used", text, self._tag(event), help="remove the tag"))
         if event.anchor:
             self.anchors[event.anchor] = None
@@ -199,7 +199,7 @@ class _Builder:
         bad = _NO_CHARACTER.search(event.value)
         if bad is not None:
             text = f"an escape names a {_kind(bad[0])} {ord(bad[0]):#04x}"
-            self._refuse("yaml_syntax", text, event, "say in words what it is")
+            self._refuse("yaml_syntax", text, event, "describe it in words")
 
     def _grow(self, event: Event, values: int, depth: int) -> None:
         """Counts the values of a node, the deepest of which is at a depth."""
@@ -207,11 +207,11 @@ class _Builder:
         if depth > DEEPEST_TREE:
             self._refuse("too_deep", f"nested more than {DEEPEST_TREE} levels deep", event, "use fewer levels")
         if self.total > LARGEST_TREE and isinstance(event, AliasEvent):
-            text = f"aliases make this file grow beyond {LARGEST_TREE} values"
+            text = f"aliases expand this file beyond {LARGEST_TREE} values"
             self._refuse("aliases_grow", text, event, "write the data out")
         if self.total > LARGEST_TREE:
             text = f"the file has more than {LARGEST_TREE} values"
-            self._refuse("file_too_large", text, event, "split it over several files")
+            self._refuse("file_too_large", text, event, "split it into several files")
 
     def _alias(self, event: AliasEvent, depth: int) -> Node:
         """The node that an alias names, once more: the schema may want something else of it here."""
@@ -219,7 +219,7 @@ class _Builder:
         node = self.anchors.get(name)
         if node is None:
             known = name in self.anchors
-            text = f"the alias {quoted(name)} " + ("lies within what it names" if known else "names no anchor")
+            text = f"the alias {quoted(name)} " + ("is inside its own anchor" if known else "names no anchor")
             self._refuse("alias_unknown", text, event, "write the data out")
             raise AssertionError
         if name not in self.sizes:
@@ -288,10 +288,10 @@ class _Builder:
         """Adds a finding for a key that is no word, or that occurs twice in its mapping."""
         span = self._place(key)
         if name is None:
-            self.findings.append(Diagnostic("key_not_text", "a key must be a word", span, help="write a plain word"))
+            self.findings.append(Diagnostic("key_not_text", "a key must be a word", span, help="use a word"))
             return
         label = Label(self._place(first[name]), "the first one")
-        text = f"the key {quoted(name)} stands here twice"
+        text = f"the key {quoted(name)} occurs twice here"
         self.findings.append(Diagnostic("duplicate_key", text, span, (label,), "remove one of them"))
 
     def _place(self, key: Event | Node) -> Span:

@@ -61,11 +61,11 @@ class FrameCodec:
     def __init__(self, layout: DeviceLayout, link: LinkLayout) -> None:
         self.layout, self.link = layout, link
         self.heads = {
-            direction: construct.Struct(*(part.name / _part_construct(part) for part in link.frame(direction).head))
+            direction: construct.Struct(*(part.name / _part_construct(part) for part in link.frame(direction).header))
             for direction in ("request", "response")
         }
         self.tails = {
-            direction: construct.Struct(*(part.name / _part_construct(part) for part in link.frame(direction).tail))
+            direction: construct.Struct(*(part.name / _part_construct(part) for part in link.frame(direction).trailer))
             for direction in ("request", "response")
         }
 
@@ -93,23 +93,23 @@ class FrameCodec:
         """
         data = self.parts(frame)
         shape = self.link.frame(direction)
-        if len(data) < shape.head_size + shape.tail_size:
-            least = shape.head_size + shape.tail_size
+        if len(data) < shape.header_size + shape.trailer_size:
+            least = shape.header_size + shape.trailer_size
             raise CodecError("incomplete", f"a frame has at least {least} bytes, not {len(data)}", len(data))
-        head = dict(self.heads[direction].parse(data[: shape.head_size]))
+        head = dict(self.heads[direction].parse(data[: shape.header_size]))
         head.pop("_io", None)
-        tail = self.tails[direction].parse(data[len(data) - shape.tail_size :])
+        tail = self.tails[direction].parse(data[len(data) - shape.trailer_size :])
         self._check_length(shape, head, data)
         self._check_sum(shape, {**head, **tail}, data)
         for part in shape.constants:
-            number = head[part.name] if part in shape.head else tail[part.name]
+            number = head[part.name] if part in shape.header else tail[part.name]
             if number != part.constant:
                 text = f"{part.name} is {number}, not {part.constant}"
                 raise CodecError("wrong_const", text, part.at(len(data)))
         announced, body, error = self._body(shape, head, message)
-        inner = data[shape.head_size : len(data) - shape.tail_size]
-        values = decoded(body, inner, self.layout.device, shape.head_size)
-        visible = {part.name: head[part.name] for part in shape.head if _is_visible(part)}
+        inner = data[shape.header_size : len(data) - shape.trailer_size]
+        values = decoded(body, inner, self.layout.device, shape.header_size)
+        visible = {part.name: head[part.name] for part in shape.header if _is_visible(part)}
         return Decoded(self.link.name, direction, announced, error, visible, values, data, body)
 
     def has_right_checksum(self, frame: bytes, direction: str) -> bool:
@@ -119,10 +119,10 @@ class FrameCodec:
             return False
         try:
             data = self.parts(frame)
-            if len(data) < shape.head_size + shape.tail_size:
+            if len(data) < shape.header_size + shape.trailer_size:
                 return False
-            head = self.heads[direction].parse(data[: shape.head_size])
-            tail = self.tails[direction].parse(data[len(data) - shape.tail_size :])
+            head = self.heads[direction].parse(data[: shape.header_size])
+            tail = self.tails[direction].parse(data[len(data) - shape.trailer_size :])
             self._check_sum(shape, {**head, **tail}, data)
         except CodecError:
             return False
@@ -191,13 +191,13 @@ class FrameCodec:
             else None
         )
         assert body is not None
-        names = {part.name for part in shape.head}
+        names = {part.name for part in shape.header}
         inner = encoded(body, {k: v for k, v in values.items() if k not in names}, self.layout.device)
         numbers: Values = {}
         for part in shape.parts:
             numbers[part.name] = self._head_value(part, values, announced, error, code)
         length = shape.role("length")
-        total = shape.head_size + len(inner) + shape.tail_size
+        total = shape.header_size + len(inner) + shape.trailer_size
         if length is not None:
             units = length.number(total)
             if units is None:

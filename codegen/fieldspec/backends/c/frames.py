@@ -76,7 +76,7 @@ _CODE, _BODY_LENGTH, _TOTAL = Identifier("code"), Identifier("body_length"), Ide
 
 def header_parts(frame: FrameLayout) -> list[PartLayout]:
     """The parts before the body that users set: neither the length nor the code, nor a constant."""
-    return [part for part in frame.head if part.is_argument]
+    return [part for part in frame.header if part.is_argument]
 
 
 def part_value(part: PartLayout) -> WireValue:
@@ -155,7 +155,7 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
             Variable(SIZE_TYPE, "length", value=Identifier("size")),
         ]
     parameters.append(Variable(Type(naming.type("link", link.name, direction, "frame"), pointer=True), "out"))
-    around = frame.head_size + frame.tail_size
+    around = frame.header_size + frame.trailer_size
     if around:
         body += refuse(naming, less(LENGTH, unsigned(around)), "err_incomplete")
     body += _check_frame(naming, frame)
@@ -164,7 +164,7 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
         body.append(assign(PointerMember(OUT, frame_member(part.name)), number))
     body += [
         *_read_code(naming, link, frame),
-        assign(PointerMember(OUT, "body"), add_size(IN, frame.head_size)),
+        assign(PointerMember(OUT, "body"), add_size(IN, frame.header_size)),
         assign(PointerMember(OUT, "body_length"), add_size(LENGTH, -around)),
         return_ok(naming),
     ]
@@ -206,7 +206,7 @@ def _length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> t
 
     Where none of them does, nothing wraps around: `(length - 4u) / 2u`, `(length - 4u) % 2u != 0`
     """
-    around = frame.head_size + frame.tail_size
+    around = frame.header_size + frame.trailer_size
     unrepresentable: list[Expression] = [less(total, unsigned(part.base))] if part.base > around else []
     number = add_size(total, -part.base)
     if part.unit_size > 1:
@@ -263,7 +263,7 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     parameters += [Variable(SIZE_TYPE, "body_length"), *OUTPUT_PARAMETERS]
     width = 2 if link.link.encoding == "hex_ascii" else 1
     delimiters = len(link.link.start) + len(link.link.end)
-    around = frame.head_size + frame.tail_size
+    around = frame.header_size + frame.trailer_size
     body: list[Statement] = [
         Variable(SIZE_TYPE, "total", value=add_size(_BODY_LENGTH, around), storage="const"),
     ]
@@ -285,7 +285,7 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     body += [assign(dereference(LENGTH), add_size(size, delimiters)), return_ok(naming)]
     name = naming.function("link", link.name, direction, "close")
     return [
-        comment(f"Completes a frame whose body lies at out + {frame.head_size}. Length receives the frame's size."),
+        comment(f"Completes a frame whose body lies at out + {frame.header_size}. Length receives the frame's size."),
         Function(status_type(naming), name, tuple(parameters), tuple(body)),
     ]
 

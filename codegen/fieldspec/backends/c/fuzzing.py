@@ -254,7 +254,7 @@ def _open_any_bytes(naming: Naming, link: LinkLayout, direction: str, number: in
             _clear_opened(),
             If(different(_open_call(naming, link, direction, _DATA, _SIZE), ok), (Return(),)),
             _hold(inside),
-            call("memcpy", add(_OUT, decimal(frame.head_size)), body_member, body_length),
+            call("memcpy", add(_OUT, decimal(frame.header_size)), body_member, body_length),
             If(equal(closed, ok), (_hold(all_of(tests)),)),
         ],
     )
@@ -291,7 +291,7 @@ def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: in
             Variable(status_type(naming), "status"),
             _clear_opened(),
             If(less(_SIZE, _HEADER_SIZE), (Return(),)),
-            call("memcpy", add(_OUT, decimal(frame.head_size)), body, size),
+            call("memcpy", add(_OUT, decimal(frame.header_size)), body, size),
             If(different(closed, ok), (Return(),)),
             assign(_STATUS, _open_call(naming, link, direction, _OUT, _LENGTH)),
             *([If(unknown_code, (Return(),))] if has_code else []),

@@ -114,7 +114,7 @@ def _encode_frame(
 def _write_body(naming: Naming, frame: FrameLayout, data: RecordLayout) -> Body:
     """Encodes the body of a frame to where it lies in it."""
     struct = (IN,) if members(data) else ()
-    size = frame.head_size
+    size = frame.header_size
     room: tuple[Expression, ...] = (OUT, CAPACITY)
     checks: Body = ()
     if size:

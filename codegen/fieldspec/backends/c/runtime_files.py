@@ -82,7 +82,7 @@ def _accesses(layout: DeviceLayout) -> list[str]:
     used = {wire.access for wire in _wire_values(layout) if not wire.is_array}
     for link in layout.links.values():
         for frame in (link.request, link.response):
-            used |= {access_name(part.size, part.order, False) for part in (*frame.head, *frame.tail)}
+            used |= {access_name(part.size, part.order, False) for part in (*frame.header, *frame.trailer)}
     return [name for name in runtime_parts("numbers.h") if name in used]
 
 

@@ -87,7 +87,7 @@ class FrameTable:
         """All parts of the frame in order, with the fields of a record where one is given."""
         start, end = self.link.link.start, self.link.link.end
         rows = [*self._mark("start", _span(0, len(start)), start)]
-        rows += [self._part(part, Position(part.offset), record, code) for part in self.shape.head]
+        rows += [self._part(part, Position(part.offset), record, code) for part in self.shape.header]
         rows += self._body(record)
         rows += self._tail(record)
         rows += self._mark("end", self._end(record), end)
@@ -103,7 +103,7 @@ class FrameTable:
         size = len(self.link.link.end)
         if record is None or record.size is None:
             return _from_end(size, size)
-        return _span(self.start + (self.shape.head_size + record.size + self.shape.tail_size) * self.width, size)
+        return _span(self.start + (self.shape.header_size + record.size + self.shape.trailer_size) * self.width, size)
 
     def _row(self, place: str, name: Cell, meaning: Cell) -> TableRow:
         return TableRow((cell(code(place)), name, Cell(), Cell(), Cell(), meaning, Cell()))
@@ -142,7 +142,7 @@ class FrameTable:
             yield (styled("reserved", "badge"),)
 
     def _length(self, part: PartLayout, record: RecordLayout | None) -> str:
-        around = self.shape.head_size + self.shape.tail_size
+        around = self.shape.header_size + self.shape.trailer_size
         if (part.unit_size, part.base) == (1, 0):
             return (
                 "the length of the frame in bytes"
@@ -169,9 +169,9 @@ class FrameTable:
     def _body(self, record: RecordLayout | None) -> Iterator[TableRow]:
         if record is not None:
             for field in record.fields:
-                yield from field_rows(self, field, Position(self.shape.head_size), field.name, "k")
+                yield from field_rows(self, field, Position(self.shape.header_size), field.name, "k")
             return
-        place = code(f"from {self.start + self.shape.head_size * self.width}")
+        place = code(f"from {self.start + self.shape.header_size * self.width}")
         for part in self.link.link.parts(self.direction):
             if part.role == "body":
                 meaning = meaning_cell(self.context, part, None, (text_piece("the data of the message"),))
@@ -180,14 +180,14 @@ class FrameTable:
 
     def _tail(self, record: RecordLayout | None) -> Iterator[TableRow]:
         """The parts behind the body, counted from the end where the size of the body is open."""
-        fixed = None if record is None or record.size is None else self.shape.head_size + record.size
-        for part in self.shape.tail:
+        fixed = None if record is None or record.size is None else self.shape.header_size + record.size
+        for part in self.shape.trailer:
             row = self._part(part, Position(0), record, None)
             if fixed is None:
                 behind = -part.offset * self.width + len(self.link.link.end)
                 place = _from_end(behind, part.size * self.width)
             else:
-                place = Position(fixed + self.shape.tail_size + part.offset).text(part.size, self.start, self.width)
+                place = Position(fixed + self.shape.trailer_size + part.offset).text(part.size, self.start, self.width)
             yield TableRow((cell(code(place)), *row.cells[1:]), row.anchor)
 
     def field_row(self, field: FieldLayout, position: Position, path: str, elements: str) -> TableRow:

@@ -72,7 +72,7 @@ def _frame(
     record = message_layout.data(direction)
     shape = link.frame(direction)
     title = link.link.direction_name(direction).capitalize()
-    length = length_text(shape.head_size + shape.tail_size, record)
+    length = length_text(shape.header_size + shape.trailer_size, record)
     if link.link.encoding == "hex_ascii":
         length += ", as two characters each"
     caption = f"{title} on {link.link.title or link.name}: {length}"
@@ -140,7 +140,9 @@ def telegrams(context: Context) -> Section:
 
 def _has_process_data(link: LinkLayout) -> bool:
     """Whether a link has messages that only their number tells apart, all of whole words."""
-    bare = all(not link.frame(direction).head and not link.frame(direction).tail for direction in TELEGRAM_DIRECTIONS)
+    bare = all(
+        not link.frame(direction).header and not link.frame(direction).trailer for direction in TELEGRAM_DIRECTIONS
+    )
     numbered = [message for message in link.messages.values() if message.message.number is not None]
     return (
         bare

@@ -269,17 +269,19 @@ def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> 
     several = sum(message.name in other.messages for other in layout.links.values()) > 1
     for direction, sign in (("request", ">"), ("response", "<")):
         shape, data = link.frame(direction), message.data(direction)
-        whole = None if data.size is None else shape.head_size + data.size + shape.tail_size
+        whole = None if data.size is None else shape.header_size + data.size + shape.trailer_size
         length = shape.role("length")
         fixed = {
             "code": message.message.code,
             "length": None if length is None or whole is None else length.number(whole),
         }
-        values = [of_part(part, part.offset, fixed.get(part.role)) for part in shape.head]
-        values += of_record(data, shape.head_size)
+        values = [of_part(part, part.offset, fixed.get(part.role)) for part in shape.header]
+        values += of_record(data, shape.header_size)
         if whole is not None:
-            values += [of_part(part, whole + part.offset, None) for part in shape.tail]
-        size = shape.head_size + (data.size if data.size is not None else data.most or data.least) + shape.tail_size
+            values += [of_part(part, whole + part.offset, None) for part in shape.trailer]
+        size = (
+            shape.header_size + (data.size if data.size is not None else data.most or data.least) + shape.trailer_size
+        )
         if values:
             name = f"{message.name} on {link.name}" if several else message.name
             # A frame with a check goes through a serial port, byte by byte; anything else is exchanged as words.

@@ -59,7 +59,7 @@ def has_fixed_length(shaped: RecordShape, frame: FrameLayout) -> bool:
         return False
     if not is_simple(frame):
         return False
-    orders = {part.order for part in frame.head if part.size > 1}
+    orders = {part.order for part in frame.header if part.size > 1}
     if any(field.letters.strip("0123456789sx") not in ("", "B", "b") for field in shaped.fields):
         orders.add(shaped.order)
     return len(orders) <= 1
@@ -81,19 +81,19 @@ def fixed_frame(
     of the header.
     """
     frame = link.frame(direction)
-    order = next((part.order for part in frame.head if part.size > 1), shaped.order)
-    size = frame.head_size + (shaped.record.size or 0)
-    known = {"code": code, "length": size + frame.tail_size}
-    constants = {part.name: number for part in frame.head if (number := known.get(part.role)) is not None}
-    always = {part.name: number for part in frame.head if (number := part.constant) is not None}
+    order = next((part.order for part in frame.header if part.size > 1), shaped.order)
+    size = frame.header_size + (shaped.record.size or 0)
+    known = {"code": code, "length": size + frame.trailer_size}
+    constants = {part.name: number for part in frame.header if (number := known.get(part.role)) is not None}
+    always = {part.name: number for part in frame.header if (number := part.constant) is not None}
     constants |= always
     algorithm = frame.checksum.algorithm if frame.checksum else ""
     looked_up = algorithm == _WORDS and size <= TABLES and all(map(_single, shaped.fields))
     writing = writing_lines(shaped, frozenset(field.title for field in shaped.stored) if looked_up else frozenset(), "")
-    letters = ("<" if order == "little" else ">") + "".join(map(letter, frame.head)) + shaped.letters
-    packed = [_slot(part, constants) for part in frame.head] + writing.values
+    letters = ("<" if order == "little" else ">") + "".join(map(letter, frame.header)) + shaped.letters
+    packed = [_slot(part, constants) for part in frame.header] + writing.values
     marked = f"{frames}.marked" if link.link.start or link.link.end or link.link.encoding == "hex_ascii" else ""
-    into = [_target(part) for part in frame.head]
+    into = [_target(part) for part in frame.header]
     into += [target for field in shaped.fields for target in targets(field, "message", looked_up)]
     check: list[str] = []
     compared: list[str] = []
@@ -121,8 +121,8 @@ def fixed_frame(
     else:
         big = algorithm == _WORDS and frame.checksum is not None and frame.checksum.order == "big"
         appended, (taken, checked, wrong) = _BIG if big else (_APPENDED[algorithm], _TAKEN[algorithm])
-    wrong = [*(f"{variable(p)} != {constants[p.name]}" for p in frame.head if p.role == "length"), *wrong]
-    wrong = [*(f"{variable(p)} != {always[p.name]}" for p in frame.head if p.name in always), *wrong]
+    wrong = [*(f"{variable(p)} != {constants[p.name]}" for p in frame.header if p.role == "length"), *wrong]
+    wrong = [*(f"{variable(p)} != {always[p.name]}" for p in frame.header if p.name in always), *wrong]
     conditions = condition([*tests, *writing.tests])
     return FixedFrame(
         declared=[*_declared(name, letters, letters + taken, reads), *declared],
@@ -132,7 +132,7 @@ def fixed_frame(
         unpack=[*unpacked([*into, *checked], f"_UNPACK{name}(data)", 12), *compared],
         unread=unread,
         wrong=" or ".join(wrong),
-        lines=construction_lines(shaped, "message", frame.head_size, looked_up),
+        lines=construction_lines(shaped, "message", frame.header_size, looked_up),
     )
 
 
@@ -205,7 +205,7 @@ def _crc_terms(
     """
     base = bytearray(size)
     varying: list[tuple[int, int, bool, int, str]] = []
-    for part in frame.head:
+    for part in frame.header:
         if part.name in constants:
             known = constants[part.name].to_bytes(part.size, "little" if part.order == "little" else "big")
             base[part.offset : part.offset + part.size] = known
@@ -213,7 +213,7 @@ def _crc_terms(
             flags = raw if part.value is not None and part.value.flags else ""
             varying.append((part.offset, part.size, False, greatest_part(link, part), variable(part) + flags))
     for field in shaped.fields:
-        at = frame.head_size + field.field.offset
+        at = frame.header_size + field.field.offset
         if field.stored:
             flags = raw if field.value.flags and not field.deferred else ""
             signed, most = field.value.type.signed, greatest(field)

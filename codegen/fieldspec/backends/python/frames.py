@@ -84,9 +84,9 @@ def is_simple(frame: FrameLayout) -> bool:
     """
     check, length = frame.checksum, frame.role("length")
     return (
-        len({part.order for part in frame.head if part.size > 1}) <= 1
-        and not any(part.reserved for part in frame.head)
-        and frame.tail == (() if check is None else (check,))
+        len({part.order for part in frame.header if part.size > 1}) <= 1
+        and not any(part.reserved for part in frame.header)
+        and frame.trailer == (() if check is None else (check,))
         and (check is None or (check.start, check.stop) == (0, check.offset))
         and (length is None or (length.unit_size, length.base) == (1, 0))
     )
@@ -108,13 +108,13 @@ def _signed(part: PartLayout) -> bool:
 
 def head_arguments(frame: FrameLayout) -> list[PartLayout]:
     """The header parts that the caller passes."""
-    return [part for part in frame.head if part.is_argument]
+    return [part for part in frame.header if part.is_argument]
 
 
 def argument_views(frame: FrameLayout, words: Words) -> list[PartView]:
     """The header parts besides the unit address that the caller passes."""
     return [
-        _argument_view(part, frame.head.index(part), words) for part in head_arguments(frame) if part.role == "plain"
+        _argument_view(part, frame.header.index(part), words) for part in head_arguments(frame) if part.role == "plain"
     ]
 
 
@@ -122,7 +122,7 @@ def constants(frame: FrameLayout) -> list[str]:
     """The constant header parts: place, name, value and offset of each."""
     return [
         f"({place}, {literal(part.name)}, {number}, {part.offset})"
-        for place, part in enumerate(frame.head)
+        for place, part in enumerate(frame.header)
         if (number := part.constant) is not None
     ]
 
@@ -133,7 +133,7 @@ def frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
     for role in ("code", "length"):
         part = frame.role(role)
         if part is not None:
-            arguments += [f"{role}={frame.head.index(part)}", f"{role}_offset={part.offset}"]
+            arguments += [f"{role}={frame.header.index(part)}", f"{role}_offset={part.offset}"]
             if role == "length":
                 arguments += [f"length_name={literal(part.name)}", f"longest={256**part.size - 1}"]
     for name, mark in (("start", link.link.start), ("end", link.link.end)):
@@ -148,8 +148,8 @@ def frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
 
 def _simple_arguments(frame: FrameLayout) -> list[str]:
     """The arguments of `_Frames` for the header and the checksum."""
-    order = next((part.order for part in frame.head if part.size > 1), "big")
-    letters = "".join(map(letter, frame.head))
+    order = next((part.order for part in frame.header if part.size > 1), "big")
+    letters = "".join(map(letter, frame.header))
     arguments = [literal(f"{'<' if order == 'little' else '>'}{letters}")]
     arguments.append(literal(frame.checksum.algorithm if frame.checksum else ""))
     if frame.checksum and frame.checksum.order == "big":
@@ -160,7 +160,7 @@ def _simple_arguments(frame: FrameLayout) -> list[str]:
 def _part_arguments(frame: FrameLayout) -> list[str]:
     """The arguments of `_PartFrames` for the parts."""
     check, length = frame.checksum, frame.role("length")
-    arguments = [part_rows(frame.head), part_rows(frame.tail), literal(check.algorithm if check else "")]
+    arguments = [part_rows(frame.header), part_rows(frame.trailer), literal(check.algorithm if check else "")]
     if check is not None:
         arguments += [f"check={frame.parts.index(check)}", f"covers=({check.start}, {check.stop})"]
     if length is not None:
@@ -247,7 +247,7 @@ def framer(
 
 def _ordered(frame: FrameLayout) -> bool:
     """Whether all numbers by which a framer finds frames have the byte order of the header."""
-    order = next((part.order for part in frame.head if part.size > 1), "big")
+    order = next((part.order for part in frame.header if part.size > 1), "big")
     numbers = (frame.role(role) for role in ("unit_address", "code", "length"))
     return all(part is None or part.size == 1 or part.order == order for part in numbers)
 
@@ -257,12 +257,12 @@ def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) ->
     most = max(record.most if record.most is not None else 0xFFFF for record in bodies)
     width = 2 if link.link.encoding == "hex_ascii" else 1
     marks = len(link.link.start) + len(link.link.end)
-    sizes = [marks + width * (frame.head_size + size + frame.tail_size) for size in (least, most)]
+    sizes = [marks + width * (frame.header_size + size + frame.trailer_size) for size in (least, most)]
     return [f"shortest={sizes[0]}", f"longest={sizes[1]}"]
 
 
 def _stations(link: LinkLayout, frame: FrameLayout, direction: str) -> list[str]:
-    order = next((part.order for part in frame.head if part.size > 1), "big")
+    order = next((part.order for part in frame.header if part.size > 1), "big")
     ordered = ['order="little"'] if order == "little" else []
     station, stations = frame.role("unit_address"), link.link.unit_addresses
     if station is None or stations is None or stations.ranges is None:
@@ -285,7 +285,7 @@ def _span(interval: tuple[int, int]) -> str:
 
 def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple[int, int, int, int]:
     """The length without the repeated part; then offset and size of its count, and the bytes of each unit."""
-    around = len(link.link.start) + frame.head_size + frame.tail_size + len(link.link.end)
+    around = len(link.link.start) + frame.header_size + frame.trailer_size + len(link.link.end)
     if record.size is not None:
         return around + record.size, 0, 0, 0
     tail = record.fields[-1]
@@ -295,12 +295,12 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple
     if measure is None or measure.field.measures is None or tail.cases:
         return 0, 0, -1, 0
     unit = 1 if measure.field.measures.of == "bytes" else tail.size
-    return around + tail.offset, frame.head_size + measure.offset, measure.size, unit
+    return around + tail.offset, frame.header_size + measure.offset, measure.size, unit
 
 
 def _measures(field: FieldLayout, tail: FieldLayout, frame: FrameLayout) -> bool:
     measure = field.field.measures
-    order = next((part.order for part in frame.head if part.size > 1), "big")
+    order = next((part.order for part in frame.header if part.size > 1), "big")
     return (
         measure is not None
         and measure.field == tail.name

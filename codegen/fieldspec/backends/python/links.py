@@ -140,7 +140,7 @@ def link_view(
     """The view of a link and of the messages that it carries."""
     name = scope.take(link.name)
     pascal = Name.of(link.name).pascal()
-    coded = any(part.role == "code" for part in link.request.head)
+    coded = any(part.role == "code" for part in link.request.header)
     carried = [exchange for exchange in exchanges if carries(link, exchange.message)]
     stations = link.link.unit_addresses
     views = {
@@ -242,7 +242,7 @@ def _direction(
         else None
     )
     framing, arguments, doc = framer(link, direction, messages, refusal, frames)
-    station_expression = f"head[{frame.head.index(station)}]" if station else "0"
+    station_expression = f"head[{frame.header.index(station)}]" if station else "0"
     return DirectionView(
         direction=direction,
         frames=frames,
@@ -260,7 +260,7 @@ def _direction(
         after="".join(f", {part.name}: {part.type}" for part in parts).replace(", ", ", *, ", 1),
         call=", ".join(["station"] * bool(station) + [part.name for part in parts]),
         construction=", ".join([station_expression, "{}", *(part.expression for part in parts)]),
-        code=f"head[{frame.head.index(code)}]" if code else "",
+        code=f"head[{frame.header.index(code)}]" if code else "",
         framer=framing,
         framer_arguments=arguments,
         framer_doc=doc,
@@ -304,7 +304,7 @@ def _exchange(
             + [f", {argument.variable}: {argument.type}" for argument in arguments]
         ),
         frames=frames,
-        head=f"[{', '.join(head_value(part, code_literal(code)) for part in frame.head)}]",
+        head=f"[{', '.join(head_value(part, code_literal(code)) for part in frame.header)}]",
         refusals=chained("error = ", refusals, "or", "None", 8) if refusals else [],
         refuse=chained("raise ", ["self._refused()", *refusals, unfit], "or", "", 8),
         wrapper=wrapper,
@@ -318,7 +318,7 @@ def _error(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> ErrorVi
     code = frame.role("code")
     if error is None or code is None or code.value is None:
         return None
-    head = [head_value(part, f"code | {error.flag:#x}") for part in frame.head]
+    head = [head_value(part, f"code | {error.flag:#x}") for part in frame.header]
     limit = f"_refused_number({literal(code.name)}, code, {code.value.type.low}, {code.value.type.high})"
     arguments = argument_views(frame, words)
     return ErrorView(

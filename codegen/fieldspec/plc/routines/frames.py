@@ -35,7 +35,7 @@ _CHECKS = {1: "byCheck", 2: "wCheck"}
 
 def head_members(shape: FrameLayout) -> list[PartLayout]:
     """The parts before the body that users give: neither the length nor the code, nor a constant."""
-    return [part for part in shape.head if part.is_argument]
+    return [part for part in shape.header if part.is_argument]
 
 
 def wire_of(part: PartLayout) -> Wire:
@@ -65,7 +65,7 @@ def _close(world: World, link: LinkLayout) -> Routine:
         world.routine("close", *link_words(world, link), "request"),
         f"frames of {link.name}",
         world.status,
-        f"Completes a request whose body lies from aFrame[{shape.head_size}] on. {_form(link)}",
+        f"Completes a request whose body lies from aFrame[{shape.header_size}] on. {_form(link)}",
     )
     arguments = {part.name: _part_declared(draft, world, part, "input") for part in head_members(shape)}
     kind = code_type(shape)
@@ -74,23 +74,23 @@ def _close(world: World, link: LinkLayout) -> Routine:
     frame = draft.declare("aFrame", world.frame, "in_out")
     length = draft.declare(LENGTH, INT, "output", "bytes of the request")
     holder = Bytes(frame, number(0))
-    total = plus(body_length, shape.head_size + shape.tail_size)
+    total = plus(body_length, shape.header_size + shape.trailer_size)
     draft.add([Assignment(length, number(0))])
     most = world.frame.high + 1
     out_of_room = compared(total, ">", number(most))
     draft.refuse(either([compared(body_length, "<", number(0)), out_of_room]), "no_room")
-    for part in shape.head:
+    for part in shape.header:
         if part.role != "checksum":
             draft.add(_write_header_part(draft, world, link, shape, part, arguments, code, total, holder))
     check = shape.checksum
-    behind = [part for part in shape.tail if part is not check]
+    behind = [part for part in shape.trailer if part is not check]
     if behind:
         tail = draft.local("iTail")
-        draft.add([Assignment(tail, plus(body_length, shape.head_size))])
+        draft.add([Assignment(tail, plus(body_length, shape.header_size))])
         for part in behind:
-            draft.add(_write_constant(part, Bytes(frame, tail), part.offset + shape.tail_size))
+            draft.add(_write_constant(part, Bytes(frame, tail), part.offset + shape.trailer_size))
     if check is not None:
-        total_size = shape.head_size + shape.tail_size
+        total_size = shape.header_size + shape.trailer_size
 
         def place(at: int) -> Expression:
             return number(at) if at >= 0 else plus(body_length, total_size + at)
@@ -157,7 +157,7 @@ def _units(shape: FrameLayout, part: PartLayout, total: Expression) -> tuple[Exp
     """What a length part holds in a frame of `total` bytes, and the conditions under which no number says it."""
     size_from_base = plus(total, -part.base)
     tests: list[Expression] = (
-        [compared(size_from_base, "<", number(0))] if part.base > shape.head_size + shape.tail_size else []
+        [compared(size_from_base, "<", number(0))] if part.base > shape.header_size + shape.trailer_size else []
     )
     if part.unit_size == 1:
         return size_from_base, tests
@@ -195,8 +195,8 @@ def _open(world: World, link: LinkLayout) -> Routine:
     body = draft.declare("iBody", INT, "output", "index of the first byte of the body")
     body_length = draft.declare("iBodyLength", INT, "output", "bytes of the body")
     holder = Bytes(frame, number(0))
-    least = shape.head_size + shape.tail_size
-    draft.add([Assignment(body, number(shape.head_size)), Assignment(body_length, number(0))])
+    least = shape.header_size + shape.trailer_size
+    draft.add([Assignment(body, number(shape.header_size)), Assignment(body_length, number(0))])
     if refused is not None:
         draft.add([Assignment(refused, Truth(False))])
     draft.refuse(compared(length, "<", number(least)), "incomplete")
@@ -216,16 +216,16 @@ def _open(world: World, link: LinkLayout) -> Routine:
         stop = at if check.stop == check.offset else length if check.stop is None else place(check.stop)
         wide = world.checksum(check.algorithm, stop, frame, place(check.start))
         draft.refuse(compared(wide, "<>", have), "wrong_check")
-    for part in shape.head:
+    for part in shape.header:
         if part.role not in ("length", "code", "checksum") and not part.reserved:
             target = outputs.get(part.name)
             draft.add(read(draft, world, wire_of(part), holder, part.offset, target))
-    behind = [part for part in shape.tail if part is not check and not part.reserved]
+    behind = [part for part in shape.trailer if part is not check and not part.reserved]
     if behind:
         tail = draft.local("iTail")
-        draft.add([Assignment(tail, plus(length, -shape.tail_size))])
+        draft.add([Assignment(tail, plus(length, -shape.trailer_size))])
         for part in behind:
-            offset = part.offset + shape.tail_size
+            offset = part.offset + shape.trailer_size
             draft.add(read(draft, world, wire_of(part), Bytes(frame, tail), offset, None))
     coded = shape.role("code")
     if coded is not None and code is not None:

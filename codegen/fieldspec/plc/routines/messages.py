@@ -124,7 +124,7 @@ def _build(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     length = draft.declare(LENGTH, INT, "output", "how many bytes of aFrame are to be sent")
     target = draft.declare("aBytes", world.frame, "local") if wrapped(link) else frame
     draft.add([Assignment(length, number(0))])
-    size = _write_body(draft, world, record, fields, Bytes(target, number(shape.head_size)))
+    size = _write_body(draft, world, record, fields, Bytes(target, number(shape.header_size)))
     coded = code_type(shape)
     if coded is not None:
         head[f"{PREFIXES[coded.name]}Code"] = Whole(message.message.code or 0, coded)

@@ -199,7 +199,7 @@ def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
         marks = len(link.link.start) + len(link.link.end)
         for direction in ("request", "response"):
             shape = link.frame(direction)
-            around = shape.head_size + shape.tail_size
+            around = shape.header_size + shape.trailer_size
             if around:
                 bodies = [message.data(direction).most or 0 for message in link.messages.values()]
                 yield (around + max(bodies, default=0)) * width + marks

@@ -27,7 +27,7 @@ LENGTH = "iLength"
 
 def framed(link: LinkLayout) -> bool:
     """Whether anything stands around a body."""
-    return bool(link.request.head or link.request.tail or wrapped(link))
+    return bool(link.request.header or link.request.trailer or wrapped(link))
 
 
 def wrapped(link: LinkLayout) -> bool:

@@ -166,7 +166,9 @@ class Entry:
         bounds = intervals(node.text)
         whole = tuple((int(low), int(high)) for low, high in bounds)
         if any(Decimal(low) != a or Decimal(high) != b for (low, high), (a, b) in zip(whole, bounds, strict=True)):
-            self.refuse("wrong_form", key, "a bound is no whole number", "counts are whole; use `unit_range`")
+            self.refuse(
+                "wrong_form", key, "a bound is not a whole number", "raw values are whole numbers; use `unit_range`"
+            )
         elif any(low > high for low, high in whole):
             self.refuse("wrong_form", key, "an interval ends before it starts", "write the lower bound first")
         return Ranges(whole)

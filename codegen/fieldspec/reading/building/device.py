@@ -81,7 +81,7 @@ def _by_name(
         if key in items:
             label = Label(_span(first[key], name), "the first one")
             text = f"`{section}` has two entries named `{key}`"
-            help = "give one of them another name"
+            help = "rename one of them"
             root.findings.append(Diagnostic("duplicate_name", text, _span(item, name), (label,), help))
         elif item in same:
             first[key], items[key] = item, cast("Item", same[item])

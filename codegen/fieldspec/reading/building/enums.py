@@ -39,7 +39,7 @@ def _member(entry: Entry) -> Member:
 
 
 def flags(entry: Entry) -> Flags:
-    """A word of flags."""
+    """A bit field."""
     primitive = PRIMITIVES[entry.text("type")]
     return Flags(
         **entry.fact(),
@@ -60,13 +60,13 @@ def _bit(entry: Entry) -> Bit:
         low, _, high = span.partition("..")
         first, last = int(low), int(high)
     if first is None or last is None or last < first:
-        entry.refuse("wrong_form", "bits", "nothing says which bit this is", "give `bit`, or `bits` as low..high")
+        entry.refuse("wrong_form", "bits", "the bit has no number", "add `bit`, or `bits` as low..high")
         first = last = 0
     reserved = entry.flag("reserved")
     arguments = entry.fact()
     if not arguments["name"]:
         if not reserved:
-            entry.refuse("missing_key", "bit", "a bit with a meaning needs a name", "give it a `name`")
+            entry.refuse("missing_key", "bit", "a bit with a meaning needs a name", "add a `name`")
         arguments["name"] = f"reserved_{first}"
     return Bit(
         **arguments,

@@ -20,12 +20,12 @@ _KEYS = {
 _SPECIFIC = VALUE_KEYS | {"algorithm", "covers", "counts", "reserved"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
 _HELP = {
-    "const": "remove `const`, or make the part a plain one by removing its `role`",
+    "const": "remove `const`, or remove the `role` of the part",
     "offset": "a length takes `counts: {plus: ..}` instead; remove `offset`",
-    "counts": "give it to the part with `role: length`",
-    "covers": "give it to the part with `role: checksum`",
-    "algorithm": "give or remove `algorithm`",
-    "reserved": "give it to a part without a `role`",
+    "counts": "move it to the part with `role: length`",
+    "covers": "move it to the part with `role: checksum`",
+    "algorithm": "add or remove `algorithm`",
+    "reserved": "move it to a part without a `role`",
 }
 
 
@@ -69,7 +69,7 @@ def _part(entry: Entry) -> Part:
     role = entry.text("role") or "plain"
     algorithm = entry.text("algorithm")
     if (role == "checksum") != bool(algorithm):
-        entry.refuse("wrong_form", "role", "a checksum, and nothing else, has an algorithm", _HELP["algorithm"])
+        entry.refuse("wrong_form", "role", "a checksum has an algorithm, other parts have none", _HELP["algorithm"])
         algorithm = algorithm or "sum8"
     for key in entry.own:
         if key in _SPECIFIC and key not in _KEYS[role] and key != "algorithm":

@@ -21,14 +21,14 @@ def record(entry: Entry, reused: Reused) -> Record:
 def _field(entry: Entry) -> Field:
     if not entry.text("name"):
         entry.refuse(
-            "missing_key", "name", "the key `name` is missing", "a field has a `name`, or that of its `signal`"
+            "missing_key", "name", "the key `name` is missing", "add a `name`, or a `signal` whose name the field has"
         )
     name = entry.text("record")
     choice = entry.entry("choice")
     kinds = [key for key in ("type", "record", "choice") if entry.get(key)]
     if len(kinds) > 1:
-        text = f"the field has a `{kinds[0]}` and a `{kinds[1]}`"
-        entry.refuse("type_present", kinds[0], text, "keep one of them")
+        text = f"the field has both `{kinds[0]}` and `{kinds[1]}`"
+        entry.refuse("type_present", kinds[0], text, "remove one of them")
     words = entry.integer("words")
     measures = entry.entry("measures")
     measure = None

@@ -63,7 +63,7 @@ def _register(entry: Entry, space: str) -> Register:
         entry.sources = (elements[0],)
     address = entry.integer("at")
     if address is None:
-        entry.refuse("missing_key", "at", "a register needs an address", "give it under `at`")
+        entry.refuse("missing_key", "at", "a register needs an address", "add it under `at`")
     return Register(
         **entry.fact(),
         space=space,

@@ -11,8 +11,8 @@ def task(entry: Entry) -> Task:
     """A task: steps, or a reason why there are none."""
     answers = [key for key in ("steps", "not_applicable", "open") if entry.get(key)]
     if len(answers) != 1:
-        text = "nothing says how it is done" if not answers else f"it has `{answers[0]}` and `{answers[1]}`"
-        help = "give one of `steps`, `not_applicable` and `open`"
+        text = "it has no answer" if not answers else f"it has both `{answers[0]}` and `{answers[1]}`"
+        help = "use one of `steps`, `not_applicable` and `open`"
         entry.refuse("wrong_form", answers[-1] if answers else "task", f"of the task, {text}", help)
     return Task(
         **entry.fact(),
@@ -27,8 +27,8 @@ def task(entry: Entry) -> Task:
 def _step(entry: Entry) -> Step:
     actions = [action for action in ACTIONS if entry.get(action)]
     if len(actions) != 1:
-        text = "the step does nothing" if not actions else f"the step has `{actions[0]}` and `{actions[1]}`"
-        entry.refuse("wrong_form", actions[-1] if actions else "value", text, f"give one of {', '.join(ACTIONS)}")
+        text = "the step has no action" if not actions else f"the step has both `{actions[0]}` and `{actions[1]}`"
+        entry.refuse("wrong_form", actions[-1] if actions else "value", text, f"use one of {', '.join(ACTIONS)}")
     action = actions[0] if actions else "read"
     named = entry.get("arguments")
     arguments = named.values if isinstance(named, Mapping) else {}

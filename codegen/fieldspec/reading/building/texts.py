@@ -93,7 +93,7 @@ def _frame(entry: Entry) -> bytes:
     try:
         return bytes.fromhex(entry.text("frame"))
     except ValueError:
-        entry.refuse("wrong_form", "frame", "these are not whole bytes", "write pairs of hexadecimal digits")
+        entry.refuse("wrong_form", "frame", "these digits are not whole bytes", "write pairs of hexadecimal digits")
         return b""
 
 

@@ -32,11 +32,11 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
     """The value that an entry describes. A missing type is a finding; the value is then a `u16`."""
     primitive = PRIMITIVES.get(entry.text("type") or type_name)
     if primitive is None:
-        entry.refuse("type_present", "type", "nothing says how this value lies on the wire", "give it a `type`")
+        entry.refuse("type_present", "type", "this value has no type", "add a `type`")
         primitive = UNTYPED
     scale = _scale(entry)
     if scale == 0:
-        entry.refuse("wrong_value", "scale", "a scale of 0 makes all values equal", "give the worth of one count")
+        entry.refuse("wrong_value", "scale", "a scale of 0 makes all values equal", "state the quantity of one count")
         scale = None
     offset = entry.decimal("offset") or _ZERO
     scale = scale if scale is not None else _UNITY
@@ -65,7 +65,7 @@ def _sentinel(entry: Entry) -> Sentinel:
     bits, number = entry.integer("bits"), entry.integer("value")
     if (bits is None) == (number is None):
         key = "value" if number is not None else "name"
-        entry.refuse("missing_key", key, "a sentinel has either a `value` or `bits`", "give one of them")
+        entry.refuse("missing_key", key, "a special value has either a `value` or `bits`", "use one of them")
     value = (bits if number is None else number) or 0
     return Sentinel(value, entry.text("name"), entry.text("doc"), entry.sources, bits is not None and number is None)
 
@@ -77,8 +77,8 @@ def _scale(entry: Entry) -> Decimal | None:
         return entry.decimal("scale")
     scale = exact_scale(text)
     if scale is None:
-        help = "its divisor must be made of twos and fives, so that the scale is an exact decimal number"
-        entry.refuse("wrong_form", "scale", f"`{text}` is no exact decimal number", help)
+        help = "use a divisor with the prime factors 2 and 5 only"
+        entry.refuse("wrong_form", "scale", f"`{text}` is not an exact decimal number", help)
     return scale
 
 
@@ -96,7 +96,7 @@ def _size(entry: Entry, primitive: Primitive, words: int | None) -> int:
     if length is None and words is not None:
         return 2 * words
     if length is None:
-        entry.refuse("type_present", "type", f"a {primitive.name} has no size of its own", "give its `length` in bytes")
+        entry.refuse("type_present", "type", f"a {primitive.name} has no fixed size", "add its `length` in bytes")
         return 2
     return length
 
@@ -111,7 +111,9 @@ def _ranges(entry: Entry, scale: Decimal, offset: Decimal) -> Ranges | None:
     for low, high in in_unit:
         raw = sorted((Fraction(bound) - Fraction(offset)) / Fraction(scale) for bound in (low, high))
         if any(bound.denominator != 1 for bound in raw):
-            entry.refuse("wrong_form", "unit_range", "a bound is no whole number of counts", "compare it with `scale`")
+            entry.refuse(
+                "wrong_form", "unit_range", "a bound is not a whole number of counts", "compare it with `scale`"
+            )
         counts.append((int(raw[0]), int(raw[1])))
     return Ranges(tuple(counts))
 
@@ -125,7 +127,7 @@ def _default(entry: Entry, scale: Decimal, offset: Decimal) -> int | str | None:
 
     raw = (Fraction(in_unit) - Fraction(offset)) / Fraction(scale)
     if raw.denominator != 1:
-        entry.refuse("wrong_form", "unit_default", "it is no whole number of counts", "compare it with `scale`")
+        entry.refuse("wrong_form", "unit_default", "it is not a whole number of counts", "compare it with `scale`")
     return int(raw)
 
 
@@ -139,7 +141,7 @@ def conversion(entry: Entry, types: dict[str, str]) -> Conversion:
     signals = entry.texts("signals")
     name = entry.text("type") or next((types[signal] for signal in signals if signal in types), "")
     if name not in PRIMITIVES:
-        entry.refuse("type_present", "type", "nothing says how the count lies on the wire", "give it a `type`")
+        entry.refuse("type_present", "type", "the count has no type", "add a `type`")
     return Conversion(
         **entry.fact(),
         title=entry.text("title"),
