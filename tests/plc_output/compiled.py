@@ -57,8 +57,8 @@ class Block:
     """
 
     name: str
-    written: tuple[tuple[str, Any], ...]
-    read: tuple[tuple[str, Any], ...]
+    inputs: tuple[tuple[str, Any], ...]
+    outputs: tuple[tuple[str, Any], ...]
 
 
 class Compiled(Machine):
@@ -103,8 +103,8 @@ class Compiled(Machine):
     def scan(self, milliseconds: int, values: Sequence[Any]) -> list[Any]:
         """Runs the block once, some time after the scan before, and gives what is read after it."""
         assert self.block is not None
-        into = [("udint", milliseconds), *zip((kind for _, kind in self.block.written), values, strict=True)]
-        return self._asked(len(self.numbers) + 1, into, [kind for _, kind in self.block.read])
+        into = [("udint", milliseconds), *zip((kind for _, kind in self.block.inputs), values, strict=True)]
+        return self._asked(len(self.numbers) + 1, into, [kind for _, kind in self.block.outputs])
 
     def _asked(self, number: int, into: list[tuple[Any, Any]], out: list[Any]) -> list[Any]:
         """What the process answers."""
@@ -267,10 +267,10 @@ class Compiled(Machine):
             "  long long at = __CURRENT_TIME.tv_sec * 1000LL + __CURRENT_TIME.tv_nsec / 1000000 + milliseconds;",
             "  __CURRENT_TIME.tv_sec = at / 1000; __CURRENT_TIME.tv_nsec = at % 1000 * 1000000;",
         ]
-        for path, kind in self.block.written:
+        for path, kind in self.block.inputs:
             lines += self._moved("get", self._place(path), self.kind(kind), 1)
         lines.append(f"  {name}_body__(&block);")
-        for path, kind in self.block.read:
+        for path, kind in self.block.outputs:
             lines += self._moved("put", self._place(path), self.kind(kind), 1)
         return [*lines, "}"]
 

@@ -212,8 +212,8 @@ def encoded_words(
                 data = (
                     value_construct(value, register.order, register.swapped).build(raw).ljust(2 * register.words, b"\0")
                 )
-                held = words_in(data, "words", device.byte_order)
-                words |= {at + word: number_of for word, number_of in enumerate(held)}
+                word_values = words_in(data, "words", device.byte_order)
+                words |= {at + word: number_of for word, number_of in enumerate(word_values)}
     return words
 
 

@@ -19,12 +19,12 @@ class RecordSizes:
         self._open: set[str] = set()
         waiting = dict(device.records)
         for _ in range(MOST_LEVELS):
-            ready = [record for record in waiting.values() if all(f.record not in waiting for f in record.fields)]
-            for record in ready:
-                del waiting[record.name]
-                self._bounds[record.name] = self.bounds(record)
+            ready = [name for name, record in waiting.items() if all(f.record not in waiting for f in record.fields)]
+            for name in ready:
+                record = waiting.pop(name)
+                self._bounds[name] = self.bounds(record)
                 if any(field.repeat is not None for field in record.fields):
-                    self._open.add(record.name)
+                    self._open.add(name)
             if not ready:
                 break
         self.endless = frozenset(waiting)
