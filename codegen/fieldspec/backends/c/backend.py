@@ -17,7 +17,7 @@ from fieldspec.backends.c.records import declare_record
 from fieldspec.backends.c.registers import declare_parameters, declare_register, declare_signal, declare_table
 from fieldspec.backends.c.runtime_files import copy_checksums, copy_numbers, copy_runtime, runtime_macros
 from fieldspec.backends.c.selftest import write_selftest
-from fieldspec.backends.forms import filled
+from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name, stem, version_word
 
@@ -57,8 +57,8 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         for part in frame.parts
         if part.algorithm
     }
-    return filled(
-        "backends/c/header.h.in",
+    return fill(
+        "c/header.h.j2",
         title=escape_comment(f"{device.name} ({device.vendor}), version {device.version}"),
         manual=escape_comment(f"{device.manual.title} {device.manual.edition}".strip()),
         identity=layout.identity,
@@ -193,8 +193,8 @@ def _selecting_header(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     macros = {version: naming.own_macro(_SELECT, version_word(version)) for version, _ in names}
     select = naming.own_macro(_SELECT)
     headers = [(macros[version], f"{stem(device.id, layout.device.version)}.h", layout) for version, layout in names]
-    text = filled(
-        "backends/c/selection.h.in",
+    text = fill(
+        "c/selection.h.j2",
         title=escape_comment(f"{device.name} ({device.vendor}), in any of its versions"),
         identity=versions[-1].identity,
         select=select,

@@ -54,7 +54,7 @@ from fieldspec.backends.c.statements import (
     call,
 )
 from fieldspec.backends.c.values import WireValue, declare_value, status_type, type_name
-from fieldspec.backends.forms import filled
+from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.record import Orders, RecordLayout
@@ -87,8 +87,8 @@ def write_fuzz_target(layout: DeviceLayout, naming: Naming, header: str) -> str:
     ]
     printer = Printer(longest_line=_LONGEST_LINE)
     branches = tuple([((decimal(at),), (Evaluation(choice),)) for at, choice in enumerate(choices)])
-    return filled(
-        "backends/c/fuzz.c.in",
+    return fill(
+        "c/fuzz.c.j2",
         header=header,
         source=header.replace(".h", "_fuzz.c"),
         title=escape_comment(f"{layout.device.name}, version {layout.device.version}"),

@@ -13,7 +13,7 @@ from functools import cache
 from fieldspec.backends.c.declarations import Source
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.values import WireValue, access_name
-from fieldspec.backends.forms import text
+from fieldspec.backends.templates import text
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import Orders, RecordLayout
 from fieldspec.model.value import Kind

@@ -48,7 +48,7 @@ from fieldspec.backends.c.sample_values import (
 from fieldspec.backends.c.selftest_examples import test_example
 from fieldspec.backends.c.selftest_values import test_constants, test_conversions, test_values
 from fieldspec.backends.c.statements import Statement, Variable, Variables, assign, call
-from fieldspec.backends.forms import filled, text
+from fieldspec.backends.templates import fill, text
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 
@@ -76,8 +76,8 @@ def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
     printer = Printer()
     tests = [_print_test(printer, number, body) for number, body in enumerate(bodies)]
     switches = f"#define {naming.own_macro('with_texts')}\n" if code_tables(layout.device) else ""
-    return filled(
-        "backends/c/selftest.c.in",
+    return fill(
+        "c/selftest.c.j2",
         header=header,
         title=escape_comment(f"{layout.device.name}, version {layout.device.version}"),
         identity=layout.identity,
