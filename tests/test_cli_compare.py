@@ -9,10 +9,11 @@ from typing import Any
 
 import openpyxl
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from command_line import SPECS, CommandLine
+from example_counts import examples
 from fieldspec.lists.comparison import compared
 from fieldspec.lists.item import items
 from fieldspec.lists.listing import listing
@@ -286,7 +287,7 @@ FORMS = {
 
 
 @given(data=st.data(), form=st.sampled_from(sorted(FORMS)))
-@settings(max_examples=40, deadline=None)
+@examples(40)
 def test_some_rows_of_a_device_agree_however_their_addresses_are_written(data: st.DataObject, form: str) -> None:
     registers = [item for item in items(newest(SPECS, "tc100")) if item.address < 0x8000]
     chosen = data.draw(st.lists(st.sampled_from(registers), min_size=8, unique_by=lambda item: item.address))

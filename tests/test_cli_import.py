@@ -7,10 +7,11 @@ from pathlib import Path
 
 import pytest
 import yaml
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from command_line import SPECS, CommandLine
+from example_counts import examples
 from fieldspec.diagnostics import Severity
 from fieldspec.lists.listing import listing
 from fieldspec.lists.sheet import ListError
@@ -193,7 +194,7 @@ CELLS = st.text(alphabet=st.characters(exclude_characters="\r\n\0", exclude_cate
 
 
 @given(cells=st.lists(st.tuples(st.integers(0, 0xFFFE), *[CELLS] * 9), min_size=1, max_size=6))
-@settings(max_examples=60, deadline=None)
+@examples(60)
 def test_any_cells_give_a_spec_that_passes_or_a_refusal(cells: list[tuple[object, ...]]) -> None:
     heads = "Address\tName\tLabel\tType\tWords\tAccess\tUnit\tMin\tMax\tDefault\n"
     lines = ["\t".join(str(cell).replace("\t", " ").replace('"', "'") for cell in row) for row in cells]

@@ -19,9 +19,6 @@ GLOSSARY = (ROOT / "docs" / "glossary.md").read_text("utf-8")
 SCHEMA = PACKAGE / "schema" / "spec.schema.json"
 OUTSIDE = {"node_modules", ".venv", "__pycache__"}
 
-STILL_TO_DO: dict[str, int] = {}
-"""Folders whose old names have not been replaced yet, with how many of them are left. It is empty in the end."""
-
 
 def forbidden() -> frozenset[str]:
     """The words of the first column of the table of forbidden words."""
@@ -133,14 +130,7 @@ def test_names_of_code_are_in_the_compiler() -> None:
 @pytest.mark.parametrize("name", sorted({folder(path) for path in python_files()}))
 def test_names_follow_the_glossary(name: str) -> None:
     wrong = WRONG.get(name, [])
-    if name in STILL_TO_DO:
-        assert len(wrong) <= STILL_TO_DO[name], "more names than before are forbidden:\n" + "\n".join(wrong)
-    else:
-        assert wrong == [], "\n".join(wrong)
-
-
-def test_folders_that_are_done_are_not_listed_as_still_to_do() -> None:
-    assert [name for name in STILL_TO_DO if not WRONG.get(name)] == []
+    assert wrong == [], "\n".join(wrong)
 
 
 def keys(schema: object) -> Iterator[str]:
@@ -169,8 +159,6 @@ def generated_names() -> Iterator[tuple[str, str]]:
 
 
 def test_public_names_of_generated_code_follow_the_glossary() -> None:
-    if "backends/python" in STILL_TO_DO:
-        pytest.skip("the back end for Python is still to do")
     assert sorted({(path, name) for path, name in generated_names() if is_wrong(name)}) == []
 
 

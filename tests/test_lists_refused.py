@@ -9,10 +9,11 @@ from pathlib import Path
 
 import openpyxl
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from command_line import SPECS, CommandLine
+from example_counts import examples
 from fieldspec.commands.list_files import sheet
 from fieldspec.lists import sheet as limits
 from fieldspec.lists import text_sheet, workbook_size
@@ -183,7 +184,7 @@ LIKELY = st.text(alphabet="Adres,;|\t\n\"'0x12hH=-~[]{}:地址", max_size=80).ma
 
 
 @given(content=st.binary(max_size=200) | LIKELY)
-@settings(max_examples=300, deadline=None)
+@examples(300)
 def test_any_bytes_are_a_list_or_are_refused(content: bytes) -> None:
     try:
         register_list = listing(sheet(content, "", ""), {})

@@ -7,10 +7,11 @@ from types import ModuleType
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from drive_variants import drive_variant
+from example_counts import examples
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.reference.records import decoded, encoded
 from layouts import TEST_SPECS, newest
@@ -52,7 +53,7 @@ def messages(layout: DeviceLayout) -> list[Any]:
 
 
 @pytest.mark.parametrize("name", CHANGES)
-@settings(max_examples=80, deadline=None)
+@examples(80)
 @given(data=st.data())
 def test_values_of_any_type_become_the_bytes_of_the_reference(name: str, data: st.DataObject) -> None:
     layout, module = built_from(name)
@@ -66,7 +67,7 @@ def test_values_of_any_type_become_the_bytes_of_the_reference(name: str, data: s
 
 
 @pytest.mark.parametrize("name", CHANGES)
-@settings(max_examples=80, deadline=None)
+@examples(80)
 @given(data=st.data())
 def test_bytes_become_the_values_of_the_type_that_the_reference_finds(name: str, data: st.DataObject) -> None:
     layout, module = built_from(name)

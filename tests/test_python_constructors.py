@@ -9,9 +9,10 @@ from functools import partial
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from example_counts import examples
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from layouts import SPECS, TEST_SPECS, all_layouts, newest
@@ -54,7 +55,7 @@ SCALED = [
 
 
 @pytest.mark.parametrize(("layout", "record"), SCALED)
-@settings(max_examples=10, deadline=None)
+@examples(10)
 @given(data=st.data())
 def test_quantities_make_the_record_that_their_setters_make(
     layout: DeviceLayout, record: RecordLayout, data: st.DataObject

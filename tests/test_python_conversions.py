@@ -10,6 +10,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from example_counts import examples
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.value import Conversion
 from layouts import TEST_SPECS, all_layouts, newest
@@ -43,7 +44,7 @@ def counts_of(layout: DeviceLayout, conversion: Conversion) -> st.SearchStrategy
 
 
 @pytest.mark.parametrize(("layout", "conversion"), CONVERSIONS)
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(data=st.data())
 def test_a_count_comes_back_from_its_quantity(
     layout: DeviceLayout, conversion: Conversion, data: st.DataObject

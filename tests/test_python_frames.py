@@ -6,9 +6,10 @@ from functools import cache, partial
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from example_counts import examples
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import CHECKSUMS, PartLayout
 from fieldspec.layout.values import body_of, raw_values
@@ -137,7 +138,7 @@ def holds(actual: Any, expected: Any) -> bool:
 
 
 @pytest.mark.parametrize("name", LAYOUTS)
-@settings(max_examples=EXAMPLE_COUNT, deadline=None)
+@examples(EXAMPLE_COUNT)
 @given(data=st.data())
 def test_a_frame_is_read_or_refused_as_the_reference_does(name: str, data: st.DataObject) -> None:
     layout = LAYOUTS[name]

@@ -7,10 +7,11 @@ from types import ModuleType
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from drive_variants import drive_variant
+from example_counts import examples
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import CHECKSUMS
 from fieldspec.reference import DeviceCodec, codec
@@ -43,7 +44,7 @@ def built_from(name: str) -> tuple[DeviceLayout, ModuleType, DeviceCodec]:
 
 
 @pytest.mark.parametrize("name", CHANGES)
-@settings(max_examples=80, deadline=None)
+@examples(80)
 @given(data=st.data())
 def test_a_frame_is_made_as_the_reference_makes_it(name: str, data: st.DataObject) -> None:
     layout, module, reference = built_from(name)
@@ -60,7 +61,7 @@ def test_a_frame_is_made_as_the_reference_makes_it(name: str, data: st.DataObjec
 
 
 @pytest.mark.parametrize("name", CHANGES)
-@settings(max_examples=120, deadline=None)
+@examples(120)
 @given(data=st.data())
 def test_a_frame_is_read_as_the_reference_reads_it(name: str, data: st.DataObject) -> None:
     layout, module, reference = built_from(name)

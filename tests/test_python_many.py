@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from example_counts import examples
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from layouts import SPECS, TEST_SPECS, all_layouts, newest
@@ -67,7 +68,7 @@ def of_columns(columns: dict[str, Any], at: int, path: tuple[int, ...] = ()) -> 
 
 
 @EACH
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(data=st.data())
 def test_columns_hold_what_each_record_holds(name: str, data: st.DataObject) -> None:
     layout = LAYOUTS[name]
@@ -84,7 +85,7 @@ def test_columns_hold_what_each_record_holds(name: str, data: st.DataObject) -> 
 
 
 @EACH
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(data=st.data())
 def test_what_one_record_refuses_the_columns_refuse_at_its_place(name: str, data: st.DataObject) -> None:
     layout = LAYOUTS[name]

@@ -6,9 +6,10 @@ import copy
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from example_counts import examples
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.registers import Parameter, ParameterSet
 from fieldspec.model.value import Kind
@@ -74,7 +75,7 @@ def facts_of(row: Parameter, parameter_set: ParameterSet, place: int) -> dict[st
 
 
 @pytest.mark.parametrize(("layout", "parameter_set"), SETS)
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(data=st.data())
 def test_a_number_is_found_in_the_set_that_has_it(
     layout: DeviceLayout, parameter_set: ParameterSet, data: st.DataObject

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from example_counts import examples
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.reference.records import decoded, encoded
@@ -25,7 +26,7 @@ def records(layout: DeviceLayout) -> list[RecordLayout]:
 
 
 @EACH
-@settings(max_examples=EXAMPLE_COUNT, deadline=None)
+@examples(EXAMPLE_COUNT)
 @given(data=st.data())
 def test_values_become_the_bytes_of_the_reference_or_are_refused_by_both(name: str, data: st.DataObject) -> None:
     layout = LAYOUTS[name]
@@ -40,7 +41,7 @@ def test_values_become_the_bytes_of_the_reference_or_are_refused_by_both(name: s
 
 
 @EACH
-@settings(max_examples=EXAMPLE_COUNT, deadline=None)
+@examples(EXAMPLE_COUNT)
 @given(data=st.data())
 def test_bytes_become_the_values_of_the_reference_or_are_refused_by_both(name: str, data: st.DataObject) -> None:
     layout = LAYOUTS[name]

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from example_counts import examples
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.reference import codec
@@ -27,7 +28,7 @@ CODELESS = [
 
 
 @pytest.mark.parametrize(("layout", "link"), CODELESS)
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(data=st.data())
 def test_a_telegram_comes_back_by_its_class_its_name_and_its_number(
     layout: DeviceLayout, link: LinkLayout, data: st.DataObject
@@ -51,7 +52,7 @@ def test_a_telegram_comes_back_by_its_class_its_name_and_its_number(
 
 
 @pytest.mark.parametrize(("layout", "link"), CODELESS)
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(data=st.data())
 def test_random_bytes_are_the_telegram_that_the_reference_finds(
     layout: DeviceLayout, link: LinkLayout, data: st.DataObject
@@ -160,7 +161,7 @@ WORDS = [
 
 
 @pytest.mark.parametrize(("layout", "flags"), WORDS)
-@settings(max_examples=30, deadline=None)
+@examples(30)
 @given(data=st.data())
 def test_a_word_comes_back_from_its_bits(layout: DeviceLayout, flags: Any, data: st.DataObject) -> None:
     cls = class_of(module_of(layout), flags.name, "Flags")

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 import yaml
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import random_specs
+from example_counts import examples
 from fieldspec.reading import yaml_reader
 from fieldspec.reading.project import Project, read
 from spec_files import DEVICE, codes
@@ -72,13 +73,13 @@ def of_device(data: bytes) -> dict[str, bytes]:
 
 
 @given(st.binary(max_size=300))
-@settings(max_examples=300, deadline=None)
+@examples(300)
 def test_any_bytes_are_read(data: bytes) -> None:
     read_whole(of_device(data))
 
 
 @given(st.text(max_size=200))
-@settings(max_examples=300, deadline=None)
+@examples(300)
 def test_any_text_is_read(text: str) -> None:
     read_whole(of_device(text.encode("utf-8", "surrogatepass")))
 
@@ -86,7 +87,7 @@ def test_any_text_is_read(text: str) -> None:
 @pytest.mark.parametrize("parser", PARSERS)
 def test_anything_like_yaml_is_read(parser: object) -> None:
     @given(st.lists(st.one_of(WORDS, st.text(max_size=2)), max_size=40).map("".join))
-    @settings(max_examples=500, deadline=None)
+    @examples(500)
     def is_read(text: str) -> None:
         read_whole(of_device(text.encode("utf-8", "surrogatepass")))
 
@@ -96,7 +97,7 @@ def test_anything_like_yaml_is_read(parser: object) -> None:
 
 
 @given(st.sampled_from(SPECS), st.data())
-@settings(max_examples=150, deadline=None)
+@examples(150)
 def test_any_damaged_spec_is_read(path: Path, data: st.DataObject) -> None:
     text = path.read_bytes()
     for _ in range(data.draw(st.integers(1, 3))):
@@ -107,7 +108,7 @@ def test_any_damaged_spec_is_read(path: Path, data: st.DataObject) -> None:
 
 
 @given(st.sampled_from(SPECS), st.data())
-@settings(max_examples=60, deadline=None)
+@examples(60)
 def test_any_spec_whose_words_are_changed_is_read(path: Path, data: st.DataObject) -> None:
     words = path.read_text("utf-8").split(" ")
     for _ in range(data.draw(st.integers(1, 8))):
