@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from fieldspec.backends.c.backend import header
 from fieldspec.backends.c.fields import members
-from fieldspec.backends.c.naming import Naming, stem
+from fieldspec.backends.c.naming import Naming
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.names import stem
 
 _MAIN = """
 static int hex(const char *text, uint8_t *out)

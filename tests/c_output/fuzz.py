@@ -14,7 +14,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from fieldspec.backends.c.backend import files
-from fieldspec.backends.c.naming import stem
+from fieldspec.names import stem
 from layouts import SPECS, newest
 
 ROOT = Path(__file__).resolve().parent.parent.parent

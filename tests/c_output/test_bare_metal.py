@@ -17,8 +17,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from compilers import STRICT, require_tool
 
 from fieldspec.backends.c.backend import files
-from fieldspec.backends.c.naming import stem
-from fieldspec.names import Name
+from fieldspec.names import Name, stem
 from layouts import SPECS, TEST_SPECS, layouts
 
 BARE = Path(__file__).parent / "bare"

@@ -16,7 +16,7 @@ from fuzz import built, command
 
 from external_tools import without
 from fieldspec.backends.c.backend import files
-from fieldspec.backends.c.naming import stem
+from fieldspec.names import stem
 from layouts import SPECS, TEST_SPECS, newest
 
 DEVICES = [*((SPECS, name) for name in ("ck10", "esc11", "hiwin-e", "tc100"))]

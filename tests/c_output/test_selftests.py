@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from compilers import COMPILERS, compiled, require_tool
 
 from fieldspec.backends.c.backend import files
-from fieldspec.backends.c.naming import stem
+from fieldspec.names import stem
 from fieldspec.reading.project import read
 from layouts import SPECS, TEST_SPECS, layout_at, layouts
 

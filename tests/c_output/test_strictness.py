@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from compilers import STRICT, require_tool
 
 from fieldspec.backends.c.backend import files
-from fieldspec.backends.c.naming import stem
+from fieldspec.names import stem
 from layouts import SPECS, TEST_SPECS, layouts
 
 DEVICES = {name: versions[-1] for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()}

@@ -228,7 +228,7 @@ def test_the_identifier_of_an_object_depends_on_its_name_alone() -> None:
 
 
 @pytest.mark.parametrize(
-    ("wrong", "literal_text"),
+    ("wrong", "text"),
     [
         ("FUNCTION f : INT f := g; END_FUNCTION", "declared nowhere"),
         ("FUNCTION f : st f := 1; END_FUNCTION", "declared nowhere"),
