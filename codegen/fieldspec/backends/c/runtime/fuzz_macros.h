@@ -100,8 +100,9 @@
 
 /* ---- TRIGGER ---- */
 
-/* What starts an action: the device answers anything, and what may be written is read as it was. */
-#define TRIGGER(type, decode, encode, held, length) \
+/* What starts an action: the device answers anything, and what may be written is read as it was. `written` is the type
+ * of what is written: an enum, which need not have room for every answer. */
+#define TRIGGER(type, written, decode, encode, held, length) \
     do { \
         type value; \
         uint8_t out[length]; \
@@ -109,7 +110,9 @@
             break; \
         } \
         hold(decode(data, &value) == DEVICE_OK); \
-        hold(encode(value, out) != DEVICE_OK || memcmp(out, data, held) == 0); \
+        if ((type)(written)value == value) { \
+            hold(encode((written)value, out) != DEVICE_OK || memcmp(out, data, held) == 0); \
+        } \
     } while (0)
 
 /* ---- ADDRESS ---- */
