@@ -2841,7 +2841,10 @@ static inline ck10_codec_status ck10_reg_target_position_or_distance_encode(int3
 #define CK10_REG_START_MOVE_ADDRESS 0x07D8u
 #define CK10_REG_START_MOVE_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/**
+ * Reads its value from the 2 bytes of its words.
+ * An integer, as the device may answer what move_kind does not have.
+ */
 static inline ck10_codec_status ck10_reg_start_move_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
@@ -2849,12 +2852,12 @@ static inline ck10_codec_status ck10_reg_start_move_decode(const uint8_t *in, ui
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_start_move_encode(uint16_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_start_move_encode(ck10_move_kind value, uint8_t *out)
 {
     if (!ck10_move_kind_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u16_be(out, value);
+    ck10_store_u16_be(out, (uint16_t)value);
     return CK10_OK;
 }
 
@@ -2939,22 +2942,23 @@ static inline ck10_codec_status ck10_reg_axis_jog_speed_encode(uint32_t value, u
 #define CK10_REG_JOG_DIRECTION_WORDS 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_jog_direction_decode(const uint8_t *in, uint16_t *out)
+static inline ck10_codec_status ck10_reg_jog_direction_decode(const uint8_t *in, ck10_jog_direction *out)
 {
-    *out = ck10_load_u16_be(in);
-    if (!ck10_jog_direction_known((int64_t)*out)) {
+    const uint16_t number = ck10_load_u16_be(in);
+    if (!ck10_jog_direction_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_jog_direction)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_jog_direction_encode(uint16_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_jog_direction_encode(ck10_jog_direction value, uint8_t *out)
 {
     if (!ck10_jog_direction_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u16_be(out, value);
+    ck10_store_u16_be(out, (uint16_t)value);
     return CK10_OK;
 }
 
@@ -3087,22 +3091,23 @@ static inline ck10_codec_status ck10_reg_push_deceleration_time_encode(uint16_t 
 #define CK10_REG_PUSH_MODE_WORDS 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_push_mode_decode(const uint8_t *in, uint16_t *out)
+static inline ck10_codec_status ck10_reg_push_mode_decode(const uint8_t *in, ck10_push_mode *out)
 {
-    *out = ck10_load_u16_be(in);
-    if (!ck10_push_mode_known((int64_t)*out)) {
+    const uint16_t number = ck10_load_u16_be(in);
+    if (!ck10_push_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_push_mode)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_push_mode_encode(uint16_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_push_mode_encode(ck10_push_mode value, uint8_t *out)
 {
     if (!ck10_push_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u16_be(out, value);
+    ck10_store_u16_be(out, (uint16_t)value);
     return CK10_OK;
 }
 
@@ -3259,7 +3264,10 @@ static inline ck10_codec_status ck10_reg_start_homing_encode(uint8_t *out)
 #define CK10_REG_STOP_ADDRESS 0x07F0u
 #define CK10_REG_STOP_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/**
+ * Reads its value from the 2 bytes of its words.
+ * An integer, as the device may answer what stop_kind does not have.
+ */
 static inline ck10_codec_status ck10_reg_stop_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
@@ -3267,12 +3275,12 @@ static inline ck10_codec_status ck10_reg_stop_decode(const uint8_t *in, uint16_t
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_stop_encode(uint16_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_stop_encode(ck10_stop_kind value, uint8_t *out)
 {
     if (!ck10_stop_kind_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u16_be(out, value);
+    ck10_store_u16_be(out, (uint16_t)value);
     return CK10_OK;
 }
 
@@ -3408,7 +3416,10 @@ static inline ck10_codec_status ck10_reg_start_point_encode(uint16_t value, uint
 #define CK10_REG_RUN_POINT_TABLE_ADDRESS 0x07F7u
 #define CK10_REG_RUN_POINT_TABLE_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/**
+ * Reads its value from the 2 bytes of its words.
+ * An integer, as the device may answer what point_table_command does not have.
+ */
 static inline ck10_codec_status ck10_reg_run_point_table_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
@@ -3416,12 +3427,12 @@ static inline ck10_codec_status ck10_reg_run_point_table_decode(const uint8_t *i
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_run_point_table_encode(uint16_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_run_point_table_encode(ck10_point_table_command value, uint8_t *out)
 {
     if (!ck10_point_table_command_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u16_be(out, value);
+    ck10_store_u16_be(out, (uint16_t)value);
     return CK10_OK;
 }
 
@@ -4071,22 +4082,23 @@ static inline ck10_codec_status ck10_reg_negative_soft_limit_encode(int32_t valu
 #define CK10_REG_SOFT_LIMIT_STOP_DEFAULT 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_soft_limit_stop_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_soft_limit_stop_decode(const uint8_t *in, ck10_soft_limit_stop *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_soft_limit_stop_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_soft_limit_stop_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_soft_limit_stop)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_soft_limit_stop_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_soft_limit_stop_encode(ck10_soft_limit_stop value, uint8_t *out)
 {
     if (!ck10_soft_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4105,22 +4117,23 @@ static inline ck10_codec_status ck10_reg_soft_limit_stop_encode(uint32_t value, 
 #define CK10_REG_HARD_LIMIT_STOP_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_hard_limit_stop_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_hard_limit_stop_decode(const uint8_t *in, ck10_hard_limit_stop *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_hard_limit_stop_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_hard_limit_stop_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_hard_limit_stop)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_hard_limit_stop_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_hard_limit_stop_encode(ck10_hard_limit_stop value, uint8_t *out)
 {
     if (!ck10_hard_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4263,22 +4276,23 @@ static inline ck10_codec_status ck10_reg_homing_acceleration_time_encode(uint32_
 #define CK10_REG_HOMING_METHOD_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_homing_method_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_homing_method_decode(const uint8_t *in, ck10_homing_method *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_homing_method_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_homing_method_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_homing_method)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_homing_method_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_homing_method_encode(ck10_homing_method value, uint8_t *out)
 {
     if (!ck10_homing_method_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4297,22 +4311,23 @@ static inline ck10_codec_status ck10_reg_homing_method_encode(uint32_t value, ui
 #define CK10_REG_HOMING_DIRECTION_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_homing_direction_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_homing_direction_decode(const uint8_t *in, ck10_rotation *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_rotation_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_rotation_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_rotation)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_homing_direction_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_homing_direction_encode(ck10_rotation value, uint8_t *out)
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4515,22 +4530,23 @@ static inline ck10_codec_status ck10_reg_tracking_limit_encode(uint32_t value, u
 #define CK10_REG_MOTOR_DIRECTION_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_motor_direction_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_motor_direction_decode(const uint8_t *in, ck10_rotation *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_rotation_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_rotation_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_rotation)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_motor_direction_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_motor_direction_encode(ck10_rotation value, uint8_t *out)
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4774,22 +4790,23 @@ static inline ck10_codec_status ck10_reg_stop_current_encode(uint32_t value, uin
 #define CK10_REG_EMERGENCY_STOP_MODE_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_emergency_stop_mode_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_emergency_stop_mode_decode(const uint8_t *in, ck10_emergency_stop_mode *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_emergency_stop_mode_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_emergency_stop_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_emergency_stop_mode)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_emergency_stop_mode_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_emergency_stop_mode_encode(ck10_emergency_stop_mode value, uint8_t *out)
 {
     if (!ck10_emergency_stop_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4808,22 +4825,23 @@ static inline ck10_codec_status ck10_reg_emergency_stop_mode_encode(uint32_t val
 #define CK10_REG_EMERGENCY_BRAKE_MODE_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_emergency_brake_mode_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_emergency_brake_mode_decode(const uint8_t *in, ck10_emergency_brake_mode *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_emergency_brake_mode_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_emergency_brake_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_emergency_brake_mode)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_emergency_brake_mode_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_emergency_brake_mode_encode(ck10_emergency_brake_mode value, uint8_t *out)
 {
     if (!ck10_emergency_brake_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4843,22 +4861,23 @@ static inline ck10_codec_status ck10_reg_emergency_brake_mode_encode(uint32_t va
 #define CK10_REG_OPERATION_MODE_DEFAULT 3u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_operation_mode_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_operation_mode_decode(const uint8_t *in, ck10_operation_mode *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_operation_mode_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_operation_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_operation_mode)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_operation_mode_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_operation_mode_encode(ck10_operation_mode value, uint8_t *out)
 {
     if (!ck10_operation_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4877,22 +4896,23 @@ static inline ck10_codec_status ck10_reg_operation_mode_encode(uint32_t value, u
 #define CK10_REG_SWITCH_FUNCTION_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_switch_function_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_switch_function_decode(const uint8_t *in, ck10_switch_function *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_switch_function_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_switch_function_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_switch_function)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_switch_function_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_switch_function_encode(ck10_switch_function value, uint8_t *out)
 {
     if (!ck10_switch_function_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4911,22 +4931,23 @@ static inline ck10_codec_status ck10_reg_switch_function_encode(uint32_t value, 
 #define CK10_REG_BAUD_RATE_DEFAULT 4u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_baud_rate_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_baud_rate_decode(const uint8_t *in, ck10_baud_rate *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_baud_rate_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_baud_rate_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_baud_rate)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_baud_rate_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_baud_rate_encode(ck10_baud_rate value, uint8_t *out)
 {
     if (!ck10_baud_rate_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4947,22 +4968,23 @@ static inline ck10_codec_status ck10_reg_baud_rate_encode(uint32_t value, uint8_
 #define CK10_REG_SAVE_POSITION_DEFAULT 1u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_save_position_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_save_position_decode(const uint8_t *in, ck10_enabled *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_enabled_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_enabled_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_enabled)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_save_position_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_save_position_encode(ck10_enabled value, uint8_t *out)
 {
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4981,22 +5003,23 @@ static inline ck10_codec_status ck10_reg_save_position_encode(uint32_t value, ui
 #define CK10_REG_SHOW_MOTOR_NUMBER_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_show_motor_number_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_show_motor_number_decode(const uint8_t *in, ck10_enabled *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_enabled_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_enabled_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_enabled)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_show_motor_number_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_show_motor_number_encode(ck10_enabled value, uint8_t *out)
 {
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5562,22 +5585,23 @@ static inline ck10_codec_status ck10_reg_output_10_function_encode(uint32_t valu
 #define CK10_REG_INPUT_1_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_1_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_input_1_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_1_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_input_1_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5592,22 +5616,23 @@ static inline ck10_codec_status ck10_reg_input_1_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_2_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_2_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_input_2_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_2_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_input_2_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5622,22 +5647,23 @@ static inline ck10_codec_status ck10_reg_input_2_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_3_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_3_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_input_3_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_3_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_input_3_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5652,22 +5678,23 @@ static inline ck10_codec_status ck10_reg_input_3_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_4_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_4_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_input_4_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_4_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_input_4_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5682,22 +5709,23 @@ static inline ck10_codec_status ck10_reg_input_4_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_5_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_5_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_input_5_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_5_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_input_5_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5712,22 +5740,23 @@ static inline ck10_codec_status ck10_reg_input_5_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_6_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_6_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_input_6_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_6_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_input_6_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5742,22 +5771,23 @@ static inline ck10_codec_status ck10_reg_input_6_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_7_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_7_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_input_7_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_7_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_input_7_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5772,22 +5802,23 @@ static inline ck10_codec_status ck10_reg_input_7_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_8_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_8_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_input_8_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_8_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_input_8_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5802,22 +5833,23 @@ static inline ck10_codec_status ck10_reg_input_8_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_9_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_9_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_input_9_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_9_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_input_9_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5832,22 +5864,23 @@ static inline ck10_codec_status ck10_reg_input_9_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_10_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_10_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_input_10_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_10_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_input_10_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5862,22 +5895,23 @@ static inline ck10_codec_status ck10_reg_input_10_polarity_encode(uint32_t value
 #define CK10_REG_INPUT_11_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_11_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_input_11_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_11_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_input_11_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5892,22 +5926,23 @@ static inline ck10_codec_status ck10_reg_input_11_polarity_encode(uint32_t value
 #define CK10_REG_INPUT_12_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_12_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_input_12_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_12_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_input_12_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5922,22 +5957,23 @@ static inline ck10_codec_status ck10_reg_input_12_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_1_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_1_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_output_1_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_1_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_output_1_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5952,22 +5988,23 @@ static inline ck10_codec_status ck10_reg_output_1_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_2_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_2_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_output_2_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_2_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_output_2_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5982,22 +6019,23 @@ static inline ck10_codec_status ck10_reg_output_2_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_3_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_3_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_output_3_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_3_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_output_3_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6012,22 +6050,23 @@ static inline ck10_codec_status ck10_reg_output_3_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_4_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_4_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_output_4_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_4_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_output_4_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6042,22 +6081,23 @@ static inline ck10_codec_status ck10_reg_output_4_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_5_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_5_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_output_5_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_5_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_output_5_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6072,22 +6112,23 @@ static inline ck10_codec_status ck10_reg_output_5_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_6_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_6_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_output_6_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_6_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_output_6_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6102,22 +6143,23 @@ static inline ck10_codec_status ck10_reg_output_6_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_7_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_7_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_output_7_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_7_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_output_7_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6132,22 +6174,23 @@ static inline ck10_codec_status ck10_reg_output_7_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_8_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_8_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_output_8_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_8_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_output_8_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6162,22 +6205,23 @@ static inline ck10_codec_status ck10_reg_output_8_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_9_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_9_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_output_9_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_9_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_output_9_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6192,22 +6236,23 @@ static inline ck10_codec_status ck10_reg_output_9_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_10_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_10_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_output_10_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_10_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_output_10_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6548,22 +6593,23 @@ static inline ck10_codec_status ck10_reg_flash_negative_soft_limit_encode(int32_
 #define CK10_REG_FLASH_SOFT_LIMIT_STOP_DEFAULT 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_decode(const uint8_t *in, ck10_soft_limit_stop *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_soft_limit_stop_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_soft_limit_stop_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_soft_limit_stop)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_encode(ck10_soft_limit_stop value, uint8_t *out)
 {
     if (!ck10_soft_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6581,22 +6627,23 @@ static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_encode(uint32_t v
 #define CK10_REG_FLASH_HARD_LIMIT_STOP_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_decode(const uint8_t *in, ck10_hard_limit_stop *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_hard_limit_stop_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_hard_limit_stop_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_hard_limit_stop)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_encode(ck10_hard_limit_stop value, uint8_t *out)
 {
     if (!ck10_hard_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6732,22 +6779,23 @@ static inline ck10_codec_status ck10_reg_flash_homing_acceleration_time_encode(u
 #define CK10_REG_FLASH_HOMING_METHOD_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_homing_method_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_homing_method_decode(const uint8_t *in, ck10_homing_method *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_homing_method_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_homing_method_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_homing_method)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_homing_method_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_homing_method_encode(ck10_homing_method value, uint8_t *out)
 {
     if (!ck10_homing_method_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6764,22 +6812,23 @@ static inline ck10_codec_status ck10_reg_flash_homing_method_encode(uint32_t val
 #define CK10_REG_FLASH_HOMING_DIRECTION_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_homing_direction_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_homing_direction_decode(const uint8_t *in, ck10_rotation *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_rotation_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_rotation_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_rotation)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_homing_direction_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_homing_direction_encode(ck10_rotation value, uint8_t *out)
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6972,22 +7021,23 @@ static inline ck10_codec_status ck10_reg_flash_tracking_limit_encode(uint32_t va
 #define CK10_REG_FLASH_MOTOR_DIRECTION_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_motor_direction_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_motor_direction_decode(const uint8_t *in, ck10_rotation *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_rotation_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_rotation_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_rotation)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_motor_direction_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_motor_direction_encode(ck10_rotation value, uint8_t *out)
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7219,22 +7269,24 @@ static inline ck10_codec_status ck10_reg_flash_stop_current_encode(uint32_t valu
 #define CK10_REG_FLASH_EMERGENCY_STOP_MODE_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_decode(const uint8_t *in,
+        ck10_emergency_stop_mode *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_emergency_stop_mode_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_emergency_stop_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_emergency_stop_mode)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_encode(ck10_emergency_stop_mode value, uint8_t *out)
 {
     if (!ck10_emergency_stop_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7252,22 +7304,25 @@ static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_encode(uint32
 #define CK10_REG_FLASH_EMERGENCY_BRAKE_MODE_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_decode(const uint8_t *in,
+        ck10_emergency_brake_mode *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_emergency_brake_mode_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_emergency_brake_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_emergency_brake_mode)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_encode(ck10_emergency_brake_mode value,
+        uint8_t *out)
 {
     if (!ck10_emergency_brake_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7285,22 +7340,23 @@ static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_encode(uint3
 #define CK10_REG_FLASH_OPERATION_MODE_DEFAULT 3u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_operation_mode_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_operation_mode_decode(const uint8_t *in, ck10_operation_mode *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_operation_mode_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_operation_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_operation_mode)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_operation_mode_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_operation_mode_encode(ck10_operation_mode value, uint8_t *out)
 {
     if (!ck10_operation_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7318,22 +7374,23 @@ static inline ck10_codec_status ck10_reg_flash_operation_mode_encode(uint32_t va
 #define CK10_REG_FLASH_SWITCH_FUNCTION_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_switch_function_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_switch_function_decode(const uint8_t *in, ck10_switch_function *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_switch_function_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_switch_function_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_switch_function)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_switch_function_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_switch_function_encode(ck10_switch_function value, uint8_t *out)
 {
     if (!ck10_switch_function_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7351,22 +7408,23 @@ static inline ck10_codec_status ck10_reg_flash_switch_function_encode(uint32_t v
 #define CK10_REG_FLASH_BAUD_RATE_DEFAULT 4u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_baud_rate_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_baud_rate_decode(const uint8_t *in, ck10_baud_rate *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_baud_rate_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_baud_rate_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_baud_rate)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_baud_rate_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_baud_rate_encode(ck10_baud_rate value, uint8_t *out)
 {
     if (!ck10_baud_rate_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7384,22 +7442,23 @@ static inline ck10_codec_status ck10_reg_flash_baud_rate_encode(uint32_t value, 
 #define CK10_REG_FLASH_SAVE_POSITION_DEFAULT 1u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_save_position_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_save_position_decode(const uint8_t *in, ck10_enabled *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_enabled_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_enabled_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_enabled)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_save_position_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_save_position_encode(ck10_enabled value, uint8_t *out)
 {
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7417,22 +7476,23 @@ static inline ck10_codec_status ck10_reg_flash_save_position_encode(uint32_t val
 #define CK10_REG_FLASH_SHOW_MOTOR_NUMBER_DEFAULT 0u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_show_motor_number_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_show_motor_number_decode(const uint8_t *in, ck10_enabled *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_enabled_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_enabled_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_enabled)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_show_motor_number_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_show_motor_number_encode(ck10_enabled value, uint8_t *out)
 {
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7998,22 +8058,23 @@ static inline ck10_codec_status ck10_reg_flash_output_10_function_encode(uint32_
 #define CK10_REG_FLASH_INPUT_1_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_1_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_1_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_1_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_1_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8028,22 +8089,23 @@ static inline ck10_codec_status ck10_reg_flash_input_1_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_2_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_2_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_2_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_2_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_2_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8058,22 +8120,23 @@ static inline ck10_codec_status ck10_reg_flash_input_2_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_3_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_3_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_3_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_3_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_3_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8088,22 +8151,23 @@ static inline ck10_codec_status ck10_reg_flash_input_3_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_4_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_4_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_4_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_4_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_4_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8118,22 +8182,23 @@ static inline ck10_codec_status ck10_reg_flash_input_4_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_5_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_5_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_5_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_5_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_5_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8148,22 +8213,23 @@ static inline ck10_codec_status ck10_reg_flash_input_5_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_6_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_6_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_6_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_6_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_6_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8178,22 +8244,23 @@ static inline ck10_codec_status ck10_reg_flash_input_6_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_7_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_7_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_7_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_7_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_7_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8208,22 +8275,23 @@ static inline ck10_codec_status ck10_reg_flash_input_7_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_8_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_8_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_8_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_8_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_8_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8238,22 +8306,23 @@ static inline ck10_codec_status ck10_reg_flash_input_8_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_9_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_9_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_9_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_9_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_9_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8268,22 +8337,23 @@ static inline ck10_codec_status ck10_reg_flash_input_9_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_10_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_10_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_10_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_10_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_10_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8298,22 +8368,23 @@ static inline ck10_codec_status ck10_reg_flash_input_10_polarity_encode(uint32_t
 #define CK10_REG_FLASH_INPUT_11_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_11_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_11_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_11_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_11_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8328,22 +8399,23 @@ static inline ck10_codec_status ck10_reg_flash_input_11_polarity_encode(uint32_t
 #define CK10_REG_FLASH_INPUT_12_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_12_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_12_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_12_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_input_12_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8358,22 +8430,23 @@ static inline ck10_codec_status ck10_reg_flash_input_12_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_1_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_1_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_1_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_1_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_1_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8388,22 +8461,23 @@ static inline ck10_codec_status ck10_reg_flash_output_1_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_2_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_2_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_2_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_2_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_2_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8418,22 +8492,23 @@ static inline ck10_codec_status ck10_reg_flash_output_2_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_3_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_3_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_3_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_3_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_3_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8448,22 +8523,23 @@ static inline ck10_codec_status ck10_reg_flash_output_3_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_4_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_4_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_4_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_4_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_4_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8478,22 +8554,23 @@ static inline ck10_codec_status ck10_reg_flash_output_4_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_5_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_5_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_5_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_5_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_5_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8508,22 +8585,23 @@ static inline ck10_codec_status ck10_reg_flash_output_5_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_6_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_6_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_6_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_6_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_6_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8538,22 +8616,23 @@ static inline ck10_codec_status ck10_reg_flash_output_6_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_7_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_7_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_7_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_7_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_7_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8568,22 +8647,23 @@ static inline ck10_codec_status ck10_reg_flash_output_7_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_8_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_8_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_8_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_8_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_8_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8598,22 +8678,23 @@ static inline ck10_codec_status ck10_reg_flash_output_8_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_9_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_9_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_9_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_9_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_9_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8628,22 +8709,23 @@ static inline ck10_codec_status ck10_reg_flash_output_9_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_10_POLARITY_WORDS 2u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_10_polarity_decode(const uint8_t *in, uint32_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_10_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_10_polarity_encode(uint32_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_flash_output_10_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8871,22 +8953,23 @@ static inline ck10_codec_status ck10_reg_point_table_running_encode(bool value, 
 #define CK10_REG_PUSH_STATUS_WORDS 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_push_status_decode(const uint8_t *in, uint16_t *out)
+static inline ck10_codec_status ck10_reg_push_status_decode(const uint8_t *in, ck10_push_status *out)
 {
-    *out = ck10_load_u16_be(in);
-    if (!ck10_push_status_known((int64_t)*out)) {
+    const uint16_t number = ck10_load_u16_be(in);
+    if (!ck10_push_status_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_push_status)number;
     return CK10_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_push_status_encode(uint16_t value, uint8_t *out)
+static inline ck10_codec_status ck10_reg_push_status_encode(ck10_push_status value, uint8_t *out)
 {
     if (!ck10_push_status_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u16_be(out, value);
+    ck10_store_u16_be(out, (uint16_t)value);
     return CK10_OK;
 }
 

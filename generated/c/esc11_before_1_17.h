@@ -5032,22 +5032,25 @@ static inline esc11_codec_status esc11_par_parameters_stroke_encode(uint16_t val
 #define ESC11_PAR_PARAMETERS_HOMING_DIRECTION_NUMBER 5u
 
 /** Reads its value. */
-static inline esc11_codec_status esc11_par_parameters_homing_direction_decode(const uint8_t *in, uint16_t *out)
+static inline esc11_codec_status esc11_par_parameters_homing_direction_decode(const uint8_t *in,
+        esc11_homing_direction *out)
 {
-    *out = esc11_load_u16_le(in);
-    if (!esc11_homing_direction_known((int64_t)*out)) {
+    const uint16_t number = esc11_load_u16_le(in);
+    if (!esc11_homing_direction_known((int64_t)number)) {
         return ESC11_ERR_UNKNOWN_VALUE;
     }
+    *out = (esc11_homing_direction)number;
     return ESC11_OK;
 }
 
 /** Writes its value. */
-static inline esc11_codec_status esc11_par_parameters_homing_direction_encode(uint16_t value, uint8_t *out)
+static inline esc11_codec_status esc11_par_parameters_homing_direction_encode(esc11_homing_direction value,
+        uint8_t *out)
 {
     if (!esc11_homing_direction_known((int64_t)value)) {
         return ESC11_ERR_UNKNOWN_VALUE;
     }
-    esc11_store_u16_le(out, value);
+    esc11_store_u16_le(out, (uint16_t)value);
     return ESC11_OK;
 }
 
@@ -5290,22 +5293,23 @@ static inline esc11_codec_status esc11_par_parameters_positioning_complete_pulse
 #define ESC11_PAR_PARAMETERS_HOMING_METHOD_NUMBER 16u
 
 /** Reads its value. */
-static inline esc11_codec_status esc11_par_parameters_homing_method_decode(const uint8_t *in, uint16_t *out)
+static inline esc11_codec_status esc11_par_parameters_homing_method_decode(const uint8_t *in, esc11_homing_method *out)
 {
-    *out = esc11_load_u16_le(in);
-    if (!esc11_homing_method_known((int64_t)*out)) {
+    const uint16_t number = esc11_load_u16_le(in);
+    if (!esc11_homing_method_known((int64_t)number)) {
         return ESC11_ERR_UNKNOWN_VALUE;
     }
+    *out = (esc11_homing_method)number;
     return ESC11_OK;
 }
 
 /** Writes its value. */
-static inline esc11_codec_status esc11_par_parameters_homing_method_encode(uint16_t value, uint8_t *out)
+static inline esc11_codec_status esc11_par_parameters_homing_method_encode(esc11_homing_method value, uint8_t *out)
 {
     if (!esc11_homing_method_known((int64_t)value)) {
         return ESC11_ERR_UNKNOWN_VALUE;
     }
-    esc11_store_u16_le(out, value);
+    esc11_store_u16_le(out, (uint16_t)value);
     return ESC11_OK;
 }
 

@@ -568,7 +568,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint16_t, esc11_par_parameters_stroke_decode, esc11_par_parameters_stroke_encode, 2u, 2u);
         break;
     case 127:
-        VALUE(uint16_t, esc11_par_parameters_homing_direction_decode, esc11_par_parameters_homing_direction_encode, 2u, 2u);
+        VALUE(esc11_homing_direction, esc11_par_parameters_homing_direction_decode, esc11_par_parameters_homing_direction_encode, 2u, 2u);
         break;
     case 128:
         VALUE(uint16_t, esc11_par_parameters_homing_speed_decode, esc11_par_parameters_homing_speed_encode, 2u, 2u);
@@ -595,7 +595,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint16_t, esc11_par_parameters_positioning_complete_pulses_decode, esc11_par_parameters_positioning_complete_pulses_encode, 2u, 2u);
         break;
     case 136:
-        VALUE(uint16_t, esc11_par_parameters_homing_method_decode, esc11_par_parameters_homing_method_encode, 2u, 2u);
+        VALUE(esc11_homing_method, esc11_par_parameters_homing_method_decode, esc11_par_parameters_homing_method_encode, 2u, 2u);
         break;
     default:
         break;

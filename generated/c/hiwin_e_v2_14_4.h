@@ -5815,22 +5815,25 @@ static inline hiwin_e_codec_status hiwin_e_telegram_750_response_decode(const ui
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_MOTOR_TYPE_MAX 2u
 
 /** Reads its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_motor_type_decode(const uint8_t *in, uint16_t *out)
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_motor_type_decode(const uint8_t *in,
+        hiwin_e_motor_type *out)
 {
-    *out = hiwin_e_load_u16_be(in);
-    if (!hiwin_e_motor_type_known((int64_t)*out)) {
+    const uint16_t number = hiwin_e_load_u16_be(in);
+    if (!hiwin_e_motor_type_known((int64_t)number)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
+    *out = (hiwin_e_motor_type)number;
     return HIWIN_E_OK;
 }
 
 /** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_motor_type_encode(uint16_t value, uint8_t *out)
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_motor_type_encode(hiwin_e_motor_type value,
+        uint8_t *out)
 {
     if (!hiwin_e_motor_type_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    hiwin_e_store_u16_be(out, value);
+    hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
 }
 
@@ -5930,23 +5933,24 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_software_state_1
 
 /** Reads its value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_application_mode_decode(const uint8_t *in,
-        uint16_t *out)
+        hiwin_e_gantry_application_mode *out)
 {
-    *out = hiwin_e_load_u16_be(in);
-    if (!hiwin_e_gantry_application_mode_known((int64_t)*out)) {
+    const uint16_t number = hiwin_e_load_u16_be(in);
+    if (!hiwin_e_gantry_application_mode_known((int64_t)number)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
+    *out = (hiwin_e_gantry_application_mode)number;
     return HIWIN_E_OK;
 }
 
 /** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_application_mode_encode(uint16_t value,
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_application_mode_encode(hiwin_e_gantry_application_mode value,
         uint8_t *out)
 {
     if (!hiwin_e_gantry_application_mode_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    hiwin_e_store_u16_be(out, value);
+    hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
 }
 
@@ -6634,7 +6638,10 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_PARAMETER_COMMAND_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_PARAMETER_COMMAND_MAX 3u
 
-/** Reads its value. */
+/**
+ * Reads its value.
+ * An integer, as the device may answer what gantry_parameter_command does not have.
+ */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_command_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6643,13 +6650,13 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
 }
 
 /** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_command_encode(uint16_t value,
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_command_encode(hiwin_e_gantry_parameter_command value,
         uint8_t *out)
 {
     if (!hiwin_e_gantry_parameter_command_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    hiwin_e_store_u16_be(out, value);
+    hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
 }
 
@@ -6666,17 +6673,18 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
 
 /** Reads its value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_status_decode(const uint8_t *in,
-        int16_t *out)
+        hiwin_e_gantry_parameter_status *out)
 {
-    *out = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
-    if (!hiwin_e_gantry_parameter_status_known((int64_t)*out)) {
+    const int16_t number = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
+    if (!hiwin_e_gantry_parameter_status_known((int64_t)number)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
+    *out = (hiwin_e_gantry_parameter_status)number;
     return HIWIN_E_OK;
 }
 
 /** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_status_encode(int16_t value,
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_status_encode(hiwin_e_gantry_parameter_status value,
         uint8_t *out)
 {
     if (!hiwin_e_gantry_parameter_status_known((int64_t)value)) {
@@ -6888,7 +6896,10 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_operation_warnin
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_ABSOLUTE_ENCODER_INITIALIZATION_WRITE_MIN 0
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_ABSOLUTE_ENCODER_INITIALIZATION_WRITE_MAX 1
 
-/** Reads its value. */
+/**
+ * Reads its value.
+ * An integer, as the device may answer what absolute_encoder_initialization does not have.
+ */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_absolute_encoder_initialization_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -6897,13 +6908,14 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_absolute_encoder
 }
 
 /** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_absolute_encoder_initialization_encode(int32_t value,
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_absolute_encoder_initialization_encode(hiwin_e_absolute_encoder_initialization value,
         uint8_t *out)
 {
+    const int64_t number = (int64_t)value;
     if (!hiwin_e_absolute_encoder_initialization_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    if (!(value >= 0 && value <= 1)) {
+    if (!(number >= 0 && number <= 1)) {
         return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -7269,7 +7281,10 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_4_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_DRIVE_RESET_MIN (-1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_DRIVE_RESET_MAX 2
 
-/** Reads its value. */
+/**
+ * Reads its value.
+ * An integer, as the device may answer what drive_reset does not have.
+ */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_decode(const uint8_t *in, int16_t *out)
 {
     *out = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
@@ -7277,7 +7292,8 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_deco
 }
 
 /** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_encode(int16_t value, uint8_t *out)
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_encode(hiwin_e_drive_reset value,
+        uint8_t *out)
 {
     if (!hiwin_e_drive_reset_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
@@ -7297,7 +7313,10 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_enco
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_PARAMETER_SAVE_MIN 0
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_PARAMETER_SAVE_MAX 1
 
-/** Reads its value. */
+/**
+ * Reads its value.
+ * An integer, as the device may answer what parameter_save does not have.
+ */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_decode(const uint8_t *in, int16_t *out)
 {
     *out = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
@@ -7305,7 +7324,8 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_d
 }
 
 /** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_encode(int16_t value, uint8_t *out)
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_encode(hiwin_e_parameter_save value,
+        uint8_t *out)
 {
     if (!hiwin_e_parameter_save_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
@@ -7328,17 +7348,20 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_e
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_MASTERSHIP_MAX 1
 
 /** Reads its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_mastership_decode(const uint8_t *in, int16_t *out)
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_mastership_decode(const uint8_t *in,
+        hiwin_e_mastership *out)
 {
-    *out = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
-    if (!hiwin_e_mastership_known((int64_t)*out)) {
+    const int16_t number = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
+    if (!hiwin_e_mastership_known((int64_t)number)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
+    *out = (hiwin_e_mastership)number;
     return HIWIN_E_OK;
 }
 
 /** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_mastership_encode(int16_t value, uint8_t *out)
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_mastership_encode(hiwin_e_mastership value,
+        uint8_t *out)
 {
     if (!hiwin_e_mastership_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
@@ -7498,22 +7521,24 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_sign_of_lif
 
 /** Reads its value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_operating_mode_decode(const uint8_t *in,
-        uint16_t *out)
+        hiwin_e_operating_mode *out)
 {
-    *out = hiwin_e_load_u16_be(in);
-    if (!hiwin_e_operating_mode_known((int64_t)*out)) {
+    const uint16_t number = hiwin_e_load_u16_be(in);
+    if (!hiwin_e_operating_mode_known((int64_t)number)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
+    *out = (hiwin_e_operating_mode)number;
     return HIWIN_E_OK;
 }
 
 /** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_operating_mode_encode(uint16_t value, uint8_t *out)
+static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_operating_mode_encode(hiwin_e_operating_mode value,
+        uint8_t *out)
 {
     if (!hiwin_e_operating_mode_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    hiwin_e_store_u16_be(out, value);
+    hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
 }
 

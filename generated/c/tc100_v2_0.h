@@ -2492,22 +2492,25 @@ static inline tc100_codec_status tc100_reg_absolute_position_encode(int32_t valu
 #define TC100_REG_TORQUE_SEARCH_DIRECTION_MAX 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_torque_search_direction_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_torque_search_direction_decode(const uint8_t *in,
+        tc100_torque_search_direction *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_torque_search_direction_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_torque_search_direction_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_torque_search_direction)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_torque_search_direction_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_torque_search_direction_encode(tc100_torque_search_direction value,
+        uint8_t *out)
 {
     if (!tc100_torque_search_direction_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -2550,22 +2553,23 @@ static inline tc100_codec_status tc100_reg_preset_position_encode(int32_t value,
 #define TC100_REG_SERVO_MAX 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_servo_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_servo_decode(const uint8_t *in, tc100_servo_command *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_servo_command_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_servo_command_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_servo_command)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_servo_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_servo_encode(tc100_servo_command value, uint8_t *out)
 {
     if (!tc100_servo_command_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -2610,7 +2614,10 @@ static inline tc100_codec_status tc100_reg_motion_speed_encode(uint16_t value, u
 #define TC100_REG_MOTION_COMMAND_MIN 0u
 #define TC100_REG_MOTION_COMMAND_MAX 12u
 
-/** Reads its value from the 2 bytes of its words. */
+/**
+ * Reads its value from the 2 bytes of its words.
+ * An integer, as the device may answer what motion_command does not have.
+ */
 static inline tc100_codec_status tc100_reg_motion_command_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
@@ -2618,12 +2625,12 @@ static inline tc100_codec_status tc100_reg_motion_command_decode(const uint8_t *
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_motion_command_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_motion_command_encode(tc100_motion_command value, uint8_t *out)
 {
     if (!tc100_motion_command_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -2712,7 +2719,10 @@ static inline tc100_codec_status tc100_reg_simulated_input_at(uint32_t number, u
 #define TC100_REG_PARAMETER_STORAGE_MIN 0u
 #define TC100_REG_PARAMETER_STORAGE_MAX 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/**
+ * Reads its value from the 2 bytes of its words.
+ * An integer, as the device may answer what parameter_storage does not have.
+ */
 static inline tc100_codec_status tc100_reg_parameter_storage_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
@@ -2720,12 +2730,12 @@ static inline tc100_codec_status tc100_reg_parameter_storage_decode(const uint8_
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_parameter_storage_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_parameter_storage_encode(tc100_parameter_storage value, uint8_t *out)
 {
     if (!tc100_parameter_storage_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -2892,22 +2902,24 @@ static inline tc100_codec_status tc100_reg_electronic_gear_denominator_encode(ui
 #define TC100_REG_PULSE_ROTATION_DIRECTION_MAX 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_pulse_rotation_direction_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_pulse_rotation_direction_decode(const uint8_t *in,
+        tc100_rotation_direction *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_rotation_direction_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_rotation_direction_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_rotation_direction)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_pulse_rotation_direction_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_pulse_rotation_direction_encode(tc100_rotation_direction value, uint8_t *out)
 {
     if (!tc100_rotation_direction_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -2925,22 +2937,23 @@ static inline tc100_codec_status tc100_reg_pulse_rotation_direction_encode(uint1
 #define TC100_REG_PULSE_INPUT_FORM_DEFAULT 0u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_pulse_input_form_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_pulse_input_form_decode(const uint8_t *in, tc100_pulse_input_form *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_pulse_input_form_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_pulse_input_form_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_pulse_input_form)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_pulse_input_form_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_pulse_input_form_encode(tc100_pulse_input_form value, uint8_t *out)
 {
     if (!tc100_pulse_input_form_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3207,22 +3220,23 @@ static inline tc100_codec_status tc100_reg_full_torque_time_encode(uint16_t valu
 #define TC100_REG_CONTROL_MODE_DEFAULT 0u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_control_mode_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_control_mode_decode(const uint8_t *in, tc100_control_mode *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_control_mode_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_control_mode_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_control_mode)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_control_mode_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_control_mode_encode(tc100_control_mode value, uint8_t *out)
 {
     if (!tc100_control_mode_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3241,22 +3255,23 @@ static inline tc100_codec_status tc100_reg_control_mode_encode(uint16_t value, u
 #define TC100_REG_SERVO_AT_POWER_ON_DEFAULT 0u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_servo_at_power_on_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_servo_at_power_on_decode(const uint8_t *in, tc100_servo_command *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_servo_command_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_servo_command_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_servo_command)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_servo_at_power_on_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_servo_at_power_on_encode(tc100_servo_command value, uint8_t *out)
 {
     if (!tc100_servo_command_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3463,22 +3478,23 @@ static inline tc100_codec_status tc100_reg_torque_limit_press_distance_encode(ui
 #define TC100_REG_MOVING_STATE_RULE_MAX 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_moving_state_rule_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_moving_state_rule_decode(const uint8_t *in, tc100_moving_state_rule *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_moving_state_rule_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_moving_state_rule_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_moving_state_rule)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_moving_state_rule_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_moving_state_rule_encode(tc100_moving_state_rule value, uint8_t *out)
 {
     if (!tc100_moving_state_rule_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3631,22 +3647,23 @@ static inline tc100_codec_status tc100_reg_soft_limit_negative_encode(int32_t va
 #define TC100_REG_HOMING_MODE_MAX 7u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_homing_mode_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_homing_mode_decode(const uint8_t *in, tc100_homing_mode *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_homing_mode_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_homing_mode_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_homing_mode)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_homing_mode_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_homing_mode_encode(tc100_homing_mode value, uint8_t *out)
 {
     if (!tc100_homing_mode_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3915,22 +3932,23 @@ static inline tc100_codec_status tc100_reg_homing_z_phase_speed_2_encode(uint16_
 #define TC100_REG_BAUD_RATE_DEFAULT 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_baud_rate_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_baud_rate_decode(const uint8_t *in, tc100_baud_rate *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_baud_rate_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_baud_rate_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_baud_rate)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_baud_rate_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_baud_rate_encode(tc100_baud_rate value, uint8_t *out)
 {
     if (!tc100_baud_rate_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3948,22 +3966,23 @@ static inline tc100_codec_status tc100_reg_baud_rate_encode(uint16_t value, uint
 #define TC100_REG_DATA_BITS_DEFAULT 0u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_data_bits_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_data_bits_decode(const uint8_t *in, tc100_data_bits *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_data_bits_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_data_bits_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_data_bits)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_data_bits_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_data_bits_encode(tc100_data_bits value, uint8_t *out)
 {
     if (!tc100_data_bits_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3980,22 +3999,23 @@ static inline tc100_codec_status tc100_reg_data_bits_encode(uint16_t value, uint
 #define TC100_REG_PARITY_DEFAULT 0u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_parity_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_parity_decode(const uint8_t *in, tc100_parity *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_parity_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_parity_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_parity)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_parity_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_parity_encode(tc100_parity value, uint8_t *out)
 {
     if (!tc100_parity_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -4044,22 +4064,23 @@ static inline tc100_codec_status tc100_reg_broadcast_enabled_encode(bool value, 
 #define TC100_REG_PROTOCOL_DEFAULT 0u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_protocol_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_protocol_decode(const uint8_t *in, tc100_protocol *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_protocol_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_protocol_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_protocol)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_protocol_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_protocol_encode(tc100_protocol value, uint8_t *out)
 {
     if (!tc100_protocol_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -4075,22 +4096,23 @@ static inline tc100_codec_status tc100_reg_protocol_encode(uint16_t value, uint8
 #define TC100_REG_ACTION_STATUS_MAX 2u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_action_status_decode(const uint8_t *in, uint16_t *out)
+static inline tc100_codec_status tc100_reg_action_status_decode(const uint8_t *in, tc100_action_status *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_action_status_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_action_status_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_action_status)number;
     return TC100_OK;
 }
 
 /** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_action_status_encode(uint16_t value, uint8_t *out)
+static inline tc100_codec_status tc100_reg_action_status_encode(tc100_action_status value, uint8_t *out)
 {
     if (!tc100_action_status_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 

@@ -237,23 +237,23 @@ def _test_value(
         ]
         return
     numbers = sorted(set(legal_numbers(device, value)))
-    written = _constants(naming, device, value, numbers)
-    read = _constants(naming, device, value.as_answer(trigger), numbers)
+    encoded_constants = _constants(naming, device, value, numbers)
+    decoded_constants = _constants(naming, device, value.as_answer(trigger), numbers)
     out_type, in_type = (Type(accessed_type(naming, device, content)) for content in (value.as_answer(trigger), value))
     # An enum has no neutral value: `out` starts with another number than the first that is read.
-    out_start = ZERO if enum_type(device, value.as_answer(trigger)) is None else read[numbers[-1]]
-    in_start = ZERO if enum_type(device, value) is None else written[numbers[0]]
+    out_start = ZERO if enum_type(device, value.as_answer(trigger)) is None else decoded_constants[numbers[-1]]
+    in_start = ZERO if enum_type(device, value) is None else encoded_constants[numbers[0]]
     body += [Variable(out_type, "out", value=out_start), Variable(in_type, "in", value=in_start, storage="volatile")]
     encoded, decoded = Call(encode, (_IN, _BYTES)), Call(decode, (_BYTES, _OUT_POINTER))
     for number in numbers:
         data = value_bytes(value, *order, number).ljust(size, b"\0")
         what = f"{label} {number}"
         body += [
-            assign(_IN, written[number]),
+            assign(_IN, encoded_constants[number]),
             expect_equal(what, encoded, ok),
             expect_bytes(f"{what} bytes", _BYTES, data),
             expect_equal(what, decoded, ok),
-            expect_equal(what, _OUT, read[number]),
+            expect_equal(what, _OUT, decoded_constants[number]),
         ]
     yield body
 

@@ -100,9 +100,9 @@
 
 /* ---- TRIGGER ---- */
 
-/* What starts an action: the device answers anything, and what may be written is read as it was. `written` is the type
- * of what is written: an enum, which need not have room for every answer. */
-#define TRIGGER(type, written, decode, encode, held, length) \
+/* What starts an action: the device answers anything, and what may be written is read as it was. `argument` is the type
+ * of what is encoded: an enum, which need not have room for every answer. */
+#define TRIGGER(type, argument, decode, encode, held, length) \
     do { \
         type value; \
         uint8_t out[length]; \
@@ -110,8 +110,8 @@
             break; \
         } \
         hold(decode(data, &value) == DEVICE_OK); \
-        if ((type)(written)value == value) { \
-            hold(encode((written)value, out) != DEVICE_OK || memcmp(out, data, held) == 0); \
+        if ((type)(argument)value == value) { \
+            hold(encode((argument)value, out) != DEVICE_OK || memcmp(out, data, held) == 0); \
         } \
     } while (0)
 
