@@ -38,6 +38,8 @@
 /** A call of these functions would take more than what they do, even where size counts. */
 #define CK10_INLINE static inline __attribute__((always_inline))
 #define CK10_LIKELY(test) __builtin_expect(!!(test), 1)
+/** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */
+#define CK10_ENUM_16 __attribute__((__mode__(__HI__)))
 /** Built in: without string.h, and without a call for a few bytes, where the compiler is a freestanding one. */
 #define CK10_COPY(to, from, size) __builtin_memcpy((to), (from), (size))
 #define CK10_CLEAR(to, size) __builtin_memset((to), 0, (size))
@@ -54,6 +56,7 @@
 #include <string.h>
 #define CK10_INLINE static inline
 #define CK10_LIKELY(test) (test)
+#define CK10_ENUM_16
 #define CK10_COPY(to, from, size) memcpy((to), (from), (size))
 #define CK10_CLEAR(to, size) memset((to), 0, (size))
 #endif
@@ -292,7 +295,7 @@ typedef enum ck10_exception_code {
     CK10_EXCEPTION_CODE_ILLEGAL_DATA_ADDRESS = 2, /**< 無效資料位置 The address is not allowed. */
     CK10_EXCEPTION_CODE_ILLEGAL_DATA_VALUE = 3, /**< 無效資料值 The value is not allowed. */
     CK10_EXCEPTION_CODE_DEVICE_FAILURE = 4 /**< 從站裝置錯誤 An error came up while the controller carried out the command. */
-} ck10_exception_code;
+} CK10_ENUM_16 ck10_exception_code;
 
 /** Source: 2.1 L263 */
 typedef enum ck10_push_status {
@@ -300,7 +303,7 @@ typedef enum ck10_push_status {
     CK10_PUSH_STATUS_PUSHING = 1, /**< 推力運動中，但未偵測到工件 It pushes, and has not met the workpiece. */
     CK10_PUSH_STATUS_HOLDING = 2, /**< 偵測到工件並保持推力 It has met the workpiece, and goes on pushing. */
     CK10_PUSH_STATUS_MISSED = 3 /**< 推力過程中未偵測到工件 It has not met the workpiece. */
-} ck10_push_status;
+} CK10_ENUM_16 ck10_push_status;
 
 /** Whether a value is one of ck10_push_status. */
 static inline bool ck10_push_status_known(int64_t value)
@@ -316,7 +319,7 @@ static inline bool ck10_push_status_known(int64_t value)
 typedef enum ck10_output_switch {
     CK10_OUTPUT_SWITCH_OFF = 0, /**< 停用 */
     CK10_OUTPUT_SWITCH_ON = 1 /**< 啟用 */
-} ck10_output_switch;
+} CK10_ENUM_16 ck10_output_switch;
 
 /**
  * Printed as 報警形式.
@@ -339,7 +342,7 @@ typedef enum ck10_alarm_code {
     CK10_ALARM_CODE_IN_POSITION_ERROR = 10, /**< 定位 */
     CK10_ALARM_CODE_MEMORY = 12, /**< 記憶體裝置 */
     CK10_ALARM_CODE_POSITION_OVERFLOW = 15 /**< 位置溢出 */
-} ck10_alarm_code;
+} CK10_ENUM_16 ck10_alarm_code;
 
 /**
  * Note: The commands of a point count otherwise: the absolute ones come first.
@@ -348,7 +351,7 @@ typedef enum ck10_alarm_code {
 typedef enum ck10_move_kind {
     CK10_MOVE_KIND_RELATIVE = 1, /**< 運動至指定的相對位置 By a distance. */
     CK10_MOVE_KIND_ABSOLUTE = 2 /**< 運動至指定的絕對位置 To a position. */
-} ck10_move_kind;
+} CK10_ENUM_16 ck10_move_kind;
 
 /** Whether a value is one of ck10_move_kind. */
 static inline bool ck10_move_kind_known(int64_t value)
@@ -363,7 +366,7 @@ static inline bool ck10_move_kind_known(int64_t value)
 typedef enum ck10_jog_direction {
     CK10_JOG_DIRECTION_COUNTERCLOCKWISE = 0, /**< CCW */
     CK10_JOG_DIRECTION_CLOCKWISE = 1 /**< CW */
-} ck10_jog_direction;
+} CK10_ENUM_16 ck10_jog_direction;
 
 /** Whether a value is one of ck10_jog_direction. */
 static inline bool ck10_jog_direction_known(int64_t value)
@@ -375,7 +378,7 @@ static inline bool ck10_jog_direction_known(int64_t value)
 typedef enum ck10_push_mode {
     CK10_PUSH_MODE_STOP = 0, /**< 停止模式 It stops when it meets the workpiece. */
     CK10_PUSH_MODE_GO_ON = 1 /**< 不停止模式 It does not stop. */
-} ck10_push_mode;
+} CK10_ENUM_16 ck10_push_mode;
 
 /** Whether a value is one of ck10_push_mode. */
 static inline bool ck10_push_mode_known(int64_t value)
@@ -387,7 +390,7 @@ static inline bool ck10_push_mode_known(int64_t value)
 typedef enum ck10_stop_kind {
     CK10_STOP_KIND_IMMEDIATE = 0, /**< 立即停止 */
     CK10_STOP_KIND_DECELERATED = 1 /**< 緩停止 */
-} ck10_stop_kind;
+} CK10_ENUM_16 ck10_stop_kind;
 
 /** Whether a value is one of ck10_stop_kind. */
 static inline bool ck10_stop_kind_known(int64_t value)
@@ -403,14 +406,14 @@ static inline bool ck10_stop_kind_known(int64_t value)
 typedef enum ck10_servo_switch {
     CK10_SERVO_SWITCH_OFF = 0, /**< 驅動停用 */
     CK10_SERVO_SWITCH_ON = 1 /**< 驅動啟用 */
-} ck10_servo_switch;
+} CK10_ENUM_16 ck10_servo_switch;
 
 /** Source: 2.4 L338 */
 typedef enum ck10_point_table_command {
     CK10_POINT_TABLE_COMMAND_START = 1, /**< 執行 "位置表開始行號" 指定值 Starts at the point that the register before it names. */
     CK10_POINT_TABLE_COMMAND_START_SINGLE = 2, /**< 僅執行 "位置表開始行號" 指定值 Carries out that point alone. */
     CK10_POINT_TABLE_COMMAND_NEXT = 3 /**< 執行當前位置表下一步 Goes on with the next step of the point table. */
-} ck10_point_table_command;
+} CK10_ENUM_16 ck10_point_table_command;
 
 /** Whether a value is one of ck10_point_table_command. */
 static inline bool ck10_point_table_command_known(int64_t value)
@@ -442,14 +445,14 @@ typedef enum ck10_pulses_per_turn {
     CK10_PULSES_PER_TURN_PULSES_10000 = 13, /**< 10,000 */
     CK10_PULSES_PER_TURN_PULSES_16000 = 14, /**< 16,000 */
     CK10_PULSES_PER_TURN_PULSES_20000 = 15 /**< 20,000 */
-} ck10_pulses_per_turn;
+} CK10_ENUM_16 ck10_pulses_per_turn;
 
 /** Source: 3.4 L735 */
 typedef enum ck10_soft_limit_stop {
     CK10_SOFT_LIMIT_STOP_IMMEDIATE = 0, /**< 以緊急停止方式停下馬達 */
     CK10_SOFT_LIMIT_STOP_DECELERATED = 1, /**< 以緩停止方式停下馬達 */
     CK10_SOFT_LIMIT_STOP_NONE = 2 /**< 不使用軟體極限 The soft limits are not used. */
-} ck10_soft_limit_stop;
+} CK10_ENUM_16 ck10_soft_limit_stop;
 
 /** Whether a value is one of ck10_soft_limit_stop. */
 static inline bool ck10_soft_limit_stop_known(int64_t value)
@@ -461,7 +464,7 @@ static inline bool ck10_soft_limit_stop_known(int64_t value)
 typedef enum ck10_hard_limit_stop {
     CK10_HARD_LIMIT_STOP_IMMEDIATE = 0, /**< 以緊急停止方式停下馬達 */
     CK10_HARD_LIMIT_STOP_DECELERATED = 1 /**< 以緩停止方式停下馬達 */
-} ck10_hard_limit_stop;
+} CK10_ENUM_16 ck10_hard_limit_stop;
 
 /** Whether a value is one of ck10_hard_limit_stop. */
 static inline bool ck10_hard_limit_stop_known(int64_t value)
@@ -479,7 +482,7 @@ typedef enum ck10_homing_method {
     CK10_HOMING_METHOD_Z_PHASE = 5, /**< Slowly to the Z phase. */
     CK10_HOMING_METHOD_HARD_STOP = 6, /**< With limited torque against a hard stop, which becomes the origin. */
     CK10_HOMING_METHOD_HARD_STOP_AND_Z_PHASE = 7 /**< With limited torque against a hard stop, then slowly to the Z phase. */
-} ck10_homing_method;
+} CK10_ENUM_16 ck10_homing_method;
 
 /** Whether a value is one of ck10_homing_method. */
 static inline bool ck10_homing_method_known(int64_t value)
@@ -494,7 +497,7 @@ static inline bool ck10_homing_method_known(int64_t value)
 typedef enum ck10_rotation {
     CK10_ROTATION_CLOCKWISE = 0, /**< CW */
     CK10_ROTATION_COUNTERCLOCKWISE = 1 /**< CCW */
-} ck10_rotation;
+} CK10_ENUM_16 ck10_rotation;
 
 /** Whether a value is one of ck10_rotation. */
 static inline bool ck10_rotation_known(int64_t value)
@@ -509,7 +512,7 @@ typedef enum ck10_emergency_stop_mode {
     CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP = 2, /**< 減速停止 */
     CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP_SERVO_OFF = 3, /**< 減速停止，Servo OFF */
     CK10_EMERGENCY_STOP_MODE_SERVO_OFF = 4 /**< Servo OFF */
-} ck10_emergency_stop_mode;
+} CK10_ENUM_16 ck10_emergency_stop_mode;
 
 /** Whether a value is one of ck10_emergency_stop_mode. */
 static inline bool ck10_emergency_stop_mode_known(int64_t value)
@@ -521,7 +524,7 @@ static inline bool ck10_emergency_stop_mode_known(int64_t value)
 typedef enum ck10_emergency_brake_mode {
     CK10_EMERGENCY_BRAKE_MODE_LOCKED = 0, /**< 鎖定煞車 */
     CK10_EMERGENCY_BRAKE_MODE_RELEASED = 1 /**< 解鎖煞車 The brake is energised. */
-} ck10_emergency_brake_mode;
+} CK10_ENUM_16 ck10_emergency_brake_mode;
 
 /** Whether a value is one of ck10_emergency_brake_mode. */
 static inline bool ck10_emergency_brake_mode_known(int64_t value)
@@ -537,7 +540,7 @@ typedef enum ck10_operation_mode {
     CK10_OPERATION_MODE_PLUS_R = 3, /**< Plus-R 模式 */
     CK10_OPERATION_MODE_MODBUS_RTU = 4, /**< MODBUS RTU 模式 */
     CK10_OPERATION_MODE_MODBUS_ASCII = 5 /**< MODBUS ASC 模式 */
-} ck10_operation_mode;
+} CK10_ENUM_16 ck10_operation_mode;
 
 /** Whether a value is one of ck10_operation_mode. */
 static inline bool ck10_operation_mode_known(int64_t value)
@@ -549,7 +552,7 @@ static inline bool ck10_operation_mode_known(int64_t value)
 typedef enum ck10_switch_function {
     CK10_SWITCH_FUNCTION_NONE = 0, /**< 不使用 */
     CK10_SWITCH_FUNCTION_RESET_ALARM = 1 /**< 警報重置 */
-} ck10_switch_function;
+} CK10_ENUM_16 ck10_switch_function;
 
 /** Whether a value is one of ck10_switch_function. */
 static inline bool ck10_switch_function_known(int64_t value)
@@ -564,7 +567,7 @@ typedef enum ck10_baud_rate {
     CK10_BAUD_RATE_BAUD_38400 = 2, /**< 38,400 */
     CK10_BAUD_RATE_BAUD_57600 = 3, /**< 57,600 */
     CK10_BAUD_RATE_BAUD_115200 = 4 /**< 115,200 */
-} ck10_baud_rate;
+} CK10_ENUM_16 ck10_baud_rate;
 
 /** Whether a value is one of ck10_baud_rate. */
 static inline bool ck10_baud_rate_known(int64_t value)
@@ -576,7 +579,7 @@ static inline bool ck10_baud_rate_known(int64_t value)
 typedef enum ck10_enabled {
     CK10_ENABLED_DISABLED = 0, /**< 停用 */
     CK10_ENABLED_ENABLED = 1 /**< 啟用 */
-} ck10_enabled;
+} CK10_ENUM_16 ck10_enabled;
 
 /** Whether a value is one of ck10_enabled. */
 static inline bool ck10_enabled_known(int64_t value)
@@ -588,7 +591,7 @@ static inline bool ck10_enabled_known(int64_t value)
 typedef enum ck10_polarity {
     CK10_POLARITY_NORMAL = 0, /**< On is 1. */
     CK10_POLARITY_INVERTED = 1 /**< On is 0. */
-} ck10_polarity;
+} CK10_ENUM_16 ck10_polarity;
 
 /** Whether a value is one of ck10_polarity. */
 static inline bool ck10_polarity_known(int64_t value)
@@ -610,7 +613,7 @@ typedef enum ck10_point_command {
     CK10_POINT_COMMAND_CLEAR_POSITION = 9, /**< Clear Position */
     CK10_POINT_COMMAND_PUSH_ABSOLUTE = 10, /**< Push Abs Move */
     CK10_POINT_COMMAND_STOP = 11 /**< Stop */
-} ck10_point_command;
+} CK10_ENUM_16 ck10_point_command;
 
 /** Whether a value is one of ck10_point_command. */
 static inline bool ck10_point_command_known(int64_t value)
@@ -626,7 +629,7 @@ typedef enum ck10_output_moment {
     CK10_OUTPUT_MOMENT_START = 0, /**< 開始動作時發出訊號 */
     CK10_OUTPUT_MOMENT_END = 1, /**< 完成動作時發出訊號 */
     CK10_OUTPUT_MOMENT_TRIGGER_POSITION = 2 /**< 到達 "觸發位置" 時發出訊號 */
-} ck10_output_moment;
+} CK10_ENUM_16 ck10_output_moment;
 
 /** Whether a value is one of ck10_output_moment. */
 static inline bool ck10_output_moment_known(int64_t value)
@@ -638,7 +641,7 @@ static inline bool ck10_output_moment_known(int64_t value)
 typedef enum ck10_check_in_position {
     CK10_CHECK_IN_POSITION_IGNORE = 0, /**< 忽略到位訊號 */
     CK10_CHECK_IN_POSITION_WAIT = 1 /**< 等待到位訊號 */
-} ck10_check_in_position;
+} CK10_ENUM_16 ck10_check_in_position;
 
 /** Whether a value is one of ck10_check_in_position. */
 static inline bool ck10_check_in_position_known(int64_t value)

@@ -37,6 +37,8 @@
 /** A call of these functions would take more than what they do, even where size counts. */
 #define ESC11_INLINE static inline __attribute__((always_inline))
 #define ESC11_LIKELY(test) __builtin_expect(!!(test), 1)
+/** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */
+#define ESC11_ENUM_16 __attribute__((__mode__(__HI__)))
 /** Built in: without string.h, and without a call for a few bytes, where the compiler is a freestanding one. */
 #define ESC11_COPY(to, from, size) __builtin_memcpy((to), (from), (size))
 #define ESC11_CLEAR(to, size) __builtin_memset((to), 0, (size))
@@ -53,6 +55,7 @@
 #include <string.h>
 #define ESC11_INLINE static inline
 #define ESC11_LIKELY(test) (test)
+#define ESC11_ENUM_16
 #define ESC11_COPY(to, from, size) memcpy((to), (from), (size))
 #define ESC11_CLEAR(to, size) memset((to), 0, (size))
 #endif
@@ -211,7 +214,7 @@ typedef enum esc11_actuator_type {
     ESC11_ACTUATOR_TYPE_SD_4220 = 230, /**< SD-4220 */
     ESC11_ACTUATOR_TYPE_FS_2020 = 310, /**< FS (FT) -2020 Also for FT-2020. */
     ESC11_ACTUATOR_TYPE_FS_2840 = 320 /**< FS (FT) -2840 Also for FT-2840. */
-} esc11_actuator_type;
+} ESC11_ENUM_16 esc11_actuator_type;
 
 /**
  * Alarms (01h to 0Eh, table 10.3) and errors (20h to 33h, table 10.4).
@@ -249,7 +252,7 @@ typedef enum esc11_alarm_code {
     ESC11_ALARM_CODE_COMMUNICATION_COMMAND_ERROR = 49, /**< 通信指令错误 */
     ESC11_ALARM_CODE_DATA_ERROR = 50, /**< 数据错误 */
     ESC11_ALARM_CODE_UNKNOWN_ACTUATOR_TYPE = 51 /**< 无执行器代码 */
-} esc11_alarm_code;
+} ESC11_ENUM_16 esc11_alarm_code;
 
 /**
  * Printed as 原点复位方向.
@@ -258,7 +261,7 @@ typedef enum esc11_alarm_code {
 typedef enum esc11_homing_direction {
     ESC11_HOMING_DIRECTION_OPEN = 0, /**< OPEN */
     ESC11_HOMING_DIRECTION_CLOSE = 1 /**< CLOSE */
-} esc11_homing_direction;
+} ESC11_ENUM_16 esc11_homing_direction;
 
 /** Whether a value is one of esc11_homing_direction. */
 static inline bool esc11_homing_direction_known(int64_t value)
@@ -273,7 +276,7 @@ static inline bool esc11_homing_direction_known(int64_t value)
 typedef enum esc11_homing_method {
     ESC11_HOMING_METHOD_STROKE_END = 0, /**< 行程末端 */
     ESC11_HOMING_METHOD_STROKE_END_AND_Z_PHASE = 1 /**< 行程末端+Z相检测方法 */
-} esc11_homing_method;
+} ESC11_ENUM_16 esc11_homing_method;
 
 /** Whether a value is one of esc11_homing_method. */
 static inline bool esc11_homing_method_known(int64_t value)
@@ -297,7 +300,7 @@ typedef enum esc11_point_mode {
     ESC11_POINT_MODE_CONSTANT_SPEED_GRIP_OPEN_WITH_ZONE = 74, /**< 带ZON匀速移动及夹持（开） Opens at constant speed and grips, with the ZON output; command 24h. */
     ESC11_POINT_MODE_CONSTANT_SPEED_GRIP_CLOSE_WITH_ZONE = 75, /**< 带ZON匀速移动及夹持（关） Closes at constant speed and grips, with the ZON output; command 25h. */
     ESC11_POINT_MODE_CONSTANT_SPEED_GRIP_OPEN = 79 /**< 匀速移动夹持（开） Opens at constant speed and grips; command 20h. */
-} esc11_point_mode;
+} ESC11_ENUM_16 esc11_point_mode;
 
 /** Whether a value is one of esc11_point_mode. */
 static inline bool esc11_point_mode_known(int64_t value)

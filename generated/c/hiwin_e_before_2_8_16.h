@@ -38,6 +38,8 @@
 /** A call of these functions would take more than what they do, even where size counts. */
 #define HIWIN_E_INLINE static inline __attribute__((always_inline))
 #define HIWIN_E_LIKELY(test) __builtin_expect(!!(test), 1)
+/** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */
+#define HIWIN_E_ENUM_16 __attribute__((__mode__(__HI__)))
 /** Built in: without string.h, and without a call for a few bytes, where the compiler is a freestanding one. */
 #define HIWIN_E_COPY(to, from, size) __builtin_memcpy((to), (from), (size))
 #define HIWIN_E_CLEAR(to, size) __builtin_memset((to), 0, (size))
@@ -54,6 +56,7 @@
 #include <string.h>
 #define HIWIN_E_INLINE static inline
 #define HIWIN_E_LIKELY(test) (test)
+#define HIWIN_E_ENUM_16
 #define HIWIN_E_COPY(to, from, size) memcpy((to), (from), (size))
 #define HIWIN_E_CLEAR(to, size) memset((to), 0, (size))
 #endif
@@ -232,7 +235,7 @@ typedef enum hiwin_e_alarm_code {
     HIWIN_E_ALARM_CODE_FIXED_STOP_ALARM = 0xEE0, /**< AL.EE0 Fixed stop 應用警報 Number 78. */
     HIWIN_E_ALARM_CODE_ELECTRONIC_CAM_ALARM = 0xFD0, /**< AL.Fd0 電子凸輪控制系統警報 Number 79. */
     HIWIN_E_ALARM_CODE_MULTI_STATION_ALARM = 0xEF9 /**< AL.EF9 多工位功能警報 Number 80. */
-} hiwin_e_alarm_code;
+} HIWIN_E_ENUM_16 hiwin_e_alarm_code;
 
 /**
  * The same alarms by their internal codes.
@@ -301,7 +304,7 @@ typedef enum hiwin_e_internal_alarm_code {
     HIWIN_E_INTERNAL_ALARM_CODE_FIXED_STOP_ALARM = 78, /**< AL.EE0 Fixed stop 應用警報 */
     HIWIN_E_INTERNAL_ALARM_CODE_ELECTRONIC_CAM_ALARM = 79, /**< AL.Fd0 電子凸輪控制系統警報 */
     HIWIN_E_INTERNAL_ALARM_CODE_MULTI_STATION_ALARM = 80 /**< AL.EF9 多工位功能警報 */
-} hiwin_e_internal_alarm_code;
+} HIWIN_E_ENUM_16 hiwin_e_internal_alarm_code;
 
 /**
  * How the values of a request or a response lie on the wire.
@@ -321,7 +324,7 @@ typedef enum hiwin_e_parameter_format {
     HIWIN_E_PARAMETER_FORMAT_WORD = 66, /**< Word 16 bits, as unsigned_16. */
     HIWIN_E_PARAMETER_FORMAT_DOUBLE_WORD = 67, /**< Double word 32 bits, as unsigned_32. */
     HIWIN_E_PARAMETER_FORMAT_ERROR = 68 /**< Error Not a value but an error number; only in the reply to a refused request. */
-} hiwin_e_parameter_format;
+} HIWIN_E_ENUM_16 hiwin_e_parameter_format;
 
 /** Whether a value is one of hiwin_e_parameter_format. */
 static inline bool hiwin_e_parameter_format_known(int64_t value)
@@ -364,14 +367,14 @@ typedef enum hiwin_e_parameter_error_number {
     HIWIN_E_PARAMETER_ERROR_NUMBER_SERVICE_NOT_SUPPORTED = 33, /**< 不支援此服務 */
     HIWIN_E_PARAMETER_ERROR_NUMBER_TOO_MANY_PARAMETERS = 34, /**< 太多參數請求 */
     HIWIN_E_PARAMETER_ERROR_NUMBER_SEVERAL_PARAMETERS_NOT_SUPPORTED = 35 /**< 不支援多參數存取 */
-} hiwin_e_parameter_error_number;
+} HIWIN_E_ENUM_16 hiwin_e_parameter_error_number;
 
 /** Source: 4.2 L959 */
 typedef enum hiwin_e_motor_type {
     HIWIN_E_MOTOR_TYPE_LINEAR = 0, /**< LM 線性馬達 */
     HIWIN_E_MOTOR_TYPE_DIRECT_DRIVE = 1, /**< DM / TM 直驅馬達 / 力矩馬達 Direct drive motor or torque motor. */
     HIWIN_E_MOTOR_TYPE_ROTARY_SERVO = 2 /**< AC 伺服馬達 */
-} hiwin_e_motor_type;
+} HIWIN_E_ENUM_16 hiwin_e_motor_type;
 
 /** Whether a value is one of hiwin_e_motor_type. */
 static inline bool hiwin_e_motor_type_known(int64_t value)
@@ -384,7 +387,7 @@ typedef enum hiwin_e_gantry_application_mode {
     HIWIN_E_GANTRY_APPLICATION_MODE_START = 1, /**< 啟動龍門控制系統 Starts the gantry control. */
     HIWIN_E_GANTRY_APPLICATION_MODE_STOP = 2, /**< 解除龍門控制系統 Ends the gantry control. */
     HIWIN_E_GANTRY_APPLICATION_MODE_CALIBRATE_YAW_AXIS = 11 /**< 執行旋轉軸校正 Calibrates the yaw axis. */
-} hiwin_e_gantry_application_mode;
+} HIWIN_E_ENUM_16 hiwin_e_gantry_application_mode;
 
 /** Whether a value is one of hiwin_e_gantry_application_mode. */
 static inline bool hiwin_e_gantry_application_mode_known(int64_t value)
@@ -407,7 +410,7 @@ typedef enum hiwin_e_position_trigger_array_control {
     HIWIN_E_POSITION_TRIGGER_ARRAY_CONTROL_CLEAR_STATES = 128, /**< Command: sets the whole array of states to 0. */
     HIWIN_E_POSITION_TRIGGER_ARRAY_CONTROL_SUCCEEDED = 4096, /**< 寫入成功 Result: written. */
     HIWIN_E_POSITION_TRIGGER_ARRAY_CONTROL_FAILED = 8192 /**< 寫入失敗 Result: not written; 306Ch says why. */
-} hiwin_e_position_trigger_array_control;
+} HIWIN_E_ENUM_16 hiwin_e_position_trigger_array_control;
 
 /**
  * Other values may occur.
@@ -421,7 +424,7 @@ typedef enum hiwin_e_position_trigger_status {
     HIWIN_E_POSITION_TRIGGER_STATUS_ARRAY_ASCENDING = 14, /**< 非等間距位置觸發功能執行中 (觸發方向：索引值遞增) Triggers at the positions of the array while the index rises. */
     HIWIN_E_POSITION_TRIGGER_STATUS_WAITING_FOR_FIRST_POSITION = 20, /**< 等待回到第一個設定的觸發位置 Waits until the motor is back at the first position; only when repetition is on (Pt012 = t.□□□1). */
     HIWIN_E_POSITION_TRIGGER_STATUS_DISABLED = 99 /**< 位置觸發功能無效 The position trigger is switched off (Pt00E = t.□□□0). */
-} hiwin_e_position_trigger_status;
+} HIWIN_E_ENUM_16 hiwin_e_position_trigger_status;
 
 /**
  * Other values may occur.
@@ -442,7 +445,7 @@ typedef enum hiwin_e_gantry_parameter_type {
     HIWIN_E_GANTRY_PARAMETER_TYPE_UNSIGNED_16 = 6, /**< U16 */
     HIWIN_E_GANTRY_PARAMETER_TYPE_UNSIGNED_32 = 7, /**< U32 */
     HIWIN_E_GANTRY_PARAMETER_TYPE_FLOATING_POINT_32 = 8 /**< F32 Read and written through 3087h and 3088h. */
-} hiwin_e_gantry_parameter_type;
+} HIWIN_E_ENUM_16 hiwin_e_gantry_parameter_type;
 
 /**
  * Note: The commands 1 and 2 act when the value changes from 0 to them; while 3084h says that data are being
@@ -454,7 +457,7 @@ typedef enum hiwin_e_gantry_parameter_command {
     HIWIN_E_GANTRY_PARAMETER_COMMAND_WRITE = 1, /**< 寫入命令 Writes the value in the input register. */
     HIWIN_E_GANTRY_PARAMETER_COMMAND_READ_ONCE = 2, /**< 單次讀取命令 Reads the value into the output register. */
     HIWIN_E_GANTRY_PARAMETER_COMMAND_READ_CONTINUOUSLY = 3 /**< 持續讀取命令 Reads the value again and again, in no fixed cycle. */
-} hiwin_e_gantry_parameter_command;
+} HIWIN_E_ENUM_16 hiwin_e_gantry_parameter_command;
 
 /** Whether a value is one of hiwin_e_gantry_parameter_command. */
 static inline bool hiwin_e_gantry_parameter_command_known(int64_t value)
@@ -473,7 +476,7 @@ typedef enum hiwin_e_gantry_parameter_status {
     HIWIN_E_GANTRY_PARAMETER_STATUS_IDLE = 0, /**< 未操作狀態 */
     HIWIN_E_GANTRY_PARAMETER_STATUS_PROCESSING = 1, /**< 資料處理中 */
     HIWIN_E_GANTRY_PARAMETER_STATUS_SUCCEEDED = 2 /**< 資料處理成功 */
-} hiwin_e_gantry_parameter_status;
+} HIWIN_E_ENUM_16 hiwin_e_gantry_parameter_status;
 
 /** Whether a value is one of hiwin_e_gantry_parameter_status. */
 static inline bool hiwin_e_gantry_parameter_status_known(int64_t value)
@@ -489,7 +492,7 @@ typedef enum hiwin_e_absolute_encoder_initialization {
     HIWIN_E_ABSOLUTE_ENCODER_INITIALIZATION_SUCCEEDED = 4, /**< 清除多圈數據命令執行成功 */
     HIWIN_E_ABSOLUTE_ENCODER_INITIALIZATION_MOTOR_EXCITED = 16, /**< Refused because the motor is excited; switch it off and try again. */
     HIWIN_E_ABSOLUTE_ENCODER_INITIALIZATION_FAILED = 32 /**< 清除多圈數據命令執行失敗 */
-} hiwin_e_absolute_encoder_initialization;
+} HIWIN_E_ENUM_16 hiwin_e_absolute_encoder_initialization;
 
 /** Whether a value is one of hiwin_e_absolute_encoder_initialization. */
 static inline bool hiwin_e_absolute_encoder_initialization_known(int64_t value)
@@ -512,7 +515,7 @@ typedef enum hiwin_e_drive_reset {
     HIWIN_E_DRIVE_RESET_IDLE = 0, /**< 未操作狀態 */
     HIWIN_E_DRIVE_RESET_RESET = 1, /**< 重置驅動器 Resets the drive. */
     HIWIN_E_DRIVE_RESET_RESET_GANTRY = 2 /**< 重置龍門雙軸驅動器 Resets both drives of the gantry. */
-} hiwin_e_drive_reset;
+} HIWIN_E_ENUM_16 hiwin_e_drive_reset;
 
 /** Whether a value is one of hiwin_e_drive_reset. */
 static inline bool hiwin_e_drive_reset_known(int64_t value)
@@ -524,7 +527,7 @@ static inline bool hiwin_e_drive_reset_known(int64_t value)
 typedef enum hiwin_e_parameter_save {
     HIWIN_E_PARAMETER_SAVE_IDLE = 0, /**< Nothing to do, or done. */
     HIWIN_E_PARAMETER_SAVE_SAVE = 1 /**< Store the parameters. */
-} hiwin_e_parameter_save;
+} HIWIN_E_ENUM_16 hiwin_e_parameter_save;
 
 /** Whether a value is one of hiwin_e_parameter_save. */
 static inline bool hiwin_e_parameter_save_known(int64_t value)
@@ -536,7 +539,7 @@ static inline bool hiwin_e_parameter_save_known(int64_t value)
 typedef enum hiwin_e_mastership {
     HIWIN_E_MASTERSHIP_THUNDER = 0, /**< 設定給Thunder使用 The configuration software. */
     HIWIN_E_MASTERSHIP_HOST_CONTROLLER = 1 /**< 設定給上位控制器使用 The controller on the network. */
-} hiwin_e_mastership;
+} HIWIN_E_ENUM_16 hiwin_e_mastership;
 
 /** Whether a value is one of hiwin_e_mastership. */
 static inline bool hiwin_e_mastership_known(int64_t value)
@@ -552,7 +555,7 @@ typedef enum hiwin_e_operating_mode {
     HIWIN_E_OPERATING_MODE_SPEED_WITH_RAMP_GENERATOR = 1, /**< 有RFG功能的速度模式 Speed mode whose setpoint goes through a ramp function generator (RFG). */
     HIWIN_E_OPERATING_MODE_POSITION = 2, /**< 位置模式 */
     HIWIN_E_OPERATING_MODE_SPEED_WITHOUT_RAMP_GENERATOR = 3 /**< 無RFG功能的速度模式 Speed mode without a ramp function generator. */
-} hiwin_e_operating_mode;
+} HIWIN_E_ENUM_16 hiwin_e_operating_mode;
 
 /** Whether a value is one of hiwin_e_operating_mode. */
 static inline bool hiwin_e_operating_mode_known(int64_t value)
@@ -568,7 +571,7 @@ typedef enum hiwin_e_coast_stop_method {
     HIWIN_E_COAST_STOP_METHOD_DYNAMIC_BRAKE = 0, /**< t.□□□0 動態制動器 Stops by the dynamic brake, and stays braked. */
     HIWIN_E_COAST_STOP_METHOD_DYNAMIC_BRAKE_THEN_FREE = 1, /**< t.□□□1 Stops by the dynamic brake, and runs free then. */
     HIWIN_E_COAST_STOP_METHOD_FREE_RUN = 2 /**< t.□□□2 Free run Runs out freely. */
-} hiwin_e_coast_stop_method;
+} HIWIN_E_ENUM_16 hiwin_e_coast_stop_method;
 
 /** Whether a value is one of hiwin_e_coast_stop_method. */
 static inline bool hiwin_e_coast_stop_method_known(int64_t value)
@@ -600,7 +603,7 @@ typedef enum hiwin_e_warning_code {
     HIWIN_E_WARNING_CODE_POSITIVE_OVERTRAVEL_SERVO_OFF = 0x9A1, /**< AL.9A1 超程 (伺服OFF時檢出P-OT訊號) The signal P-OT while the servo is off. */
     HIWIN_E_WARNING_CODE_NEGATIVE_OVERTRAVEL_SERVO_OFF = 0x9A2, /**< AL.9A2 超程 (伺服OFF時檢出N-OT訊號) The signal N-OT while the servo is off. */
     HIWIN_E_WARNING_CODE_OVERVOLTAGE = 0x9F0 /**< AL.9F0 伺服電壓過高 */
-} hiwin_e_warning_code;
+} HIWIN_E_ENUM_16 hiwin_e_warning_code;
 
 /**
  * Other values may occur.
@@ -612,7 +615,7 @@ typedef enum hiwin_e_encoder_command {
     HIWIN_E_ENCODER_COMMAND_ACTIVATE = 1, /**< 啟用功能 */
     HIWIN_E_ENCODER_COMMAND_READ = 2, /**< 讀值 */
     HIWIN_E_ENCODER_COMMAND_CANCEL = 3 /**< 取消功能 */
-} hiwin_e_encoder_command;
+} HIWIN_E_ENUM_16 hiwin_e_encoder_command;
 
 /**
  * The direction in the setup mode, and the path to an absolute position in the positioning mode.
@@ -623,7 +626,7 @@ typedef enum hiwin_e_positioning_path {
     HIWIN_E_POSITIONING_PATH_POSITIVE = 1, /**< 絕對定位 / MDI 調整模式的方向選擇，正方向 In the positive direction. */
     HIWIN_E_POSITIONING_PATH_NEGATIVE = 2, /**< 絕對定位 / MDI 調整模式的方向選擇，負方向 In the negative direction. */
     HIWIN_E_POSITIONING_PATH_SHORTEST_WITH_BOTH_BITS = 3 /**< The same as 0. */
-} hiwin_e_positioning_path;
+} HIWIN_E_ENUM_16 hiwin_e_positioning_path;
 
 /** Whether a value is one of hiwin_e_positioning_path. */
 static inline bool hiwin_e_positioning_path_known(int64_t value)

@@ -38,6 +38,8 @@
 /** A call of these functions would take more than what they do, even where size counts. */
 #define TC100_INLINE static inline __attribute__((always_inline))
 #define TC100_LIKELY(test) __builtin_expect(!!(test), 1)
+/** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */
+#define TC100_ENUM_16 __attribute__((__mode__(__HI__)))
 /** Built in: without string.h, and without a call for a few bytes, where the compiler is a freestanding one. */
 #define TC100_COPY(to, from, size) __builtin_memcpy((to), (from), (size))
 #define TC100_CLEAR(to, size) __builtin_memset((to), 0, (size))
@@ -54,6 +56,7 @@
 #include <string.h>
 #define TC100_INLINE static inline
 #define TC100_LIKELY(test) (test)
+#define TC100_ENUM_16
 #define TC100_COPY(to, from, size) memcpy((to), (from), (size))
 #define TC100_CLEAR(to, size) memset((to), 0, (size))
 #endif
@@ -322,7 +325,7 @@ typedef enum tc100_exception_code {
     TC100_EXCEPTION_CODE_ILLEGAL_FUNCTION = 1, /**< 功能碼錯誤 The function code is none of those that the controller knows. */
     TC100_EXCEPTION_CODE_ILLEGAL_DATA_ADDRESS = 2, /**< 站號錯誤 A register that can only be written was read, one that can only be read was written, or there is no such register. */
     TC100_EXCEPTION_CODE_ILLEGAL_DATA_VALUE = 3 /**< 資料錯誤 A value is out of its range, too many words were asked for, a parameter cannot be changed, or number and data do not fit. */
-} tc100_exception_code;
+} TC100_ENUM_16 tc100_exception_code;
 
 /**
  * What is wrong with the drive or the motor. The servo stays off while an alarm stands (6.3).
@@ -350,7 +353,7 @@ typedef enum tc100_alarm_code {
     TC100_ALARM_CODE_CURRENT_PROTECTION = 14, /**< 保護電流值 */
     TC100_ALARM_CODE_POWER_CYCLE_REQUIRED = 15, /**< 電源再投入 */
     TC100_ALARM_CODE_ACTION_TIMEOUT = 17 /**< 動作超時 */
-} tc100_alarm_code;
+} TC100_ENUM_16 tc100_alarm_code;
 
 /**
  * Why the controller did not carry out a command or accept a value.
@@ -373,13 +376,13 @@ typedef enum tc100_fault_code {
     TC100_FAULT_CODE_PARAMETER_WRITE_NOT_PERMITTED = 11, /**< 參數寫入權限不足 */
     TC100_FAULT_CODE_HOMING_INCOMPLETE = 12, /**< 原點復歸未完成 */
     TC100_FAULT_CODE_BRAKE_RELEASED = 13 /**< 剎車已解除 */
-} tc100_fault_code;
+} TC100_ENUM_16 tc100_fault_code;
 
 /** Source: 5.1 L1164 */
 typedef enum tc100_rotation_direction {
     TC100_ROTATION_DIRECTION_CLOCKWISE = 0, /**< CW */
     TC100_ROTATION_DIRECTION_COUNTERCLOCKWISE = 1 /**< CCW */
-} tc100_rotation_direction;
+} TC100_ENUM_16 tc100_rotation_direction;
 
 /** Whether a value is one of tc100_rotation_direction. */
 static inline bool tc100_rotation_direction_known(int64_t value)
@@ -392,7 +395,7 @@ typedef enum tc100_pulse_input_form {
     TC100_PULSE_INPUT_FORM_CLOCKWISE_AND_COUNTERCLOCKWISE = 0, /**< CW/CCW One pulse train for each direction. */
     TC100_PULSE_INPUT_FORM_PULSE_AND_DIRECTION = 1, /**< PULSE/DIR */
     TC100_PULSE_INPUT_FORM_TWO_PHASES = 2 /**< A 相 /B 相 */
-} tc100_pulse_input_form;
+} TC100_ENUM_16 tc100_pulse_input_form;
 
 /** Whether a value is one of tc100_pulse_input_form. */
 static inline bool tc100_pulse_input_form_known(int64_t value)
@@ -404,7 +407,7 @@ static inline bool tc100_pulse_input_form_known(int64_t value)
 typedef enum tc100_control_mode {
     TC100_CONTROL_MODE_POSITION_MODE = 0, /**< 位置模式 */
     TC100_CONTROL_MODE_TORQUE_MODE = 1 /**< 扭力模式 */
-} tc100_control_mode;
+} TC100_ENUM_16 tc100_control_mode;
 
 /** Whether a value is one of tc100_control_mode. */
 static inline bool tc100_control_mode_known(int64_t value)
@@ -419,7 +422,7 @@ static inline bool tc100_control_mode_known(int64_t value)
 typedef enum tc100_servo_command {
     TC100_SERVO_COMMAND_SERVO_ON = 0, /**< 伺服ON */
     TC100_SERVO_COMMAND_SERVO_OFF = 1 /**< 伺服OFF */
-} tc100_servo_command;
+} TC100_ENUM_16 tc100_servo_command;
 
 /** Whether a value is one of tc100_servo_command. */
 static inline bool tc100_servo_command_known(int64_t value)
@@ -431,7 +434,7 @@ static inline bool tc100_servo_command_known(int64_t value)
 typedef enum tc100_moving_state_rule {
     TC100_MOVING_STATE_RULE_PULSES_SENT = 0, /**< When all pulses of the move have been given out. */
     TC100_MOVING_STATE_RULE_PULSES_SENT_AND_IN_POSITION = 1 /**< When all pulses of the move have been given out and the in position signal is on. */
-} tc100_moving_state_rule;
+} TC100_ENUM_16 tc100_moving_state_rule;
 
 /** Whether a value is one of tc100_moving_state_rule. */
 static inline bool tc100_moving_state_rule_known(int64_t value)
@@ -449,7 +452,7 @@ typedef enum tc100_homing_mode {
     TC100_HOMING_MODE_SENSOR_NEGATIVE = 5, /**< - 方向找 ORG_SIG 信號 Negative direction until the homing sensor. */
     TC100_HOMING_MODE_SENSOR_POSITIVE_THEN_Z_PHASE = 6, /**< + 方向找 ORG_SIG 信號後，反向找 Z 相 Positive direction until the homing sensor, then back to the Z phase. */
     TC100_HOMING_MODE_SENSOR_NEGATIVE_THEN_Z_PHASE = 7 /**< - 方向找 ORG_SIG 信號後，反向找 Z 相 Negative direction until the homing sensor, then back to the Z phase. */
-} tc100_homing_mode;
+} TC100_ENUM_16 tc100_homing_mode;
 
 /** Whether a value is one of tc100_homing_mode. */
 static inline bool tc100_homing_mode_known(int64_t value)
@@ -464,7 +467,7 @@ typedef enum tc100_baud_rate {
     TC100_BAUD_RATE_BAUD_38400 = 2, /**< 38400bps */
     TC100_BAUD_RATE_BAUD_57600 = 3, /**< 57600bps */
     TC100_BAUD_RATE_BAUD_115200 = 4 /**< 115200bps */
-} tc100_baud_rate;
+} TC100_ENUM_16 tc100_baud_rate;
 
 /** Whether a value is one of tc100_baud_rate. */
 static inline bool tc100_baud_rate_known(int64_t value)
@@ -476,7 +479,7 @@ static inline bool tc100_baud_rate_known(int64_t value)
 typedef enum tc100_data_bits {
     TC100_DATA_BITS_EIGHT_BITS = 0, /**< 8bit */
     TC100_DATA_BITS_SEVEN_BITS = 1 /**< 7bit */
-} tc100_data_bits;
+} TC100_ENUM_16 tc100_data_bits;
 
 /** Whether a value is one of tc100_data_bits. */
 static inline bool tc100_data_bits_known(int64_t value)
@@ -489,7 +492,7 @@ typedef enum tc100_parity {
     TC100_PARITY_NO_PARITY = 0, /**< None */
     TC100_PARITY_EVEN_PARITY = 1, /**< Even */
     TC100_PARITY_ODD_PARITY = 2 /**< Odd */
-} tc100_parity;
+} TC100_ENUM_16 tc100_parity;
 
 /** Whether a value is one of tc100_parity. */
 static inline bool tc100_parity_known(int64_t value)
@@ -501,7 +504,7 @@ static inline bool tc100_parity_known(int64_t value)
 typedef enum tc100_protocol {
     TC100_PROTOCOL_MODBUS_ASCII = 0, /**< MODBUS-ASCII */
     TC100_PROTOCOL_MODBUS_RTU = 1 /**< MODBUS-RTU */
-} tc100_protocol;
+} TC100_ENUM_16 tc100_protocol;
 
 /** Whether a value is one of tc100_protocol. */
 static inline bool tc100_protocol_known(int64_t value)
@@ -514,7 +517,7 @@ typedef enum tc100_action_status {
     TC100_ACTION_STATUS_STOPPED = 0, /**< 停止 */
     TC100_ACTION_STATUS_MOVING = 1, /**< 動作中 */
     TC100_ACTION_STATUS_STOPPED_BY_ERROR = 2 /**< 異常停止 An abnormal stop. */
-} tc100_action_status;
+} TC100_ENUM_16 tc100_action_status;
 
 /** Whether a value is one of tc100_action_status. */
 static inline bool tc100_action_status_known(int64_t value)
@@ -526,7 +529,7 @@ static inline bool tc100_action_status_known(int64_t value)
 typedef enum tc100_torque_search_direction {
     TC100_TORQUE_SEARCH_DIRECTION_POSITIVE = 0, /**< + 方向 */
     TC100_TORQUE_SEARCH_DIRECTION_NEGATIVE = 1 /**< - 方向 */
-} tc100_torque_search_direction;
+} TC100_ENUM_16 tc100_torque_search_direction;
 
 /** Whether a value is one of tc100_torque_search_direction. */
 static inline bool tc100_torque_search_direction_known(int64_t value)
@@ -550,7 +553,7 @@ typedef enum tc100_motion_command {
     TC100_MOTION_COMMAND_EMERGENCY_STOP = 9, /**< 緊急停止 */
     TC100_MOTION_COMMAND_JOG_POSITIVE = 11, /**< + JOG Jogs in the positive direction. How long is not described. */
     TC100_MOTION_COMMAND_JOG_NEGATIVE = 12 /**< - JOG Jogs in the negative direction. How long is not described. */
-} tc100_motion_command;
+} TC100_ENUM_16 tc100_motion_command;
 
 /** Whether a value is one of tc100_motion_command. */
 static inline bool tc100_motion_command_known(int64_t value)
@@ -568,7 +571,7 @@ static inline bool tc100_motion_command_known(int64_t value)
 typedef enum tc100_parameter_storage {
     TC100_PARAMETER_STORAGE_PRESENT_PARAMETERS = 0, /**< 當前參數 The parameters as they are. */
     TC100_PARAMETER_STORAGE_DEFAULT_PARAMETERS = 1 /**< 默認數據 The default values. */
-} tc100_parameter_storage;
+} TC100_ENUM_16 tc100_parameter_storage;
 
 /** Whether a value is one of tc100_parameter_storage. */
 static inline bool tc100_parameter_storage_known(int64_t value)
@@ -597,7 +600,7 @@ typedef enum tc100_point_mode {
     TC100_POINT_MODE_ABSOLUTE_MOVE_CONTINUOUS = 13, /**< ABS-R 絶對位置移動 (連續移動) Moves to the position and on to the next point without a stop, changing speed. */
     TC100_POINT_MODE_RELATIVE_MOVE_WITH_TORQUE = 15, /**< INC-T 相對位置移動 [扭力模式] Moves by the distance with the torque limit; stops and reports when more torque is needed. */
     TC100_POINT_MODE_ABSOLUTE_MOVE_WITH_TORQUE = 16 /**< ABS-T 絶對位置移動 [扭力模式] Moves to the position with the torque limit; stops and reports when more torque is needed. */
-} tc100_point_mode;
+} TC100_ENUM_16 tc100_point_mode;
 
 /* ---- Words of flags ---- */
 

@@ -77,10 +77,11 @@ class Enumerator:
 
 @dataclass(frozen=True, slots=True)
 class Enumeration:
-    """`typedef enum name { ... } name;`"""
+    """`typedef enum name { ... } attribute name;`"""
 
     name: str
     enumerators: tuple[Enumerator, ...]
+    attribute: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -102,7 +102,7 @@ def _enumeration(naming: Naming, enum: Enum, members: list[Member]) -> list[Decl
         )
         for member in members
     )
-    return [Enumeration(naming.type("enum", enum.name), enumerators)]
+    return [Enumeration(naming.type("enum", enum.name), enumerators, naming.own_macro("enum_16"))]
 
 
 def _macros(naming: Naming, enum: Enum, members: list[Member]) -> list[Declaration]:
@@ -146,12 +146,12 @@ def integer_reason(device: Device, value: Value) -> str:
     if not members:
         return f"An integer, as {enum.name} has no members."
     if not _fits_int(members):
-        return f"An integer, as an int of 16 bits does not hold all members of {enum.name}."
+        return f"An integer, as 16 bits do not hold all members of {enum.name}."
     if not all(value.type.low <= member.value <= value.type.high for member in members):
         return f"An integer, as {value.type.name} does not hold all members of {enum.name}."
     numbers = {member.value for member in members}
-    others = [sentinel.name for sentinel in value.sentinels if sentinel.value not in numbers]
-    return f"An integer, as {enum.name} does not have {', '.join(others)}." if others else ""
+    missing = [sentinel.name for sentinel in value.sentinels if sentinel.value not in numbers]
+    return f"An integer, as {enum.name} does not have {', '.join(missing)}." if missing else ""
 
 
 def _closed_enum(device: Device, value: Value) -> Enum | None:
