@@ -3,17 +3,18 @@
  * From: CK10 series, Modbus communication, user manual
  * Identity: 4332a6ea93cee82e
  *
- * Generated; do not edit. For C99 and later and C++98 to C++20, freestanding too: any order of bytes, any alignment, an int of
- * 16 bits or more. Headers from this generator are checked by gcc, clang and cppcheck; their self-tests run on x86-64, AArch64,
- * m68k (big-endian; int of 32 and 16 bits) and as code for Cortex-M0, and under sanitizers; their fuzz targets find nothing.
+ * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
+ * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
+ * self-tests pass on x86-64, AArch64, m68k (big-endian; int of 32 and 16 bits) and Cortex-M0, and under sanitizers; their fuzz
+ * targets find nothing.
  *
- * Before it is included there may be defined:
- *   CK10_WITH_TEXTS for the texts of codes, which take memory
- *   CK10_WIDE_CRC_TABLE for a faster check with a table of 512 bytes
+ * Define before you include it:
+ *   CK10_WITH_TEXTS adds the texts of codes, which take memory
+ *   CK10_WIDE_CRC_TABLE takes a table of 512 bytes for a faster CRC
  */
 #ifdef CK10_INCLUDED
 #ifndef CK10_VERSION_IS_1
-#error "another version of this device is included already"
+#error "another version of this device is already included"
 #endif
 #else
 #define CK10_INCLUDED
@@ -35,20 +36,19 @@
 /* ---- Compilers and machines ---- */
 
 #ifdef __GNUC__
-/** A call of these functions would take more than what they do, even where size counts. */
+/** A call would take more code than the function itself, even with -Os. */
 #define CK10_INLINE static inline __attribute__((always_inline))
 #define CK10_LIKELY(test) __builtin_expect(!!(test), 1)
 /** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */
 #define CK10_ENUM_16 __attribute__((__mode__(__HI__)))
-/** Built in: without string.h, and without a call for a few bytes, where the compiler is a freestanding one. */
+/** Built-in functions need no string.h, and no call for a few bytes, also in freestanding code. */
 #define CK10_COPY(to, from, size) __builtin_memcpy((to), (from), (size))
 #define CK10_CLEAR(to, size) __builtin_memset((to), 0, (size))
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && \
     (defined(__x86_64__) || defined(__i386__) || defined(__aarch64__) || defined(__ARM_FEATURE_UNALIGNED))
 /**
- * Numbers are stored at once. The compiler turns loads byte by byte into one by itself, and stores too, but
- * not where it knows that it may change their order: then it makes vectors, which take up to four times as
- * long.
+ * Store a number with one instruction. Compilers merge loads of single bytes by themselves, and mostly stores
+ * too. Where they may reorder stores, they build vectors instead, which take up to four times as long.
  */
 #define CK10_STORES_AT_ONCE
 #endif
@@ -61,25 +61,25 @@
 #define CK10_CLEAR(to, size) memset((to), 0, (size))
 #endif
 
-/* ---- What functions return ---- */
+/* ---- Results of codec calls ---- */
 
-/** What a function has to say. */
+/** The result of a codec call. */
 typedef enum ck10_codec_status {
-    CK10_OK = 0, /**< It is done. */
+    CK10_OK = 0, /**< No error. */
     CK10_ERR_INCOMPLETE = 1, /**< There are too few bytes. */
-    CK10_ERR_WRONG_LENGTH = 2, /**< The bytes, or elements, are not as many as they must be. */
-    CK10_ERR_WRONG_MARK = 3, /**< The frame does not start or end with its mark. */
-    CK10_ERR_NOT_HEX = 4, /**< A character is no hexadecimal digit. */
-    CK10_ERR_WRONG_CHECK = 5, /**< The check does not fit the bytes. */
+    CK10_ERR_WRONG_LENGTH = 2, /**< The number of bytes or elements is wrong. */
+    CK10_ERR_WRONG_MARK = 3, /**< A delimiter of the frame is missing or wrong. */
+    CK10_ERR_NOT_HEX = 4, /**< A character is not a hexadecimal digit. */
+    CK10_ERR_WRONG_CHECK = 5, /**< The checksum does not match. */
     CK10_ERR_UNKNOWN_CODE = 6, /**< No message has this code. */
-    CK10_ERR_UNKNOWN_VALUE = 7, /**< The value is none of those that there are. */
-    CK10_ERR_WRONG_CONST = 8, /**< A constant has another value. */
-    CK10_ERR_WRONG_MEASURE = 9, /**< A field that holds a size does not fit what it measures. */
-    CK10_ERR_OUT_OF_RANGE = 10, /**< A value is out of its range. */
+    CK10_ERR_UNKNOWN_VALUE = 7, /**< The value is not a member of its enum, or the text is not ASCII. */
+    CK10_ERR_WRONG_CONST = 8, /**< A constant field has another value. */
+    CK10_ERR_WRONG_MEASURE = 9, /**< A length or count field does not match the data. */
+    CK10_ERR_OUT_OF_RANGE = 10, /**< A value is out of range. */
     CK10_ERR_CAPACITY = 11 /**< The buffer is too small. */
 } ck10_codec_status;
 
-/* ---- Numbers and characters, independent of the machine ---- */
+/* ---- Numbers and characters ---- */
 
 CK10_INLINE uint8_t ck10_load_u8(const uint8_t *in)
 {
@@ -206,7 +206,7 @@ static inline uint8_t ck10_hex_digit(uint8_t value)
     return (uint8_t)(value < 10u ? value + 0x30u : value + 0x37u);
 }
 
-/* ---- Checks ---- */
+/* ---- Checksums ---- */
 
 /**
  * CRC-16, polynomial 0xA001 reflected, start value 0xFFFF.
@@ -719,7 +719,7 @@ typedef uint32_t ck10_output_function;
 #define CK10_OUTPUT_FUNCTION_USER_7 0x00400000u /**< User Out 7 */
 #define CK10_OUTPUT_FUNCTION_USER_8 0x00800000u /**< User Out 8 */
 
-/* ---- Words of flags ---- */
+/* ---- Bit fields ---- */
 
 /**
  * The flags of 03E8h. The manual prints each as a mask.
@@ -1889,21 +1889,21 @@ typedef struct ck10_exception {
     uint8_t exception_code;
 } ck10_exception;
 
-/** Writes ck10_exception to 1 bytes without any check. */
+/** Writes ck10_exception to 1 byte without checks. */
 static inline void ck10_exception_pack(const ck10_exception *in, uint8_t *out)
 {
     ck10_store_u8(out + 0, in->exception_code);
 }
 
-/** Reads ck10_exception from 1 bytes without any check. */
+/** Reads ck10_exception from 1 byte without checks. */
 static inline void ck10_exception_unpack(const uint8_t *in, ck10_exception *out)
 {
     out->exception_code = ck10_load_u8(in + 0);
 }
 
 /**
- * Writes ck10_exception: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes ck10_exception: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_exception_encode(const ck10_exception *in, uint8_t *out, size_t capacity,
         size_t *length)
@@ -1916,7 +1916,7 @@ static inline ck10_codec_status ck10_exception_encode(const ck10_exception *in, 
     return CK10_OK;
 }
 
-/** Reads ck10_exception from exactly 1 bytes. */
+/** Reads ck10_exception from exactly 1 byte. */
 static inline ck10_codec_status ck10_exception_decode(const uint8_t *in, size_t length, ck10_exception *out)
 {
     if (length != 1u) {
@@ -1973,7 +1973,7 @@ typedef struct ck10_point {
     /**
      * What the point does.
      * Printed as 命令.
-     * Range: 0..11. See point_command. 65535 is ignored.
+     * Range: 0..11. See point_command. 65535 means ignored.
      * Source: 2.7 L580; 3.5 L819
      */
     uint16_t command;
@@ -1989,7 +1989,7 @@ typedef struct ck10_point {
      * The point that follows when this one is done: 0 to 127. 10000 plus its number: the jump is made at once when
      * the input that starts jumps comes on.
      * Printed as 跳轉編號.
-     * Range: 0..127, 10000..10127. 65535 is ignored.
+     * Range: 0..127, 10000..10127. 65535 means ignored.
      * Note: 2.7 calls it JP Table No and Jump Table No as well; 3.5 calls the empty field that ends the table
      * blank.
      * Source: 2.7 L583; 3.5 L844-845
@@ -1998,7 +1998,7 @@ typedef struct ck10_point {
     /**
      * The point that follows instead of the jump point if jump input 0 is on.
      * Printed as JPT0.
-     * Range: 0..127, 10000..10127. 65535 is ignored.
+     * Range: 0..127, 10000..10127. 65535 means ignored.
      * Note: In the text of 3.5, the second interval of each of the three fields stands on the row of the next one.
      * Source: 2.7 L584; 3.5 L846-847
      */
@@ -2006,14 +2006,14 @@ typedef struct ck10_point {
     /**
      * The point that follows instead of the jump point if jump input 1 is on.
      * Printed as JPT1.
-     * Range: 0..127, 10000..10127. 65535 is ignored.
+     * Range: 0..127, 10000..10127. 65535 means ignored.
      * Source: 2.7 L585; 3.5 L847-849
      */
     uint16_t jump_point_of_input_1;
     /**
      * The point that follows instead of the jump point if jump input 2 is on.
      * Printed as JPT2.
-     * Range: 0..127, 10000..10127. 65535 is ignored.
+     * Range: 0..127, 10000..10127. 65535 means ignored.
      * Source: 2.7 L586; 3.5 L849-851
      */
     uint16_t jump_point_of_input_2;
@@ -2041,7 +2041,7 @@ typedef struct ck10_point {
     /**
      * The point whose loop counter is cleared.
      * Printed as 循環計數清除.
-     * Range: 0..127. 65535 is ignored.
+     * Range: 0..127. 65535 means ignored.
      * Source: 2.7 L592; 3.5 L861
      */
     uint16_t clear_loop_counter_of;
@@ -2092,14 +2092,14 @@ typedef struct ck10_point {
     /**
      * 0 stops at the workpiece; 1 to 10000 do not stop.
      * Printed as 推力模式.
-     * One count is 1 pulse. Range: 0..10000. 0 is stop_mode.
+     * One count is 1 pulse. Range: 0..10000. 0 means stop_mode.
      * Note: The register 07E6h of the same name knows 0 and 1 only. What the pulses count is not printed.
      * Source: 2.7 L599; 3.5 L868
      */
     uint16_t push_mode;
 } ck10_point;
 
-/** Whether the values of ck10_point are such as may be written. */
+/** Whether the values of ck10_point may be written. */
 static inline ck10_codec_status ck10_point_check(const ck10_point *in)
 {
     if (!(in->low_speed >= 1u && in->low_speed <= 35000u)) {
@@ -2166,7 +2166,7 @@ static inline ck10_codec_status ck10_point_check(const ck10_point *in)
     return CK10_OK;
 }
 
-/** Writes ck10_point to 64 bytes without any check. */
+/** Writes ck10_point to 64 bytes without checks. */
 static inline void ck10_point_pack(const ck10_point *in, uint8_t *out)
 {
     size_t at;
@@ -2198,7 +2198,7 @@ static inline void ck10_point_pack(const ck10_point *in, uint8_t *out)
     }
 }
 
-/** Reads ck10_point from 64 bytes without any check. */
+/** Reads ck10_point from 64 bytes without checks. */
 static inline void ck10_point_unpack(const uint8_t *in, ck10_point *out)
 {
     out->position = ck10_signed_32(ck10_load_u32_be(in + 0));
@@ -2227,7 +2227,7 @@ static inline void ck10_point_unpack(const uint8_t *in, ck10_point *out)
 
 /**
  * Writes ck10_point: 64 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_point_encode(const ck10_point *in, uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2286,7 +2286,7 @@ typedef struct ck10_read_registers_request {
     uint16_t word_count;
 } ck10_read_registers_request;
 
-/** Whether the values of ck10_read_registers_request are such as may be written. */
+/** Whether the values of ck10_read_registers_request may be written. */
 static inline ck10_codec_status ck10_read_registers_request_check(const ck10_read_registers_request *in)
 {
     if (!(in->word_count >= 1u && in->word_count <= 125u)) {
@@ -2295,14 +2295,14 @@ static inline ck10_codec_status ck10_read_registers_request_check(const ck10_rea
     return CK10_OK;
 }
 
-/** Writes ck10_read_registers_request to 4 bytes without any check. */
+/** Writes ck10_read_registers_request to 4 bytes without checks. */
 static inline void ck10_read_registers_request_pack(const ck10_read_registers_request *in, uint8_t *out)
 {
     ck10_store_u16_be(out + 0, in->address);
     ck10_store_u16_be(out + 2, in->word_count);
 }
 
-/** Reads ck10_read_registers_request from 4 bytes without any check. */
+/** Reads ck10_read_registers_request from 4 bytes without checks. */
 static inline void ck10_read_registers_request_unpack(const uint8_t *in, ck10_read_registers_request *out)
 {
     out->address = ck10_load_u16_be(in + 0);
@@ -2311,7 +2311,7 @@ static inline void ck10_read_registers_request_unpack(const uint8_t *in, ck10_re
 
 /**
  * Writes ck10_read_registers_request: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_read_registers_request_encode(const ck10_read_registers_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -2352,7 +2352,7 @@ typedef struct ck10_read_registers_response {
 
 /**
  * Writes ck10_read_registers_response: 3 to 251 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_read_registers_response_encode(const ck10_read_registers_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -2418,14 +2418,14 @@ typedef struct ck10_write_register_request {
     uint16_t value;
 } ck10_write_register_request;
 
-/** Writes ck10_write_register_request to 4 bytes without any check. */
+/** Writes ck10_write_register_request to 4 bytes without checks. */
 static inline void ck10_write_register_request_pack(const ck10_write_register_request *in, uint8_t *out)
 {
     ck10_store_u16_be(out + 0, in->address);
     ck10_store_u16_be(out + 2, in->value);
 }
 
-/** Reads ck10_write_register_request from 4 bytes without any check. */
+/** Reads ck10_write_register_request from 4 bytes without checks. */
 static inline void ck10_write_register_request_unpack(const uint8_t *in, ck10_write_register_request *out)
 {
     out->address = ck10_load_u16_be(in + 0);
@@ -2434,7 +2434,7 @@ static inline void ck10_write_register_request_unpack(const uint8_t *in, ck10_wr
 
 /**
  * Writes ck10_write_register_request: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_write_register_request_encode(const ck10_write_register_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -2472,14 +2472,14 @@ typedef struct ck10_write_register_response {
     uint16_t value;
 } ck10_write_register_response;
 
-/** Writes ck10_write_register_response to 4 bytes without any check. */
+/** Writes ck10_write_register_response to 4 bytes without checks. */
 static inline void ck10_write_register_response_pack(const ck10_write_register_response *in, uint8_t *out)
 {
     ck10_store_u16_be(out + 0, in->address);
     ck10_store_u16_be(out + 2, in->value);
 }
 
-/** Reads ck10_write_register_response from 4 bytes without any check. */
+/** Reads ck10_write_register_response from 4 bytes without checks. */
 static inline void ck10_write_register_response_unpack(const uint8_t *in, ck10_write_register_response *out)
 {
     out->address = ck10_load_u16_be(in + 0);
@@ -2488,7 +2488,7 @@ static inline void ck10_write_register_response_unpack(const uint8_t *in, ck10_w
 
 /**
  * Writes ck10_write_register_response: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_write_register_response_encode(const ck10_write_register_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -2538,7 +2538,7 @@ typedef struct ck10_write_registers_request {
 
 /**
  * Writes ck10_write_registers_request: 7 to 251 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_write_registers_request_encode(const ck10_write_registers_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -2602,14 +2602,14 @@ typedef struct ck10_write_registers_response {
     uint16_t word_count;
 } ck10_write_registers_response;
 
-/** Writes ck10_write_registers_response to 4 bytes without any check. */
+/** Writes ck10_write_registers_response to 4 bytes without checks. */
 static inline void ck10_write_registers_response_pack(const ck10_write_registers_response *in, uint8_t *out)
 {
     ck10_store_u16_be(out + 0, in->address);
     ck10_store_u16_be(out + 2, in->word_count);
 }
 
-/** Reads ck10_write_registers_response from 4 bytes without any check. */
+/** Reads ck10_write_registers_response from 4 bytes without checks. */
 static inline void ck10_write_registers_response_unpack(const uint8_t *in, ck10_write_registers_response *out)
 {
     out->address = ck10_load_u16_be(in + 0);
@@ -2618,7 +2618,7 @@ static inline void ck10_write_registers_response_unpack(const uint8_t *in, ck10_
 
 /**
  * Writes ck10_write_registers_response: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_write_registers_response_encode(const ck10_write_registers_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -2651,11 +2651,11 @@ static inline ck10_codec_status ck10_write_registers_response_decode(const uint8
 #define CK10_REPORT_SERVER_ID_CODE 17u
 
 #define CK10_REPORT_SERVER_ID_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes ck10_report_server_id_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_report_server_id_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2676,11 +2676,11 @@ static inline ck10_codec_status ck10_report_server_id_request_decode(const uint8
 }
 
 #define CK10_REPORT_SERVER_ID_RESPONSE_SIZE 3u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes ck10_report_server_id_response: 3 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_report_server_id_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2723,14 +2723,14 @@ static inline ck10_codec_status ck10_report_server_id_response_decode(const uint
 #define CK10_REG_AXIS_START_SPEED_ADDRESS 0x07D0u
 #define CK10_REG_AXIS_START_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_start_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -2747,14 +2747,14 @@ static inline ck10_codec_status ck10_reg_axis_start_speed_encode(uint32_t value,
 #define CK10_REG_AXIS_ACCELERATION_TIME_ADDRESS 0x07D2u
 #define CK10_REG_AXIS_ACCELERATION_TIME_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_acceleration_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_acceleration_time_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -2771,14 +2771,14 @@ static inline ck10_codec_status ck10_reg_axis_acceleration_time_encode(uint16_t 
 #define CK10_REG_AXIS_DECELERATION_TIME_ADDRESS 0x07D3u
 #define CK10_REG_AXIS_DECELERATION_TIME_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_deceleration_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_deceleration_time_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -2795,14 +2795,14 @@ static inline ck10_codec_status ck10_reg_axis_deceleration_time_encode(uint16_t 
 #define CK10_REG_AXIS_MOVE_SPEED_ADDRESS 0x07D4u
 #define CK10_REG_AXIS_MOVE_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_move_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_move_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -2819,14 +2819,14 @@ static inline ck10_codec_status ck10_reg_axis_move_speed_encode(uint32_t value, 
 #define CK10_REG_TARGET_POSITION_OR_DISTANCE_ADDRESS 0x07D6u
 #define CK10_REG_TARGET_POSITION_OR_DISTANCE_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_target_position_or_distance_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_target_position_or_distance_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -2845,7 +2845,7 @@ static inline ck10_codec_status ck10_reg_target_position_or_distance_encode(int3
 #define CK10_REG_START_MOVE_WORDS 1u
 
 /**
- * Reads its value from the 2 bytes of its words.
+ * Decodes the value from the 2 bytes of its words.
  * An integer, as the device may answer what move_kind does not have.
  */
 static inline ck10_codec_status ck10_reg_start_move_decode(const uint8_t *in, uint16_t *out)
@@ -2854,7 +2854,7 @@ static inline ck10_codec_status ck10_reg_start_move_decode(const uint8_t *in, ui
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_move_encode(ck10_move_kind value, uint8_t *out)
 {
     if (!ck10_move_kind_known((int64_t)value)) {
@@ -2874,14 +2874,14 @@ static inline ck10_codec_status ck10_reg_start_move_encode(ck10_move_kind value,
 #define CK10_REG_AXIS_JOG_ACCELERATION_TIME_ADDRESS 0x07D9u
 #define CK10_REG_AXIS_JOG_ACCELERATION_TIME_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_jog_acceleration_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_jog_acceleration_time_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -2897,14 +2897,14 @@ static inline ck10_codec_status ck10_reg_axis_jog_acceleration_time_encode(uint1
 #define CK10_REG_AXIS_JOG_START_SPEED_ADDRESS 0x07DAu
 #define CK10_REG_AXIS_JOG_START_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_jog_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_jog_start_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -2920,14 +2920,14 @@ static inline ck10_codec_status ck10_reg_axis_jog_start_speed_encode(uint32_t va
 #define CK10_REG_AXIS_JOG_SPEED_ADDRESS 0x07DCu
 #define CK10_REG_AXIS_JOG_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_jog_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_jog_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -2944,7 +2944,7 @@ static inline ck10_codec_status ck10_reg_axis_jog_speed_encode(uint32_t value, u
 #define CK10_REG_JOG_DIRECTION_ADDRESS 0x07DEu
 #define CK10_REG_JOG_DIRECTION_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_direction_decode(const uint8_t *in, ck10_jog_direction *out)
 {
     const uint16_t number = ck10_load_u16_be(in);
@@ -2955,7 +2955,7 @@ static inline ck10_codec_status ck10_reg_jog_direction_decode(const uint8_t *in,
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_direction_encode(ck10_jog_direction value, uint8_t *out)
 {
     if (!ck10_jog_direction_known((int64_t)value)) {
@@ -2975,14 +2975,14 @@ static inline ck10_codec_status ck10_reg_jog_direction_encode(ck10_jog_direction
 #define CK10_REG_START_JOG_WORDS 1u
 #define CK10_REG_START_JOG_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_jog_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_jog_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -2999,14 +2999,14 @@ static inline ck10_codec_status ck10_reg_start_jog_encode(uint8_t *out)
 #define CK10_REG_PUSH_START_SPEED_ADDRESS 0x07E0u
 #define CK10_REG_PUSH_START_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_start_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -3023,14 +3023,14 @@ static inline ck10_codec_status ck10_reg_push_start_speed_encode(uint32_t value,
 #define CK10_REG_PUSH_MOVE_SPEED_ADDRESS 0x07E2u
 #define CK10_REG_PUSH_MOVE_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_move_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_move_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -3046,14 +3046,14 @@ static inline ck10_codec_status ck10_reg_push_move_speed_encode(uint32_t value, 
 #define CK10_REG_PUSH_ACCELERATION_TIME_ADDRESS 0x07E4u
 #define CK10_REG_PUSH_ACCELERATION_TIME_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_acceleration_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_acceleration_time_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -3069,14 +3069,14 @@ static inline ck10_codec_status ck10_reg_push_acceleration_time_encode(uint16_t 
 #define CK10_REG_PUSH_DECELERATION_TIME_ADDRESS 0x07E5u
 #define CK10_REG_PUSH_DECELERATION_TIME_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_deceleration_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_deceleration_time_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -3093,7 +3093,7 @@ static inline ck10_codec_status ck10_reg_push_deceleration_time_encode(uint16_t 
 #define CK10_REG_PUSH_MODE_ADDRESS 0x07E6u
 #define CK10_REG_PUSH_MODE_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_mode_decode(const uint8_t *in, ck10_push_mode *out)
 {
     const uint16_t number = ck10_load_u16_be(in);
@@ -3104,7 +3104,7 @@ static inline ck10_codec_status ck10_reg_push_mode_decode(const uint8_t *in, ck1
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_mode_encode(ck10_push_mode value, uint8_t *out)
 {
     if (!ck10_push_mode_known((int64_t)value)) {
@@ -3123,14 +3123,14 @@ static inline ck10_codec_status ck10_reg_push_mode_encode(ck10_push_mode value, 
 #define CK10_REG_PUSH_TORQUE_RATIO_ADDRESS 0x07E7u
 #define CK10_REG_PUSH_TORQUE_RATIO_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_torque_ratio_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_torque_ratio_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -3146,14 +3146,14 @@ static inline ck10_codec_status ck10_reg_push_torque_ratio_encode(uint16_t value
 #define CK10_REG_PUSH_SPEED_ADDRESS 0x07E8u
 #define CK10_REG_PUSH_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -3170,14 +3170,14 @@ static inline ck10_codec_status ck10_reg_push_speed_encode(uint32_t value, uint8
 #define CK10_REG_PUSH_START_POSITION_ADDRESS 0x07EAu
 #define CK10_REG_PUSH_START_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_start_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_start_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -3194,14 +3194,14 @@ static inline ck10_codec_status ck10_reg_push_start_position_encode(int32_t valu
 #define CK10_REG_PUSH_END_POSITION_ADDRESS 0x07ECu
 #define CK10_REG_PUSH_END_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_end_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_end_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -3218,14 +3218,14 @@ static inline ck10_codec_status ck10_reg_push_end_position_encode(int32_t value,
 #define CK10_REG_START_PUSH_MOTION_WORDS 1u
 #define CK10_REG_START_PUSH_MOTION_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_push_motion_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_push_motion_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -3242,14 +3242,14 @@ static inline ck10_codec_status ck10_reg_start_push_motion_encode(uint8_t *out)
 #define CK10_REG_START_HOMING_WORDS 1u
 #define CK10_REG_START_HOMING_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_homing_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_homing_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -3268,7 +3268,7 @@ static inline ck10_codec_status ck10_reg_start_homing_encode(uint8_t *out)
 #define CK10_REG_STOP_WORDS 1u
 
 /**
- * Reads its value from the 2 bytes of its words.
+ * Decodes the value from the 2 bytes of its words.
  * An integer, as the device may answer what stop_kind does not have.
  */
 static inline ck10_codec_status ck10_reg_stop_decode(const uint8_t *in, uint16_t *out)
@@ -3277,7 +3277,7 @@ static inline ck10_codec_status ck10_reg_stop_decode(const uint8_t *in, uint16_t
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_stop_encode(ck10_stop_kind value, uint8_t *out)
 {
     if (!ck10_stop_kind_known((int64_t)value)) {
@@ -3297,14 +3297,14 @@ static inline ck10_codec_status ck10_reg_stop_encode(ck10_stop_kind value, uint8
 #define CK10_REG_SERVO_ADDRESS 0x07F1u
 #define CK10_REG_SERVO_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_servo_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_servo_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -3321,14 +3321,14 @@ static inline ck10_codec_status ck10_reg_servo_encode(uint16_t value, uint8_t *o
 #define CK10_REG_CLEAR_POSITION_WORDS 1u
 #define CK10_REG_CLEAR_POSITION_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_clear_position_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_clear_position_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -3345,14 +3345,14 @@ static inline ck10_codec_status ck10_reg_clear_position_encode(uint8_t *out)
 #define CK10_REG_RESET_ALARM_WORDS 1u
 #define CK10_REG_RESET_ALARM_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reset_alarm_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reset_alarm_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -3370,14 +3370,14 @@ static inline ck10_codec_status ck10_reg_reset_alarm_encode(uint8_t *out)
 #define CK10_REG_SAVE_POINT_TABLE_WORDS 1u
 #define CK10_REG_SAVE_POINT_TABLE_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_save_point_table_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_save_point_table_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -3394,14 +3394,14 @@ static inline ck10_codec_status ck10_reg_save_point_table_encode(uint8_t *out)
 #define CK10_REG_START_POINT_ADDRESS 0x07F6u
 #define CK10_REG_START_POINT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_point_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_point_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -3420,7 +3420,7 @@ static inline ck10_codec_status ck10_reg_start_point_encode(uint16_t value, uint
 #define CK10_REG_RUN_POINT_TABLE_WORDS 1u
 
 /**
- * Reads its value from the 2 bytes of its words.
+ * Decodes the value from the 2 bytes of its words.
  * An integer, as the device may answer what point_table_command does not have.
  */
 static inline ck10_codec_status ck10_reg_run_point_table_decode(const uint8_t *in, uint16_t *out)
@@ -3429,7 +3429,7 @@ static inline ck10_codec_status ck10_reg_run_point_table_decode(const uint8_t *i
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_run_point_table_encode(ck10_point_table_command value, uint8_t *out)
 {
     if (!ck10_point_table_command_known((int64_t)value)) {
@@ -3449,14 +3449,14 @@ static inline ck10_codec_status ck10_reg_run_point_table_encode(ck10_point_table
 #define CK10_REG_SAVE_ALL_PARAMETERS_WORDS 1u
 #define CK10_REG_SAVE_ALL_PARAMETERS_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_save_all_parameters_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_save_all_parameters_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -3473,14 +3473,14 @@ static inline ck10_codec_status ck10_reg_save_all_parameters_encode(uint8_t *out
 #define CK10_REG_COMPARE_START_POSITION_ADDRESS 0x07F8u
 #define CK10_REG_COMPARE_START_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_start_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_start_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -3497,14 +3497,14 @@ static inline ck10_codec_status ck10_reg_compare_start_position_encode(int32_t v
 #define CK10_REG_COMPARE_PERIOD_ADDRESS 0x07FAu
 #define CK10_REG_COMPARE_PERIOD_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_period_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_period_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -3523,14 +3523,14 @@ static inline ck10_codec_status ck10_reg_compare_period_encode(uint32_t value, u
 #define CK10_REG_COMPARE_PULSE_WIDTH_MIN 1u
 #define CK10_REG_COMPARE_PULSE_WIDTH_MAX 1000u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_pulse_width_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_pulse_width_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 1000u)) {
@@ -3549,7 +3549,7 @@ static inline ck10_codec_status ck10_reg_compare_pulse_width_encode(uint16_t val
 #define CK10_REG_COMPARE_ENABLE_ADDRESS 0x07FDu
 #define CK10_REG_COMPARE_ENABLE_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_enable_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -3559,7 +3559,7 @@ static inline ck10_codec_status ck10_reg_compare_enable_decode(const uint8_t *in
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_enable_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -3575,7 +3575,7 @@ static inline ck10_codec_status ck10_reg_compare_enable_encode(bool value, uint8
 #define CK10_REG_COMPARE_ACTIVE_ADDRESS 0x07FEu
 #define CK10_REG_COMPARE_ACTIVE_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_active_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -3585,7 +3585,7 @@ static inline ck10_codec_status ck10_reg_compare_active_decode(const uint8_t *in
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_active_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -3602,14 +3602,14 @@ static inline ck10_codec_status ck10_reg_compare_active_encode(bool value, uint8
 #define CK10_REG_MODEL_ID_WORDS 2u
 #define CK10_REG_MODEL_ID_VALUE 104u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_model_id_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_model_id_encode(uint8_t *out)
 {
     ck10_store_u32_be(out, 104u);
@@ -3626,14 +3626,14 @@ static inline ck10_codec_status ck10_reg_model_id_encode(uint8_t *out)
 #define CK10_REG_HARDWARE_TYPE_WORDS 1u
 #define CK10_REG_HARDWARE_TYPE_VALUE 31u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_hardware_type_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_hardware_type_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 31u);
@@ -3649,14 +3649,14 @@ static inline ck10_codec_status ck10_reg_hardware_type_encode(uint8_t *out)
 #define CK10_REG_FIRMWARE_VERSION_ADDRESS 0x0837u
 #define CK10_REG_FIRMWARE_VERSION_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_firmware_version_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_firmware_version_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -3672,14 +3672,14 @@ static inline ck10_codec_status ck10_reg_firmware_version_encode(uint16_t value,
 #define CK10_REG_POWER_CYCLES_ADDRESS 0x0838u
 #define CK10_REG_POWER_CYCLES_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_power_cycles_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_power_cycles_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -3696,14 +3696,14 @@ static inline ck10_codec_status ck10_reg_power_cycles_encode(uint32_t value, uin
 #define CK10_REG_TURNS_TOTAL_ADDRESS 0x083Au
 #define CK10_REG_TURNS_TOTAL_WORDS 4u
 
-/** Reads its value from the 8 bytes of its words. */
+/** Decodes the value from the 8 bytes of its words. */
 static inline ck10_codec_status ck10_reg_turns_total_decode(const uint8_t *in, uint64_t *out)
 {
     *out = ck10_load_u64_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 8 bytes of its words. */
+/** Encodes the value into the 8 bytes of its words. */
 static inline ck10_codec_status ck10_reg_turns_total_encode(uint64_t value, uint8_t *out)
 {
     ck10_store_u64_be(out, value);
@@ -3720,14 +3720,14 @@ static inline ck10_codec_status ck10_reg_turns_total_encode(uint64_t value, uint
 #define CK10_REG_TURNS_SINCE_POWER_ON_ADDRESS 0x083Eu
 #define CK10_REG_TURNS_SINCE_POWER_ON_WORDS 4u
 
-/** Reads its value from the 8 bytes of its words. */
+/** Decodes the value from the 8 bytes of its words. */
 static inline ck10_codec_status ck10_reg_turns_since_power_on_decode(const uint8_t *in, uint64_t *out)
 {
     *out = ck10_load_u64_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 8 bytes of its words. */
+/** Encodes the value into the 8 bytes of its words. */
 static inline ck10_codec_status ck10_reg_turns_since_power_on_encode(uint64_t value, uint8_t *out)
 {
     ck10_store_u64_be(out, value);
@@ -3748,14 +3748,14 @@ static inline ck10_codec_status ck10_reg_turns_since_power_on_encode(uint64_t va
 #define CK10_REG_RESOLUTION_MAX 50000u
 #define CK10_REG_RESOLUTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_resolution_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_resolution_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 50000u)) {
@@ -3781,14 +3781,14 @@ static inline ck10_codec_status ck10_reg_resolution_encode(uint32_t value, uint8
 #define CK10_REG_MAXIMUM_SPEED_MAX 800000u
 #define CK10_REG_MAXIMUM_SPEED_DEFAULT 500000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_maximum_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_maximum_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 800000u)) {
@@ -3812,14 +3812,14 @@ static inline ck10_codec_status ck10_reg_maximum_speed_encode(uint32_t value, ui
 #define CK10_REG_START_SPEED_MAX 35000u
 #define CK10_REG_START_SPEED_DEFAULT 1u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 35000u)) {
@@ -3843,14 +3843,14 @@ static inline ck10_codec_status ck10_reg_start_speed_encode(uint32_t value, uint
 #define CK10_REG_ACCELERATION_TIME_MAX 9999u
 #define CK10_REG_ACCELERATION_TIME_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_acceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_acceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -3874,14 +3874,14 @@ static inline ck10_codec_status ck10_reg_acceleration_time_encode(uint32_t value
 #define CK10_REG_DECELERATION_TIME_MAX 9999u
 #define CK10_REG_DECELERATION_TIME_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_deceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_deceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -3904,14 +3904,14 @@ static inline ck10_codec_status ck10_reg_deceleration_time_encode(uint32_t value
 #define CK10_REG_RESERVED_5_MAX 100u
 #define CK10_REG_RESERVED_5_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_5_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_5_encode(uint32_t value, uint8_t *out)
 {
     if (!(value == 100u)) {
@@ -3935,14 +3935,14 @@ static inline ck10_codec_status ck10_reg_reserved_5_encode(uint32_t value, uint8
 #define CK10_REG_JOG_SPEED_MAX 800000u
 #define CK10_REG_JOG_SPEED_DEFAULT 5000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 800000u)) {
@@ -3966,14 +3966,14 @@ static inline ck10_codec_status ck10_reg_jog_speed_encode(uint32_t value, uint8_
 #define CK10_REG_JOG_START_SPEED_MAX 35000u
 #define CK10_REG_JOG_START_SPEED_DEFAULT 1u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_start_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 35000u)) {
@@ -3997,14 +3997,14 @@ static inline ck10_codec_status ck10_reg_jog_start_speed_encode(uint32_t value, 
 #define CK10_REG_JOG_ACCELERATION_TIME_MAX 9999u
 #define CK10_REG_JOG_ACCELERATION_TIME_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_acceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_acceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -4028,14 +4028,14 @@ static inline ck10_codec_status ck10_reg_jog_acceleration_time_encode(uint32_t v
 #define CK10_REG_POSITIVE_SOFT_LIMIT_MAX 2147483647
 #define CK10_REG_POSITIVE_SOFT_LIMIT_DEFAULT 2147483647
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_positive_soft_limit_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_positive_soft_limit_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -4056,14 +4056,14 @@ static inline ck10_codec_status ck10_reg_positive_soft_limit_encode(int32_t valu
 #define CK10_REG_NEGATIVE_SOFT_LIMIT_MAX 2147483647
 #define CK10_REG_NEGATIVE_SOFT_LIMIT_DEFAULT (-2147483647 - 1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_negative_soft_limit_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_negative_soft_limit_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -4084,7 +4084,7 @@ static inline ck10_codec_status ck10_reg_negative_soft_limit_encode(int32_t valu
 #define CK10_REG_SOFT_LIMIT_STOP_MAX 2u
 #define CK10_REG_SOFT_LIMIT_STOP_DEFAULT 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_soft_limit_stop_decode(const uint8_t *in, ck10_soft_limit_stop *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -4095,7 +4095,7 @@ static inline ck10_codec_status ck10_reg_soft_limit_stop_decode(const uint8_t *i
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_soft_limit_stop_encode(ck10_soft_limit_stop value, uint8_t *out)
 {
     if (!ck10_soft_limit_stop_known((int64_t)value)) {
@@ -4119,7 +4119,7 @@ static inline ck10_codec_status ck10_reg_soft_limit_stop_encode(ck10_soft_limit_
 #define CK10_REG_HARD_LIMIT_STOP_MAX 1u
 #define CK10_REG_HARD_LIMIT_STOP_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_hard_limit_stop_decode(const uint8_t *in, ck10_hard_limit_stop *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -4130,7 +4130,7 @@ static inline ck10_codec_status ck10_reg_hard_limit_stop_decode(const uint8_t *i
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_hard_limit_stop_encode(ck10_hard_limit_stop value, uint8_t *out)
 {
     if (!ck10_hard_limit_stop_known((int64_t)value)) {
@@ -4153,14 +4153,14 @@ static inline ck10_codec_status ck10_reg_hard_limit_stop_encode(ck10_hard_limit_
 #define CK10_REG_RESERVED_13_MAX 1u
 #define CK10_REG_RESERVED_13_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_13_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_13_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 1u)) {
@@ -4184,14 +4184,14 @@ static inline ck10_codec_status ck10_reg_reserved_13_encode(uint32_t value, uint
 #define CK10_REG_HOMING_SPEED_MAX 800000u
 #define CK10_REG_HOMING_SPEED_DEFAULT 5000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 800000u)) {
@@ -4216,14 +4216,14 @@ static inline ck10_codec_status ck10_reg_homing_speed_encode(uint32_t value, uin
 #define CK10_REG_HOMING_SEARCH_SPEED_MAX 80000u
 #define CK10_REG_HOMING_SEARCH_SPEED_DEFAULT 1000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_search_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_search_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 80000u)) {
@@ -4247,14 +4247,14 @@ static inline ck10_codec_status ck10_reg_homing_search_speed_encode(uint32_t val
 #define CK10_REG_HOMING_ACCELERATION_TIME_MAX 9999u
 #define CK10_REG_HOMING_ACCELERATION_TIME_DEFAULT 50u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_acceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_acceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -4278,7 +4278,7 @@ static inline ck10_codec_status ck10_reg_homing_acceleration_time_encode(uint32_
 #define CK10_REG_HOMING_METHOD_MAX 7u
 #define CK10_REG_HOMING_METHOD_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_method_decode(const uint8_t *in, ck10_homing_method *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -4289,7 +4289,7 @@ static inline ck10_codec_status ck10_reg_homing_method_decode(const uint8_t *in,
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_method_encode(ck10_homing_method value, uint8_t *out)
 {
     if (!ck10_homing_method_known((int64_t)value)) {
@@ -4313,7 +4313,7 @@ static inline ck10_codec_status ck10_reg_homing_method_encode(ck10_homing_method
 #define CK10_REG_HOMING_DIRECTION_MAX 1u
 #define CK10_REG_HOMING_DIRECTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_direction_decode(const uint8_t *in, ck10_rotation *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -4324,7 +4324,7 @@ static inline ck10_codec_status ck10_reg_homing_direction_decode(const uint8_t *
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_direction_encode(ck10_rotation value, uint8_t *out)
 {
     if (!ck10_rotation_known((int64_t)value)) {
@@ -4348,14 +4348,14 @@ static inline ck10_codec_status ck10_reg_homing_direction_encode(ck10_rotation v
 #define CK10_REG_HOMING_OFFSET_MAX 2147483647
 #define CK10_REG_HOMING_OFFSET_DEFAULT 0
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_offset_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_offset_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -4376,14 +4376,14 @@ static inline ck10_codec_status ck10_reg_homing_offset_encode(int32_t value, uin
 #define CK10_REG_ORIGIN_POSITION_MAX 2147483647
 #define CK10_REG_ORIGIN_POSITION_DEFAULT 0
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_origin_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_origin_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -4403,14 +4403,14 @@ static inline ck10_codec_status ck10_reg_origin_position_encode(int32_t value, u
 #define CK10_REG_RESERVED_21_MAX 1u
 #define CK10_REG_RESERVED_21_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_21_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_21_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 1u)) {
@@ -4437,14 +4437,14 @@ static inline ck10_codec_status ck10_reg_reserved_21_encode(uint32_t value, uint
 #define CK10_REG_POSITION_LOOP_GAIN_MAX 63u
 #define CK10_REG_POSITION_LOOP_GAIN_DEFAULT 4u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_position_loop_gain_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_position_loop_gain_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 63u)) {
@@ -4469,14 +4469,14 @@ static inline ck10_codec_status ck10_reg_position_loop_gain_encode(uint32_t valu
 #define CK10_REG_IN_POSITION_RANGE_MAX 127u
 #define CK10_REG_IN_POSITION_RANGE_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_in_position_range_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_in_position_range_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 127u)) {
@@ -4500,14 +4500,14 @@ static inline ck10_codec_status ck10_reg_in_position_range_encode(uint32_t value
 #define CK10_REG_TRACKING_LIMIT_MAX 134217727u
 #define CK10_REG_TRACKING_LIMIT_DEFAULT 2500u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_tracking_limit_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_tracking_limit_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 134217727u)) {
@@ -4532,7 +4532,7 @@ static inline ck10_codec_status ck10_reg_tracking_limit_encode(uint32_t value, u
 #define CK10_REG_MOTOR_DIRECTION_MAX 1u
 #define CK10_REG_MOTOR_DIRECTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_motor_direction_decode(const uint8_t *in, ck10_rotation *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -4543,7 +4543,7 @@ static inline ck10_codec_status ck10_reg_motor_direction_decode(const uint8_t *i
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_motor_direction_encode(ck10_rotation value, uint8_t *out)
 {
     if (!ck10_rotation_known((int64_t)value)) {
@@ -4566,14 +4566,14 @@ static inline ck10_codec_status ck10_reg_motor_direction_encode(ck10_rotation va
 #define CK10_REG_RESERVED_26_MAX 1u
 #define CK10_REG_RESERVED_26_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_26_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_26_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 1u)) {
@@ -4597,14 +4597,14 @@ static inline ck10_codec_status ck10_reg_reserved_26_encode(uint32_t value, uint
 #define CK10_REG_HOMING_TORQUE_RATIO_MAX 90u
 #define CK10_REG_HOMING_TORQUE_RATIO_DEFAULT 50u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_torque_ratio_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_torque_ratio_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 20u && value <= 90u)) {
@@ -4628,14 +4628,14 @@ static inline ck10_codec_status ck10_reg_homing_torque_ratio_encode(uint32_t val
 #define CK10_REG_POSITION_OVERFLOW_LIMIT_MAX 134217727u
 #define CK10_REG_POSITION_OVERFLOW_LIMIT_DEFAULT 2500u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_position_overflow_limit_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_position_overflow_limit_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 134217727u)) {
@@ -4658,14 +4658,14 @@ static inline ck10_codec_status ck10_reg_position_overflow_limit_encode(uint32_t
 #define CK10_REG_RESERVED_29_MAX 5000u
 #define CK10_REG_RESERVED_29_DEFAULT 200u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_29_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_29_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 10u && value <= 5000u)) {
@@ -4692,14 +4692,14 @@ static inline ck10_codec_status ck10_reg_reserved_29_encode(uint32_t value, uint
 #define CK10_REG_RUN_CURRENT_SCALE_NUMERATOR INT64_C(10)
 #define CK10_REG_RUN_CURRENT_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_run_current_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_run_current_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 5u && value <= 15u)) {
@@ -4727,14 +4727,14 @@ static inline ck10_codec_status ck10_reg_run_current_encode(uint32_t value, uint
 #define CK10_REG_BOOST_CURRENT_SCALE_NUMERATOR INT64_C(50)
 #define CK10_REG_BOOST_CURRENT_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_boost_current_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_boost_current_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 7u)) {
@@ -4761,14 +4761,14 @@ static inline ck10_codec_status ck10_reg_boost_current_encode(uint32_t value, ui
 #define CK10_REG_STOP_CURRENT_SCALE_NUMERATOR INT64_C(10)
 #define CK10_REG_STOP_CURRENT_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_stop_current_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_stop_current_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 2u && value <= 10u)) {
@@ -4792,7 +4792,7 @@ static inline ck10_codec_status ck10_reg_stop_current_encode(uint32_t value, uin
 #define CK10_REG_EMERGENCY_STOP_MODE_MAX 4u
 #define CK10_REG_EMERGENCY_STOP_MODE_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_emergency_stop_mode_decode(const uint8_t *in, ck10_emergency_stop_mode *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -4803,7 +4803,7 @@ static inline ck10_codec_status ck10_reg_emergency_stop_mode_decode(const uint8_
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_emergency_stop_mode_encode(ck10_emergency_stop_mode value, uint8_t *out)
 {
     if (!ck10_emergency_stop_mode_known((int64_t)value)) {
@@ -4827,7 +4827,7 @@ static inline ck10_codec_status ck10_reg_emergency_stop_mode_encode(ck10_emergen
 #define CK10_REG_EMERGENCY_BRAKE_MODE_MAX 1u
 #define CK10_REG_EMERGENCY_BRAKE_MODE_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_emergency_brake_mode_decode(const uint8_t *in, ck10_emergency_brake_mode *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -4838,7 +4838,7 @@ static inline ck10_codec_status ck10_reg_emergency_brake_mode_decode(const uint8
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_emergency_brake_mode_encode(ck10_emergency_brake_mode value, uint8_t *out)
 {
     if (!ck10_emergency_brake_mode_known((int64_t)value)) {
@@ -4863,7 +4863,7 @@ static inline ck10_codec_status ck10_reg_emergency_brake_mode_encode(ck10_emerge
 #define CK10_REG_OPERATION_MODE_MAX 5u
 #define CK10_REG_OPERATION_MODE_DEFAULT 3u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_operation_mode_decode(const uint8_t *in, ck10_operation_mode *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -4874,7 +4874,7 @@ static inline ck10_codec_status ck10_reg_operation_mode_decode(const uint8_t *in
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_operation_mode_encode(ck10_operation_mode value, uint8_t *out)
 {
     if (!ck10_operation_mode_known((int64_t)value)) {
@@ -4898,7 +4898,7 @@ static inline ck10_codec_status ck10_reg_operation_mode_encode(ck10_operation_mo
 #define CK10_REG_SWITCH_FUNCTION_MAX 1u
 #define CK10_REG_SWITCH_FUNCTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_switch_function_decode(const uint8_t *in, ck10_switch_function *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -4909,7 +4909,7 @@ static inline ck10_codec_status ck10_reg_switch_function_decode(const uint8_t *i
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_switch_function_encode(ck10_switch_function value, uint8_t *out)
 {
     if (!ck10_switch_function_known((int64_t)value)) {
@@ -4933,7 +4933,7 @@ static inline ck10_codec_status ck10_reg_switch_function_encode(ck10_switch_func
 #define CK10_REG_BAUD_RATE_MAX 4u
 #define CK10_REG_BAUD_RATE_DEFAULT 4u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_baud_rate_decode(const uint8_t *in, ck10_baud_rate *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -4944,7 +4944,7 @@ static inline ck10_codec_status ck10_reg_baud_rate_decode(const uint8_t *in, ck1
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_baud_rate_encode(ck10_baud_rate value, uint8_t *out)
 {
     if (!ck10_baud_rate_known((int64_t)value)) {
@@ -4970,7 +4970,7 @@ static inline ck10_codec_status ck10_reg_baud_rate_encode(ck10_baud_rate value, 
 #define CK10_REG_SAVE_POSITION_MAX 1u
 #define CK10_REG_SAVE_POSITION_DEFAULT 1u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_save_position_decode(const uint8_t *in, ck10_enabled *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -4981,7 +4981,7 @@ static inline ck10_codec_status ck10_reg_save_position_decode(const uint8_t *in,
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_save_position_encode(ck10_enabled value, uint8_t *out)
 {
     if (!ck10_enabled_known((int64_t)value)) {
@@ -5005,7 +5005,7 @@ static inline ck10_codec_status ck10_reg_save_position_encode(ck10_enabled value
 #define CK10_REG_SHOW_MOTOR_NUMBER_MAX 1u
 #define CK10_REG_SHOW_MOTOR_NUMBER_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_show_motor_number_decode(const uint8_t *in, ck10_enabled *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5016,7 +5016,7 @@ static inline ck10_codec_status ck10_reg_show_motor_number_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_show_motor_number_encode(ck10_enabled value, uint8_t *out)
 {
     if (!ck10_enabled_known((int64_t)value)) {
@@ -5035,14 +5035,14 @@ static inline ck10_codec_status ck10_reg_show_motor_number_encode(ck10_enabled v
 #define CK10_REG_ASSIGNMENT_FLAGS_ADDRESS 0x13D8u
 #define CK10_REG_ASSIGNMENT_FLAGS_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_assignment_flags_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_assignment_flags_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5059,14 +5059,14 @@ static inline ck10_codec_status ck10_reg_assignment_flags_encode(uint32_t value,
 #define CK10_REG_INPUT_1_FUNCTION_ADDRESS 0x13DAu
 #define CK10_REG_INPUT_1_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_1_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_1_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5083,14 +5083,14 @@ static inline ck10_codec_status ck10_reg_input_1_function_encode(uint32_t value,
 #define CK10_REG_INPUT_2_FUNCTION_ADDRESS 0x13DCu
 #define CK10_REG_INPUT_2_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_2_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_2_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5107,14 +5107,14 @@ static inline ck10_codec_status ck10_reg_input_2_function_encode(uint32_t value,
 #define CK10_REG_INPUT_3_FUNCTION_ADDRESS 0x13DEu
 #define CK10_REG_INPUT_3_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_3_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_3_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5131,14 +5131,14 @@ static inline ck10_codec_status ck10_reg_input_3_function_encode(uint32_t value,
 #define CK10_REG_INPUT_4_FUNCTION_ADDRESS 0x13E0u
 #define CK10_REG_INPUT_4_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_4_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_4_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5155,14 +5155,14 @@ static inline ck10_codec_status ck10_reg_input_4_function_encode(uint32_t value,
 #define CK10_REG_INPUT_5_FUNCTION_ADDRESS 0x13E2u
 #define CK10_REG_INPUT_5_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_5_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_5_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5179,14 +5179,14 @@ static inline ck10_codec_status ck10_reg_input_5_function_encode(uint32_t value,
 #define CK10_REG_INPUT_6_FUNCTION_ADDRESS 0x13E4u
 #define CK10_REG_INPUT_6_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_6_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_6_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5203,14 +5203,14 @@ static inline ck10_codec_status ck10_reg_input_6_function_encode(uint32_t value,
 #define CK10_REG_INPUT_7_FUNCTION_ADDRESS 0x13E6u
 #define CK10_REG_INPUT_7_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_7_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_7_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5227,14 +5227,14 @@ static inline ck10_codec_status ck10_reg_input_7_function_encode(uint32_t value,
 #define CK10_REG_INPUT_8_FUNCTION_ADDRESS 0x13E8u
 #define CK10_REG_INPUT_8_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_8_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_8_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5251,14 +5251,14 @@ static inline ck10_codec_status ck10_reg_input_8_function_encode(uint32_t value,
 #define CK10_REG_INPUT_9_FUNCTION_ADDRESS 0x13EAu
 #define CK10_REG_INPUT_9_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_9_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_9_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5275,14 +5275,14 @@ static inline ck10_codec_status ck10_reg_input_9_function_encode(uint32_t value,
 #define CK10_REG_INPUT_10_FUNCTION_ADDRESS 0x13ECu
 #define CK10_REG_INPUT_10_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_10_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_10_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5299,14 +5299,14 @@ static inline ck10_codec_status ck10_reg_input_10_function_encode(uint32_t value
 #define CK10_REG_INPUT_11_FUNCTION_ADDRESS 0x13EEu
 #define CK10_REG_INPUT_11_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_11_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_11_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5323,14 +5323,14 @@ static inline ck10_codec_status ck10_reg_input_11_function_encode(uint32_t value
 #define CK10_REG_INPUT_12_FUNCTION_ADDRESS 0x13F0u
 #define CK10_REG_INPUT_12_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_12_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_12_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5347,14 +5347,14 @@ static inline ck10_codec_status ck10_reg_input_12_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_1_FUNCTION_ADDRESS 0x13F2u
 #define CK10_REG_OUTPUT_1_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_1_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_1_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5371,14 +5371,14 @@ static inline ck10_codec_status ck10_reg_output_1_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_2_FUNCTION_ADDRESS 0x13F4u
 #define CK10_REG_OUTPUT_2_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_2_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_2_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5395,14 +5395,14 @@ static inline ck10_codec_status ck10_reg_output_2_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_3_FUNCTION_ADDRESS 0x13F6u
 #define CK10_REG_OUTPUT_3_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_3_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_3_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5419,14 +5419,14 @@ static inline ck10_codec_status ck10_reg_output_3_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_4_FUNCTION_ADDRESS 0x13F8u
 #define CK10_REG_OUTPUT_4_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_4_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_4_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5443,14 +5443,14 @@ static inline ck10_codec_status ck10_reg_output_4_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_5_FUNCTION_ADDRESS 0x13FAu
 #define CK10_REG_OUTPUT_5_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_5_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_5_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5467,14 +5467,14 @@ static inline ck10_codec_status ck10_reg_output_5_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_6_FUNCTION_ADDRESS 0x13FCu
 #define CK10_REG_OUTPUT_6_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_6_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_6_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5491,14 +5491,14 @@ static inline ck10_codec_status ck10_reg_output_6_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_7_FUNCTION_ADDRESS 0x13FEu
 #define CK10_REG_OUTPUT_7_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_7_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_7_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5515,14 +5515,14 @@ static inline ck10_codec_status ck10_reg_output_7_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_8_FUNCTION_ADDRESS 0x1400u
 #define CK10_REG_OUTPUT_8_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_8_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_8_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5539,14 +5539,14 @@ static inline ck10_codec_status ck10_reg_output_8_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_9_FUNCTION_ADDRESS 0x1402u
 #define CK10_REG_OUTPUT_9_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_9_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_9_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5563,14 +5563,14 @@ static inline ck10_codec_status ck10_reg_output_9_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_10_FUNCTION_ADDRESS 0x1404u
 #define CK10_REG_OUTPUT_10_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_10_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_10_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5587,7 +5587,7 @@ static inline ck10_codec_status ck10_reg_output_10_function_encode(uint32_t valu
 #define CK10_REG_INPUT_1_POLARITY_ADDRESS 0x1406u
 #define CK10_REG_INPUT_1_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_1_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5598,7 +5598,7 @@ static inline ck10_codec_status ck10_reg_input_1_polarity_decode(const uint8_t *
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_1_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5618,7 +5618,7 @@ static inline ck10_codec_status ck10_reg_input_1_polarity_encode(ck10_polarity v
 #define CK10_REG_INPUT_2_POLARITY_ADDRESS 0x1408u
 #define CK10_REG_INPUT_2_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_2_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5629,7 +5629,7 @@ static inline ck10_codec_status ck10_reg_input_2_polarity_decode(const uint8_t *
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_2_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5649,7 +5649,7 @@ static inline ck10_codec_status ck10_reg_input_2_polarity_encode(ck10_polarity v
 #define CK10_REG_INPUT_3_POLARITY_ADDRESS 0x140Au
 #define CK10_REG_INPUT_3_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_3_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5660,7 +5660,7 @@ static inline ck10_codec_status ck10_reg_input_3_polarity_decode(const uint8_t *
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_3_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5680,7 +5680,7 @@ static inline ck10_codec_status ck10_reg_input_3_polarity_encode(ck10_polarity v
 #define CK10_REG_INPUT_4_POLARITY_ADDRESS 0x140Cu
 #define CK10_REG_INPUT_4_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_4_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5691,7 +5691,7 @@ static inline ck10_codec_status ck10_reg_input_4_polarity_decode(const uint8_t *
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_4_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5711,7 +5711,7 @@ static inline ck10_codec_status ck10_reg_input_4_polarity_encode(ck10_polarity v
 #define CK10_REG_INPUT_5_POLARITY_ADDRESS 0x140Eu
 #define CK10_REG_INPUT_5_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_5_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5722,7 +5722,7 @@ static inline ck10_codec_status ck10_reg_input_5_polarity_decode(const uint8_t *
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_5_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5742,7 +5742,7 @@ static inline ck10_codec_status ck10_reg_input_5_polarity_encode(ck10_polarity v
 #define CK10_REG_INPUT_6_POLARITY_ADDRESS 0x1410u
 #define CK10_REG_INPUT_6_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_6_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5753,7 +5753,7 @@ static inline ck10_codec_status ck10_reg_input_6_polarity_decode(const uint8_t *
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_6_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5773,7 +5773,7 @@ static inline ck10_codec_status ck10_reg_input_6_polarity_encode(ck10_polarity v
 #define CK10_REG_INPUT_7_POLARITY_ADDRESS 0x1412u
 #define CK10_REG_INPUT_7_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_7_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5784,7 +5784,7 @@ static inline ck10_codec_status ck10_reg_input_7_polarity_decode(const uint8_t *
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_7_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5804,7 +5804,7 @@ static inline ck10_codec_status ck10_reg_input_7_polarity_encode(ck10_polarity v
 #define CK10_REG_INPUT_8_POLARITY_ADDRESS 0x1414u
 #define CK10_REG_INPUT_8_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_8_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5815,7 +5815,7 @@ static inline ck10_codec_status ck10_reg_input_8_polarity_decode(const uint8_t *
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_8_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5835,7 +5835,7 @@ static inline ck10_codec_status ck10_reg_input_8_polarity_encode(ck10_polarity v
 #define CK10_REG_INPUT_9_POLARITY_ADDRESS 0x1416u
 #define CK10_REG_INPUT_9_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_9_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5846,7 +5846,7 @@ static inline ck10_codec_status ck10_reg_input_9_polarity_decode(const uint8_t *
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_9_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5866,7 +5866,7 @@ static inline ck10_codec_status ck10_reg_input_9_polarity_encode(ck10_polarity v
 #define CK10_REG_INPUT_10_POLARITY_ADDRESS 0x1418u
 #define CK10_REG_INPUT_10_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_10_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5877,7 +5877,7 @@ static inline ck10_codec_status ck10_reg_input_10_polarity_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_10_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5897,7 +5897,7 @@ static inline ck10_codec_status ck10_reg_input_10_polarity_encode(ck10_polarity 
 #define CK10_REG_INPUT_11_POLARITY_ADDRESS 0x141Au
 #define CK10_REG_INPUT_11_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_11_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5908,7 +5908,7 @@ static inline ck10_codec_status ck10_reg_input_11_polarity_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_11_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5928,7 +5928,7 @@ static inline ck10_codec_status ck10_reg_input_11_polarity_encode(ck10_polarity 
 #define CK10_REG_INPUT_12_POLARITY_ADDRESS 0x141Cu
 #define CK10_REG_INPUT_12_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_12_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5939,7 +5939,7 @@ static inline ck10_codec_status ck10_reg_input_12_polarity_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_12_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5959,7 +5959,7 @@ static inline ck10_codec_status ck10_reg_input_12_polarity_encode(ck10_polarity 
 #define CK10_REG_OUTPUT_1_POLARITY_ADDRESS 0x141Eu
 #define CK10_REG_OUTPUT_1_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_1_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -5970,7 +5970,7 @@ static inline ck10_codec_status ck10_reg_output_1_polarity_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_1_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -5990,7 +5990,7 @@ static inline ck10_codec_status ck10_reg_output_1_polarity_encode(ck10_polarity 
 #define CK10_REG_OUTPUT_2_POLARITY_ADDRESS 0x1420u
 #define CK10_REG_OUTPUT_2_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_2_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6001,7 +6001,7 @@ static inline ck10_codec_status ck10_reg_output_2_polarity_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_2_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -6021,7 +6021,7 @@ static inline ck10_codec_status ck10_reg_output_2_polarity_encode(ck10_polarity 
 #define CK10_REG_OUTPUT_3_POLARITY_ADDRESS 0x1422u
 #define CK10_REG_OUTPUT_3_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_3_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6032,7 +6032,7 @@ static inline ck10_codec_status ck10_reg_output_3_polarity_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_3_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -6052,7 +6052,7 @@ static inline ck10_codec_status ck10_reg_output_3_polarity_encode(ck10_polarity 
 #define CK10_REG_OUTPUT_4_POLARITY_ADDRESS 0x1424u
 #define CK10_REG_OUTPUT_4_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_4_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6063,7 +6063,7 @@ static inline ck10_codec_status ck10_reg_output_4_polarity_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_4_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -6083,7 +6083,7 @@ static inline ck10_codec_status ck10_reg_output_4_polarity_encode(ck10_polarity 
 #define CK10_REG_OUTPUT_5_POLARITY_ADDRESS 0x1426u
 #define CK10_REG_OUTPUT_5_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_5_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6094,7 +6094,7 @@ static inline ck10_codec_status ck10_reg_output_5_polarity_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_5_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -6114,7 +6114,7 @@ static inline ck10_codec_status ck10_reg_output_5_polarity_encode(ck10_polarity 
 #define CK10_REG_OUTPUT_6_POLARITY_ADDRESS 0x1428u
 #define CK10_REG_OUTPUT_6_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_6_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6125,7 +6125,7 @@ static inline ck10_codec_status ck10_reg_output_6_polarity_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_6_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -6145,7 +6145,7 @@ static inline ck10_codec_status ck10_reg_output_6_polarity_encode(ck10_polarity 
 #define CK10_REG_OUTPUT_7_POLARITY_ADDRESS 0x142Au
 #define CK10_REG_OUTPUT_7_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_7_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6156,7 +6156,7 @@ static inline ck10_codec_status ck10_reg_output_7_polarity_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_7_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -6176,7 +6176,7 @@ static inline ck10_codec_status ck10_reg_output_7_polarity_encode(ck10_polarity 
 #define CK10_REG_OUTPUT_8_POLARITY_ADDRESS 0x142Cu
 #define CK10_REG_OUTPUT_8_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_8_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6187,7 +6187,7 @@ static inline ck10_codec_status ck10_reg_output_8_polarity_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_8_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -6207,7 +6207,7 @@ static inline ck10_codec_status ck10_reg_output_8_polarity_encode(ck10_polarity 
 #define CK10_REG_OUTPUT_9_POLARITY_ADDRESS 0x142Eu
 #define CK10_REG_OUTPUT_9_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_9_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6218,7 +6218,7 @@ static inline ck10_codec_status ck10_reg_output_9_polarity_decode(const uint8_t 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_9_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -6238,7 +6238,7 @@ static inline ck10_codec_status ck10_reg_output_9_polarity_encode(ck10_polarity 
 #define CK10_REG_OUTPUT_10_POLARITY_ADDRESS 0x1430u
 #define CK10_REG_OUTPUT_10_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_10_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6249,7 +6249,7 @@ static inline ck10_codec_status ck10_reg_output_10_polarity_decode(const uint8_t
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_10_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -6272,14 +6272,14 @@ static inline ck10_codec_status ck10_reg_output_10_polarity_encode(ck10_polarity
 #define CK10_REG_FLASH_RESOLUTION_MAX 50000u
 #define CK10_REG_FLASH_RESOLUTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_resolution_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_resolution_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 50000u)) {
@@ -6302,14 +6302,14 @@ static inline ck10_codec_status ck10_reg_flash_resolution_encode(uint32_t value,
 #define CK10_REG_FLASH_MAXIMUM_SPEED_MAX 800000u
 #define CK10_REG_FLASH_MAXIMUM_SPEED_DEFAULT 500000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_maximum_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_maximum_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 800000u)) {
@@ -6332,14 +6332,14 @@ static inline ck10_codec_status ck10_reg_flash_maximum_speed_encode(uint32_t val
 #define CK10_REG_FLASH_START_SPEED_MAX 35000u
 #define CK10_REG_FLASH_START_SPEED_DEFAULT 1u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_start_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 35000u)) {
@@ -6362,14 +6362,14 @@ static inline ck10_codec_status ck10_reg_flash_start_speed_encode(uint32_t value
 #define CK10_REG_FLASH_ACCELERATION_TIME_MAX 9999u
 #define CK10_REG_FLASH_ACCELERATION_TIME_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_acceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_acceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -6392,14 +6392,14 @@ static inline ck10_codec_status ck10_reg_flash_acceleration_time_encode(uint32_t
 #define CK10_REG_FLASH_DECELERATION_TIME_MAX 9999u
 #define CK10_REG_FLASH_DECELERATION_TIME_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_deceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_deceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -6421,14 +6421,14 @@ static inline ck10_codec_status ck10_reg_flash_deceleration_time_encode(uint32_t
 #define CK10_REG_FLASH_RESERVED_5_MAX 100u
 #define CK10_REG_FLASH_RESERVED_5_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_5_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_5_encode(uint32_t value, uint8_t *out)
 {
     if (!(value == 100u)) {
@@ -6451,14 +6451,14 @@ static inline ck10_codec_status ck10_reg_flash_reserved_5_encode(uint32_t value,
 #define CK10_REG_FLASH_JOG_SPEED_MAX 800000u
 #define CK10_REG_FLASH_JOG_SPEED_DEFAULT 5000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_jog_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_jog_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 800000u)) {
@@ -6481,14 +6481,14 @@ static inline ck10_codec_status ck10_reg_flash_jog_speed_encode(uint32_t value, 
 #define CK10_REG_FLASH_JOG_START_SPEED_MAX 35000u
 #define CK10_REG_FLASH_JOG_START_SPEED_DEFAULT 1u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_jog_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_jog_start_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 35000u)) {
@@ -6511,14 +6511,14 @@ static inline ck10_codec_status ck10_reg_flash_jog_start_speed_encode(uint32_t v
 #define CK10_REG_FLASH_JOG_ACCELERATION_TIME_MAX 9999u
 #define CK10_REG_FLASH_JOG_ACCELERATION_TIME_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_jog_acceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_jog_acceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -6541,14 +6541,14 @@ static inline ck10_codec_status ck10_reg_flash_jog_acceleration_time_encode(uint
 #define CK10_REG_FLASH_POSITIVE_SOFT_LIMIT_MAX 2147483647
 #define CK10_REG_FLASH_POSITIVE_SOFT_LIMIT_DEFAULT 2147483647
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_positive_soft_limit_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_positive_soft_limit_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -6568,14 +6568,14 @@ static inline ck10_codec_status ck10_reg_flash_positive_soft_limit_encode(int32_
 #define CK10_REG_FLASH_NEGATIVE_SOFT_LIMIT_MAX 2147483647
 #define CK10_REG_FLASH_NEGATIVE_SOFT_LIMIT_DEFAULT (-2147483647 - 1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_negative_soft_limit_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_negative_soft_limit_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -6595,7 +6595,7 @@ static inline ck10_codec_status ck10_reg_flash_negative_soft_limit_encode(int32_
 #define CK10_REG_FLASH_SOFT_LIMIT_STOP_MAX 2u
 #define CK10_REG_FLASH_SOFT_LIMIT_STOP_DEFAULT 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_decode(const uint8_t *in, ck10_soft_limit_stop *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6606,7 +6606,7 @@ static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_decode(const uint
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_encode(ck10_soft_limit_stop value, uint8_t *out)
 {
     if (!ck10_soft_limit_stop_known((int64_t)value)) {
@@ -6629,7 +6629,7 @@ static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_encode(ck10_soft_
 #define CK10_REG_FLASH_HARD_LIMIT_STOP_MAX 1u
 #define CK10_REG_FLASH_HARD_LIMIT_STOP_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_decode(const uint8_t *in, ck10_hard_limit_stop *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6640,7 +6640,7 @@ static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_decode(const uint
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_encode(ck10_hard_limit_stop value, uint8_t *out)
 {
     if (!ck10_hard_limit_stop_known((int64_t)value)) {
@@ -6662,14 +6662,14 @@ static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_encode(ck10_hard_
 #define CK10_REG_FLASH_RESERVED_13_MAX 1u
 #define CK10_REG_FLASH_RESERVED_13_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_13_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_13_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 1u)) {
@@ -6692,14 +6692,14 @@ static inline ck10_codec_status ck10_reg_flash_reserved_13_encode(uint32_t value
 #define CK10_REG_FLASH_HOMING_SPEED_MAX 800000u
 #define CK10_REG_FLASH_HOMING_SPEED_DEFAULT 5000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 800000u)) {
@@ -6722,14 +6722,14 @@ static inline ck10_codec_status ck10_reg_flash_homing_speed_encode(uint32_t valu
 #define CK10_REG_FLASH_HOMING_SEARCH_SPEED_MAX 80000u
 #define CK10_REG_FLASH_HOMING_SEARCH_SPEED_DEFAULT 1000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_search_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_search_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 80000u)) {
@@ -6752,14 +6752,14 @@ static inline ck10_codec_status ck10_reg_flash_homing_search_speed_encode(uint32
 #define CK10_REG_FLASH_HOMING_ACCELERATION_TIME_MAX 9999u
 #define CK10_REG_FLASH_HOMING_ACCELERATION_TIME_DEFAULT 50u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_acceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_acceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -6781,7 +6781,7 @@ static inline ck10_codec_status ck10_reg_flash_homing_acceleration_time_encode(u
 #define CK10_REG_FLASH_HOMING_METHOD_MAX 7u
 #define CK10_REG_FLASH_HOMING_METHOD_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_method_decode(const uint8_t *in, ck10_homing_method *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6792,7 +6792,7 @@ static inline ck10_codec_status ck10_reg_flash_homing_method_decode(const uint8_
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_method_encode(ck10_homing_method value, uint8_t *out)
 {
     if (!ck10_homing_method_known((int64_t)value)) {
@@ -6814,7 +6814,7 @@ static inline ck10_codec_status ck10_reg_flash_homing_method_encode(ck10_homing_
 #define CK10_REG_FLASH_HOMING_DIRECTION_MAX 1u
 #define CK10_REG_FLASH_HOMING_DIRECTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_direction_decode(const uint8_t *in, ck10_rotation *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -6825,7 +6825,7 @@ static inline ck10_codec_status ck10_reg_flash_homing_direction_decode(const uin
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_direction_encode(ck10_rotation value, uint8_t *out)
 {
     if (!ck10_rotation_known((int64_t)value)) {
@@ -6848,14 +6848,14 @@ static inline ck10_codec_status ck10_reg_flash_homing_direction_encode(ck10_rota
 #define CK10_REG_FLASH_HOMING_OFFSET_MAX 2147483647
 #define CK10_REG_FLASH_HOMING_OFFSET_DEFAULT 0
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_offset_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_offset_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -6875,14 +6875,14 @@ static inline ck10_codec_status ck10_reg_flash_homing_offset_encode(int32_t valu
 #define CK10_REG_FLASH_ORIGIN_POSITION_MAX 2147483647
 #define CK10_REG_FLASH_ORIGIN_POSITION_DEFAULT 0
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_origin_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_origin_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -6901,14 +6901,14 @@ static inline ck10_codec_status ck10_reg_flash_origin_position_encode(int32_t va
 #define CK10_REG_FLASH_RESERVED_21_MAX 1u
 #define CK10_REG_FLASH_RESERVED_21_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_21_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_21_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 1u)) {
@@ -6932,14 +6932,14 @@ static inline ck10_codec_status ck10_reg_flash_reserved_21_encode(uint32_t value
 #define CK10_REG_FLASH_POSITION_LOOP_GAIN_MAX 63u
 #define CK10_REG_FLASH_POSITION_LOOP_GAIN_DEFAULT 4u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_position_loop_gain_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_position_loop_gain_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 63u)) {
@@ -6963,14 +6963,14 @@ static inline ck10_codec_status ck10_reg_flash_position_loop_gain_encode(uint32_
 #define CK10_REG_FLASH_IN_POSITION_RANGE_MAX 127u
 #define CK10_REG_FLASH_IN_POSITION_RANGE_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_in_position_range_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_in_position_range_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 127u)) {
@@ -6993,14 +6993,14 @@ static inline ck10_codec_status ck10_reg_flash_in_position_range_encode(uint32_t
 #define CK10_REG_FLASH_TRACKING_LIMIT_MAX 134217727u
 #define CK10_REG_FLASH_TRACKING_LIMIT_DEFAULT 2500u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_tracking_limit_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_tracking_limit_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 134217727u)) {
@@ -7023,7 +7023,7 @@ static inline ck10_codec_status ck10_reg_flash_tracking_limit_encode(uint32_t va
 #define CK10_REG_FLASH_MOTOR_DIRECTION_MAX 1u
 #define CK10_REG_FLASH_MOTOR_DIRECTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_motor_direction_decode(const uint8_t *in, ck10_rotation *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -7034,7 +7034,7 @@ static inline ck10_codec_status ck10_reg_flash_motor_direction_decode(const uint
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_motor_direction_encode(ck10_rotation value, uint8_t *out)
 {
     if (!ck10_rotation_known((int64_t)value)) {
@@ -7056,14 +7056,14 @@ static inline ck10_codec_status ck10_reg_flash_motor_direction_encode(ck10_rotat
 #define CK10_REG_FLASH_RESERVED_26_MAX 1u
 #define CK10_REG_FLASH_RESERVED_26_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_26_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_26_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 1u)) {
@@ -7086,14 +7086,14 @@ static inline ck10_codec_status ck10_reg_flash_reserved_26_encode(uint32_t value
 #define CK10_REG_FLASH_HOMING_TORQUE_RATIO_MAX 90u
 #define CK10_REG_FLASH_HOMING_TORQUE_RATIO_DEFAULT 50u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_torque_ratio_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_torque_ratio_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 20u && value <= 90u)) {
@@ -7116,14 +7116,14 @@ static inline ck10_codec_status ck10_reg_flash_homing_torque_ratio_encode(uint32
 #define CK10_REG_FLASH_POSITION_OVERFLOW_LIMIT_MAX 134217727u
 #define CK10_REG_FLASH_POSITION_OVERFLOW_LIMIT_DEFAULT 2500u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_position_overflow_limit_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_position_overflow_limit_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 134217727u)) {
@@ -7145,14 +7145,14 @@ static inline ck10_codec_status ck10_reg_flash_position_overflow_limit_encode(ui
 #define CK10_REG_FLASH_RESERVED_29_MAX 5000u
 #define CK10_REG_FLASH_RESERVED_29_DEFAULT 200u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_29_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_29_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 10u && value <= 5000u)) {
@@ -7177,14 +7177,14 @@ static inline ck10_codec_status ck10_reg_flash_reserved_29_encode(uint32_t value
 #define CK10_REG_FLASH_RUN_CURRENT_SCALE_NUMERATOR INT64_C(10)
 #define CK10_REG_FLASH_RUN_CURRENT_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_run_current_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_run_current_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 5u && value <= 15u)) {
@@ -7209,14 +7209,14 @@ static inline ck10_codec_status ck10_reg_flash_run_current_encode(uint32_t value
 #define CK10_REG_FLASH_BOOST_CURRENT_SCALE_NUMERATOR INT64_C(50)
 #define CK10_REG_FLASH_BOOST_CURRENT_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_boost_current_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_boost_current_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 7u)) {
@@ -7241,14 +7241,14 @@ static inline ck10_codec_status ck10_reg_flash_boost_current_encode(uint32_t val
 #define CK10_REG_FLASH_STOP_CURRENT_SCALE_NUMERATOR INT64_C(10)
 #define CK10_REG_FLASH_STOP_CURRENT_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_stop_current_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_stop_current_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 2u && value <= 10u)) {
@@ -7271,7 +7271,7 @@ static inline ck10_codec_status ck10_reg_flash_stop_current_encode(uint32_t valu
 #define CK10_REG_FLASH_EMERGENCY_STOP_MODE_MAX 4u
 #define CK10_REG_FLASH_EMERGENCY_STOP_MODE_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_decode(const uint8_t *in,
         ck10_emergency_stop_mode *out)
 {
@@ -7283,7 +7283,7 @@ static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_decode(const 
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_encode(ck10_emergency_stop_mode value, uint8_t *out)
 {
     if (!ck10_emergency_stop_mode_known((int64_t)value)) {
@@ -7306,7 +7306,7 @@ static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_encode(ck10_e
 #define CK10_REG_FLASH_EMERGENCY_BRAKE_MODE_MAX 1u
 #define CK10_REG_FLASH_EMERGENCY_BRAKE_MODE_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_decode(const uint8_t *in,
         ck10_emergency_brake_mode *out)
 {
@@ -7318,7 +7318,7 @@ static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_decode(const
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_encode(ck10_emergency_brake_mode value,
         uint8_t *out)
 {
@@ -7342,7 +7342,7 @@ static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_encode(ck10_
 #define CK10_REG_FLASH_OPERATION_MODE_MAX 5u
 #define CK10_REG_FLASH_OPERATION_MODE_DEFAULT 3u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_operation_mode_decode(const uint8_t *in, ck10_operation_mode *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -7353,7 +7353,7 @@ static inline ck10_codec_status ck10_reg_flash_operation_mode_decode(const uint8
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_operation_mode_encode(ck10_operation_mode value, uint8_t *out)
 {
     if (!ck10_operation_mode_known((int64_t)value)) {
@@ -7376,7 +7376,7 @@ static inline ck10_codec_status ck10_reg_flash_operation_mode_encode(ck10_operat
 #define CK10_REG_FLASH_SWITCH_FUNCTION_MAX 1u
 #define CK10_REG_FLASH_SWITCH_FUNCTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_switch_function_decode(const uint8_t *in, ck10_switch_function *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -7387,7 +7387,7 @@ static inline ck10_codec_status ck10_reg_flash_switch_function_decode(const uint
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_switch_function_encode(ck10_switch_function value, uint8_t *out)
 {
     if (!ck10_switch_function_known((int64_t)value)) {
@@ -7410,7 +7410,7 @@ static inline ck10_codec_status ck10_reg_flash_switch_function_encode(ck10_switc
 #define CK10_REG_FLASH_BAUD_RATE_MAX 4u
 #define CK10_REG_FLASH_BAUD_RATE_DEFAULT 4u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_baud_rate_decode(const uint8_t *in, ck10_baud_rate *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -7421,7 +7421,7 @@ static inline ck10_codec_status ck10_reg_flash_baud_rate_decode(const uint8_t *i
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_baud_rate_encode(ck10_baud_rate value, uint8_t *out)
 {
     if (!ck10_baud_rate_known((int64_t)value)) {
@@ -7444,7 +7444,7 @@ static inline ck10_codec_status ck10_reg_flash_baud_rate_encode(ck10_baud_rate v
 #define CK10_REG_FLASH_SAVE_POSITION_MAX 1u
 #define CK10_REG_FLASH_SAVE_POSITION_DEFAULT 1u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_save_position_decode(const uint8_t *in, ck10_enabled *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -7455,7 +7455,7 @@ static inline ck10_codec_status ck10_reg_flash_save_position_decode(const uint8_
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_save_position_encode(ck10_enabled value, uint8_t *out)
 {
     if (!ck10_enabled_known((int64_t)value)) {
@@ -7478,7 +7478,7 @@ static inline ck10_codec_status ck10_reg_flash_save_position_encode(ck10_enabled
 #define CK10_REG_FLASH_SHOW_MOTOR_NUMBER_MAX 1u
 #define CK10_REG_FLASH_SHOW_MOTOR_NUMBER_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_show_motor_number_decode(const uint8_t *in, ck10_enabled *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -7489,7 +7489,7 @@ static inline ck10_codec_status ck10_reg_flash_show_motor_number_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_show_motor_number_encode(ck10_enabled value, uint8_t *out)
 {
     if (!ck10_enabled_known((int64_t)value)) {
@@ -7508,14 +7508,14 @@ static inline ck10_codec_status ck10_reg_flash_show_motor_number_encode(ck10_ena
 #define CK10_REG_FLASH_ASSIGNMENT_FLAGS_ADDRESS 0x14A0u
 #define CK10_REG_FLASH_ASSIGNMENT_FLAGS_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_assignment_flags_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_assignment_flags_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7532,14 +7532,14 @@ static inline ck10_codec_status ck10_reg_flash_assignment_flags_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_1_FUNCTION_ADDRESS 0x14A2u
 #define CK10_REG_FLASH_INPUT_1_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_1_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_1_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7556,14 +7556,14 @@ static inline ck10_codec_status ck10_reg_flash_input_1_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_2_FUNCTION_ADDRESS 0x14A4u
 #define CK10_REG_FLASH_INPUT_2_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_2_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_2_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7580,14 +7580,14 @@ static inline ck10_codec_status ck10_reg_flash_input_2_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_3_FUNCTION_ADDRESS 0x14A6u
 #define CK10_REG_FLASH_INPUT_3_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_3_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_3_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7604,14 +7604,14 @@ static inline ck10_codec_status ck10_reg_flash_input_3_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_4_FUNCTION_ADDRESS 0x14A8u
 #define CK10_REG_FLASH_INPUT_4_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_4_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_4_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7628,14 +7628,14 @@ static inline ck10_codec_status ck10_reg_flash_input_4_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_5_FUNCTION_ADDRESS 0x14AAu
 #define CK10_REG_FLASH_INPUT_5_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_5_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_5_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7652,14 +7652,14 @@ static inline ck10_codec_status ck10_reg_flash_input_5_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_6_FUNCTION_ADDRESS 0x14ACu
 #define CK10_REG_FLASH_INPUT_6_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_6_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_6_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7676,14 +7676,14 @@ static inline ck10_codec_status ck10_reg_flash_input_6_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_7_FUNCTION_ADDRESS 0x14AEu
 #define CK10_REG_FLASH_INPUT_7_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_7_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_7_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7700,14 +7700,14 @@ static inline ck10_codec_status ck10_reg_flash_input_7_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_8_FUNCTION_ADDRESS 0x14B0u
 #define CK10_REG_FLASH_INPUT_8_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_8_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_8_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7724,14 +7724,14 @@ static inline ck10_codec_status ck10_reg_flash_input_8_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_9_FUNCTION_ADDRESS 0x14B2u
 #define CK10_REG_FLASH_INPUT_9_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_9_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_9_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7748,14 +7748,14 @@ static inline ck10_codec_status ck10_reg_flash_input_9_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_10_FUNCTION_ADDRESS 0x14B4u
 #define CK10_REG_FLASH_INPUT_10_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_10_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_10_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7772,14 +7772,14 @@ static inline ck10_codec_status ck10_reg_flash_input_10_function_encode(uint32_t
 #define CK10_REG_FLASH_INPUT_11_FUNCTION_ADDRESS 0x14B6u
 #define CK10_REG_FLASH_INPUT_11_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_11_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_11_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7796,14 +7796,14 @@ static inline ck10_codec_status ck10_reg_flash_input_11_function_encode(uint32_t
 #define CK10_REG_FLASH_INPUT_12_FUNCTION_ADDRESS 0x14B8u
 #define CK10_REG_FLASH_INPUT_12_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_12_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_12_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7820,14 +7820,14 @@ static inline ck10_codec_status ck10_reg_flash_input_12_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_1_FUNCTION_ADDRESS 0x14BAu
 #define CK10_REG_FLASH_OUTPUT_1_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_1_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_1_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7844,14 +7844,14 @@ static inline ck10_codec_status ck10_reg_flash_output_1_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_2_FUNCTION_ADDRESS 0x14BCu
 #define CK10_REG_FLASH_OUTPUT_2_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_2_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_2_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7868,14 +7868,14 @@ static inline ck10_codec_status ck10_reg_flash_output_2_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_3_FUNCTION_ADDRESS 0x14BEu
 #define CK10_REG_FLASH_OUTPUT_3_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_3_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_3_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7892,14 +7892,14 @@ static inline ck10_codec_status ck10_reg_flash_output_3_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_4_FUNCTION_ADDRESS 0x14C0u
 #define CK10_REG_FLASH_OUTPUT_4_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_4_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_4_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7916,14 +7916,14 @@ static inline ck10_codec_status ck10_reg_flash_output_4_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_5_FUNCTION_ADDRESS 0x14C2u
 #define CK10_REG_FLASH_OUTPUT_5_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_5_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_5_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7940,14 +7940,14 @@ static inline ck10_codec_status ck10_reg_flash_output_5_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_6_FUNCTION_ADDRESS 0x14C4u
 #define CK10_REG_FLASH_OUTPUT_6_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_6_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_6_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7964,14 +7964,14 @@ static inline ck10_codec_status ck10_reg_flash_output_6_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_7_FUNCTION_ADDRESS 0x14C6u
 #define CK10_REG_FLASH_OUTPUT_7_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_7_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_7_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7988,14 +7988,14 @@ static inline ck10_codec_status ck10_reg_flash_output_7_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_8_FUNCTION_ADDRESS 0x14C8u
 #define CK10_REG_FLASH_OUTPUT_8_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_8_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_8_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -8012,14 +8012,14 @@ static inline ck10_codec_status ck10_reg_flash_output_8_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_9_FUNCTION_ADDRESS 0x14CAu
 #define CK10_REG_FLASH_OUTPUT_9_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_9_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_9_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -8036,14 +8036,14 @@ static inline ck10_codec_status ck10_reg_flash_output_9_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_10_FUNCTION_ADDRESS 0x14CCu
 #define CK10_REG_FLASH_OUTPUT_10_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_10_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_10_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -8060,7 +8060,7 @@ static inline ck10_codec_status ck10_reg_flash_output_10_function_encode(uint32_
 #define CK10_REG_FLASH_INPUT_1_POLARITY_ADDRESS 0x14CEu
 #define CK10_REG_FLASH_INPUT_1_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_1_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8071,7 +8071,7 @@ static inline ck10_codec_status ck10_reg_flash_input_1_polarity_decode(const uin
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_1_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8091,7 +8091,7 @@ static inline ck10_codec_status ck10_reg_flash_input_1_polarity_encode(ck10_pola
 #define CK10_REG_FLASH_INPUT_2_POLARITY_ADDRESS 0x14D0u
 #define CK10_REG_FLASH_INPUT_2_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_2_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8102,7 +8102,7 @@ static inline ck10_codec_status ck10_reg_flash_input_2_polarity_decode(const uin
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_2_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8122,7 +8122,7 @@ static inline ck10_codec_status ck10_reg_flash_input_2_polarity_encode(ck10_pola
 #define CK10_REG_FLASH_INPUT_3_POLARITY_ADDRESS 0x14D2u
 #define CK10_REG_FLASH_INPUT_3_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_3_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8133,7 +8133,7 @@ static inline ck10_codec_status ck10_reg_flash_input_3_polarity_decode(const uin
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_3_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8153,7 +8153,7 @@ static inline ck10_codec_status ck10_reg_flash_input_3_polarity_encode(ck10_pola
 #define CK10_REG_FLASH_INPUT_4_POLARITY_ADDRESS 0x14D4u
 #define CK10_REG_FLASH_INPUT_4_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_4_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8164,7 +8164,7 @@ static inline ck10_codec_status ck10_reg_flash_input_4_polarity_decode(const uin
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_4_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8184,7 +8184,7 @@ static inline ck10_codec_status ck10_reg_flash_input_4_polarity_encode(ck10_pola
 #define CK10_REG_FLASH_INPUT_5_POLARITY_ADDRESS 0x14D6u
 #define CK10_REG_FLASH_INPUT_5_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_5_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8195,7 +8195,7 @@ static inline ck10_codec_status ck10_reg_flash_input_5_polarity_decode(const uin
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_5_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8215,7 +8215,7 @@ static inline ck10_codec_status ck10_reg_flash_input_5_polarity_encode(ck10_pola
 #define CK10_REG_FLASH_INPUT_6_POLARITY_ADDRESS 0x14D8u
 #define CK10_REG_FLASH_INPUT_6_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_6_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8226,7 +8226,7 @@ static inline ck10_codec_status ck10_reg_flash_input_6_polarity_decode(const uin
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_6_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8246,7 +8246,7 @@ static inline ck10_codec_status ck10_reg_flash_input_6_polarity_encode(ck10_pola
 #define CK10_REG_FLASH_INPUT_7_POLARITY_ADDRESS 0x14DAu
 #define CK10_REG_FLASH_INPUT_7_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_7_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8257,7 +8257,7 @@ static inline ck10_codec_status ck10_reg_flash_input_7_polarity_decode(const uin
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_7_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8277,7 +8277,7 @@ static inline ck10_codec_status ck10_reg_flash_input_7_polarity_encode(ck10_pola
 #define CK10_REG_FLASH_INPUT_8_POLARITY_ADDRESS 0x14DCu
 #define CK10_REG_FLASH_INPUT_8_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_8_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8288,7 +8288,7 @@ static inline ck10_codec_status ck10_reg_flash_input_8_polarity_decode(const uin
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_8_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8308,7 +8308,7 @@ static inline ck10_codec_status ck10_reg_flash_input_8_polarity_encode(ck10_pola
 #define CK10_REG_FLASH_INPUT_9_POLARITY_ADDRESS 0x14DEu
 #define CK10_REG_FLASH_INPUT_9_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_9_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8319,7 +8319,7 @@ static inline ck10_codec_status ck10_reg_flash_input_9_polarity_decode(const uin
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_9_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8339,7 +8339,7 @@ static inline ck10_codec_status ck10_reg_flash_input_9_polarity_encode(ck10_pola
 #define CK10_REG_FLASH_INPUT_10_POLARITY_ADDRESS 0x14E0u
 #define CK10_REG_FLASH_INPUT_10_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_10_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8350,7 +8350,7 @@ static inline ck10_codec_status ck10_reg_flash_input_10_polarity_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_10_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8370,7 +8370,7 @@ static inline ck10_codec_status ck10_reg_flash_input_10_polarity_encode(ck10_pol
 #define CK10_REG_FLASH_INPUT_11_POLARITY_ADDRESS 0x14E2u
 #define CK10_REG_FLASH_INPUT_11_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_11_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8381,7 +8381,7 @@ static inline ck10_codec_status ck10_reg_flash_input_11_polarity_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_11_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8401,7 +8401,7 @@ static inline ck10_codec_status ck10_reg_flash_input_11_polarity_encode(ck10_pol
 #define CK10_REG_FLASH_INPUT_12_POLARITY_ADDRESS 0x14E4u
 #define CK10_REG_FLASH_INPUT_12_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_12_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8412,7 +8412,7 @@ static inline ck10_codec_status ck10_reg_flash_input_12_polarity_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_12_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8432,7 +8432,7 @@ static inline ck10_codec_status ck10_reg_flash_input_12_polarity_encode(ck10_pol
 #define CK10_REG_FLASH_OUTPUT_1_POLARITY_ADDRESS 0x14E6u
 #define CK10_REG_FLASH_OUTPUT_1_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_1_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8443,7 +8443,7 @@ static inline ck10_codec_status ck10_reg_flash_output_1_polarity_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_1_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8463,7 +8463,7 @@ static inline ck10_codec_status ck10_reg_flash_output_1_polarity_encode(ck10_pol
 #define CK10_REG_FLASH_OUTPUT_2_POLARITY_ADDRESS 0x14E8u
 #define CK10_REG_FLASH_OUTPUT_2_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_2_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8474,7 +8474,7 @@ static inline ck10_codec_status ck10_reg_flash_output_2_polarity_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_2_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8494,7 +8494,7 @@ static inline ck10_codec_status ck10_reg_flash_output_2_polarity_encode(ck10_pol
 #define CK10_REG_FLASH_OUTPUT_3_POLARITY_ADDRESS 0x14EAu
 #define CK10_REG_FLASH_OUTPUT_3_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_3_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8505,7 +8505,7 @@ static inline ck10_codec_status ck10_reg_flash_output_3_polarity_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_3_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8525,7 +8525,7 @@ static inline ck10_codec_status ck10_reg_flash_output_3_polarity_encode(ck10_pol
 #define CK10_REG_FLASH_OUTPUT_4_POLARITY_ADDRESS 0x14ECu
 #define CK10_REG_FLASH_OUTPUT_4_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_4_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8536,7 +8536,7 @@ static inline ck10_codec_status ck10_reg_flash_output_4_polarity_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_4_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8556,7 +8556,7 @@ static inline ck10_codec_status ck10_reg_flash_output_4_polarity_encode(ck10_pol
 #define CK10_REG_FLASH_OUTPUT_5_POLARITY_ADDRESS 0x14EEu
 #define CK10_REG_FLASH_OUTPUT_5_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_5_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8567,7 +8567,7 @@ static inline ck10_codec_status ck10_reg_flash_output_5_polarity_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_5_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8587,7 +8587,7 @@ static inline ck10_codec_status ck10_reg_flash_output_5_polarity_encode(ck10_pol
 #define CK10_REG_FLASH_OUTPUT_6_POLARITY_ADDRESS 0x14F0u
 #define CK10_REG_FLASH_OUTPUT_6_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_6_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8598,7 +8598,7 @@ static inline ck10_codec_status ck10_reg_flash_output_6_polarity_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_6_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8618,7 +8618,7 @@ static inline ck10_codec_status ck10_reg_flash_output_6_polarity_encode(ck10_pol
 #define CK10_REG_FLASH_OUTPUT_7_POLARITY_ADDRESS 0x14F2u
 #define CK10_REG_FLASH_OUTPUT_7_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_7_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8629,7 +8629,7 @@ static inline ck10_codec_status ck10_reg_flash_output_7_polarity_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_7_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8649,7 +8649,7 @@ static inline ck10_codec_status ck10_reg_flash_output_7_polarity_encode(ck10_pol
 #define CK10_REG_FLASH_OUTPUT_8_POLARITY_ADDRESS 0x14F4u
 #define CK10_REG_FLASH_OUTPUT_8_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_8_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8660,7 +8660,7 @@ static inline ck10_codec_status ck10_reg_flash_output_8_polarity_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_8_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8680,7 +8680,7 @@ static inline ck10_codec_status ck10_reg_flash_output_8_polarity_encode(ck10_pol
 #define CK10_REG_FLASH_OUTPUT_9_POLARITY_ADDRESS 0x14F6u
 #define CK10_REG_FLASH_OUTPUT_9_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_9_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8691,7 +8691,7 @@ static inline ck10_codec_status ck10_reg_flash_output_9_polarity_decode(const ui
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_9_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8711,7 +8711,7 @@ static inline ck10_codec_status ck10_reg_flash_output_9_polarity_encode(ck10_pol
 #define CK10_REG_FLASH_OUTPUT_10_POLARITY_ADDRESS 0x14F8u
 #define CK10_REG_FLASH_OUTPUT_10_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_10_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
     const uint32_t number = ck10_load_u32_be(in);
@@ -8722,7 +8722,7 @@ static inline ck10_codec_status ck10_reg_flash_output_10_polarity_decode(const u
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_10_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
@@ -8742,14 +8742,14 @@ static inline ck10_codec_status ck10_reg_flash_output_10_polarity_encode(ck10_po
 #define CK10_REG_MOTION_STATUS_ADDRESS 0x03E8u
 #define CK10_REG_MOTION_STATUS_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_motion_status_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_motion_status_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -8765,14 +8765,14 @@ static inline ck10_codec_status ck10_reg_motion_status_encode(uint32_t value, ui
 #define CK10_REG_ACTUAL_POSITION_ADDRESS 0x03EAu
 #define CK10_REG_ACTUAL_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_actual_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_actual_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -8788,14 +8788,14 @@ static inline ck10_codec_status ck10_reg_actual_position_encode(int32_t value, u
 #define CK10_REG_COMMAND_POSITION_ADDRESS 0x03ECu
 #define CK10_REG_COMMAND_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_command_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_command_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -8811,14 +8811,14 @@ static inline ck10_codec_status ck10_reg_command_position_encode(int32_t value, 
 #define CK10_REG_SPEED_ADDRESS 0x03EEu
 #define CK10_REG_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_speed_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_speed_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -8835,14 +8835,14 @@ static inline ck10_codec_status ck10_reg_speed_encode(int32_t value, uint8_t *ou
 #define CK10_REG_POSITION_ERROR_ADDRESS 0x03F0u
 #define CK10_REG_POSITION_ERROR_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_position_error_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_position_error_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -8859,14 +8859,14 @@ static inline ck10_codec_status ck10_reg_position_error_encode(int32_t value, ui
 #define CK10_REG_INPUTS_ADDRESS 0x03F2u
 #define CK10_REG_INPUTS_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_inputs_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_inputs_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -8883,14 +8883,14 @@ static inline ck10_codec_status ck10_reg_inputs_encode(uint32_t value, uint8_t *
 #define CK10_REG_OUTPUTS_ADDRESS 0x03F4u
 #define CK10_REG_OUTPUTS_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_outputs_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_outputs_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -8906,14 +8906,14 @@ static inline ck10_codec_status ck10_reg_outputs_encode(uint32_t value, uint8_t 
 #define CK10_REG_CURRENT_POINT_ADDRESS 0x03F6u
 #define CK10_REG_CURRENT_POINT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_current_point_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_current_point_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -8929,7 +8929,7 @@ static inline ck10_codec_status ck10_reg_current_point_encode(uint16_t value, ui
 #define CK10_REG_POINT_TABLE_RUNNING_ADDRESS 0x03F7u
 #define CK10_REG_POINT_TABLE_RUNNING_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_point_table_running_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -8939,7 +8939,7 @@ static inline ck10_codec_status ck10_reg_point_table_running_decode(const uint8_
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_point_table_running_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -8955,7 +8955,7 @@ static inline ck10_codec_status ck10_reg_point_table_running_encode(bool value, 
 #define CK10_REG_PUSH_STATUS_ADDRESS 0x03F8u
 #define CK10_REG_PUSH_STATUS_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_status_decode(const uint8_t *in, ck10_push_status *out)
 {
     const uint16_t number = ck10_load_u16_be(in);
@@ -8966,7 +8966,7 @@ static inline ck10_codec_status ck10_reg_push_status_decode(const uint8_t *in, c
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_status_encode(ck10_push_status value, uint8_t *out)
 {
     if (!ck10_push_status_known((int64_t)value)) {
@@ -8985,14 +8985,14 @@ static inline ck10_codec_status ck10_reg_push_status_encode(ck10_push_status val
 #define CK10_REG_CURRENT_ALARM_ADDRESS 0x03F9u
 #define CK10_REG_CURRENT_ALARM_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_current_alarm_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_current_alarm_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9008,14 +9008,14 @@ static inline ck10_codec_status ck10_reg_current_alarm_encode(uint16_t value, ui
 #define CK10_REG_MOTOR_ID_ADDRESS 0x03FAu
 #define CK10_REG_MOTOR_ID_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_motor_id_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_motor_id_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9032,14 +9032,14 @@ static inline ck10_codec_status ck10_reg_motor_id_encode(uint16_t value, uint8_t
 #define CK10_REG_USER_INPUTS_ADDRESS 0x0406u
 #define CK10_REG_USER_INPUTS_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_inputs_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_inputs_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9054,7 +9054,7 @@ static inline ck10_codec_status ck10_reg_user_inputs_encode(uint16_t value, uint
 #define CK10_REG_USER_INPUT_0_ADDRESS 0x0407u
 #define CK10_REG_USER_INPUT_0_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_0_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9064,7 +9064,7 @@ static inline ck10_codec_status ck10_reg_user_input_0_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_0_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9079,7 +9079,7 @@ static inline ck10_codec_status ck10_reg_user_input_0_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_1_ADDRESS 0x0408u
 #define CK10_REG_USER_INPUT_1_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_1_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9089,7 +9089,7 @@ static inline ck10_codec_status ck10_reg_user_input_1_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_1_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9104,7 +9104,7 @@ static inline ck10_codec_status ck10_reg_user_input_1_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_2_ADDRESS 0x0409u
 #define CK10_REG_USER_INPUT_2_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_2_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9114,7 +9114,7 @@ static inline ck10_codec_status ck10_reg_user_input_2_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_2_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9129,7 +9129,7 @@ static inline ck10_codec_status ck10_reg_user_input_2_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_3_ADDRESS 0x040Au
 #define CK10_REG_USER_INPUT_3_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_3_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9139,7 +9139,7 @@ static inline ck10_codec_status ck10_reg_user_input_3_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_3_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9154,7 +9154,7 @@ static inline ck10_codec_status ck10_reg_user_input_3_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_4_ADDRESS 0x040Bu
 #define CK10_REG_USER_INPUT_4_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_4_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9164,7 +9164,7 @@ static inline ck10_codec_status ck10_reg_user_input_4_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_4_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9179,7 +9179,7 @@ static inline ck10_codec_status ck10_reg_user_input_4_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_5_ADDRESS 0x040Cu
 #define CK10_REG_USER_INPUT_5_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_5_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9189,7 +9189,7 @@ static inline ck10_codec_status ck10_reg_user_input_5_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_5_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9204,7 +9204,7 @@ static inline ck10_codec_status ck10_reg_user_input_5_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_6_ADDRESS 0x040Du
 #define CK10_REG_USER_INPUT_6_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_6_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9214,7 +9214,7 @@ static inline ck10_codec_status ck10_reg_user_input_6_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_6_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9229,7 +9229,7 @@ static inline ck10_codec_status ck10_reg_user_input_6_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_7_ADDRESS 0x040Eu
 #define CK10_REG_USER_INPUT_7_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_7_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9239,7 +9239,7 @@ static inline ck10_codec_status ck10_reg_user_input_7_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_7_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9254,7 +9254,7 @@ static inline ck10_codec_status ck10_reg_user_input_7_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_8_ADDRESS 0x040Fu
 #define CK10_REG_USER_INPUT_8_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_8_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9264,7 +9264,7 @@ static inline ck10_codec_status ck10_reg_user_input_8_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_8_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9281,14 +9281,14 @@ static inline ck10_codec_status ck10_reg_user_input_8_encode(bool value, uint8_t
 #define CK10_REG_USER_OUTPUTS_ADDRESS 0x0410u
 #define CK10_REG_USER_OUTPUTS_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_outputs_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_outputs_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9304,14 +9304,14 @@ static inline ck10_codec_status ck10_reg_user_outputs_encode(uint16_t value, uin
 #define CK10_REG_USER_OUTPUT_0_ADDRESS 0x0411u
 #define CK10_REG_USER_OUTPUT_0_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_0_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_0_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9327,14 +9327,14 @@ static inline ck10_codec_status ck10_reg_user_output_0_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_1_ADDRESS 0x0412u
 #define CK10_REG_USER_OUTPUT_1_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_1_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_1_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9350,14 +9350,14 @@ static inline ck10_codec_status ck10_reg_user_output_1_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_2_ADDRESS 0x0413u
 #define CK10_REG_USER_OUTPUT_2_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_2_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_2_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9373,14 +9373,14 @@ static inline ck10_codec_status ck10_reg_user_output_2_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_3_ADDRESS 0x0414u
 #define CK10_REG_USER_OUTPUT_3_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_3_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_3_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9396,14 +9396,14 @@ static inline ck10_codec_status ck10_reg_user_output_3_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_4_ADDRESS 0x0415u
 #define CK10_REG_USER_OUTPUT_4_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_4_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_4_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9419,14 +9419,14 @@ static inline ck10_codec_status ck10_reg_user_output_4_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_5_ADDRESS 0x0416u
 #define CK10_REG_USER_OUTPUT_5_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_5_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_5_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9442,14 +9442,14 @@ static inline ck10_codec_status ck10_reg_user_output_5_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_6_ADDRESS 0x0417u
 #define CK10_REG_USER_OUTPUT_6_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_6_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_6_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9465,14 +9465,14 @@ static inline ck10_codec_status ck10_reg_user_output_6_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_7_ADDRESS 0x0418u
 #define CK10_REG_USER_OUTPUT_7_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_7_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_7_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9488,14 +9488,14 @@ static inline ck10_codec_status ck10_reg_user_output_7_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_8_ADDRESS 0x0419u
 #define CK10_REG_USER_OUTPUT_8_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_8_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_8_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9512,14 +9512,14 @@ static inline ck10_codec_status ck10_reg_user_output_8_encode(uint16_t value, ui
 #define CK10_REG_CLEAR_ALARM_HISTORY_WORDS 1u
 #define CK10_REG_CLEAR_ALARM_HISTORY_VALUE 65535u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_clear_alarm_history_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_clear_alarm_history_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 65535u);
@@ -9542,21 +9542,21 @@ static inline ck10_codec_status ck10_reg_clear_alarm_history_encode(uint8_t *out
 #define CK10_REG_ALARM_HISTORY_STRIDE 1u
 #define CK10_REG_ALARM_HISTORY_FIRST 0u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_alarm_history_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_alarm_history_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
     return CK10_OK;
 }
 
-/** The address of alarm_history by its number; a number that there is not is refused. */
+/** The address of alarm_history by its number; other numbers are refused. */
 static inline ck10_codec_status ck10_reg_alarm_history_at(uint32_t number, uint16_t *address)
 {
     if (number - CK10_REG_ALARM_HISTORY_FIRST >= CK10_REG_ALARM_HISTORY_COUNT) {
@@ -9566,7 +9566,7 @@ static inline ck10_codec_status ck10_reg_alarm_history_at(uint32_t number, uint1
     return CK10_OK;
 }
 
-/* ---- Tables of records ---- */
+/* ---- Record tables ---- */
 
 /**
  * Point n begins at 2710h + 20h * n. 07F5h stores the table in flash.
@@ -9583,7 +9583,7 @@ static inline ck10_codec_status ck10_reg_alarm_history_at(uint32_t number, uint1
 #define CK10_TABLE_POINTS_COUNT 128u
 #define CK10_TABLE_POINTS_FIRST 0u
 
-/** The address of an element of points by its number; a number that there is not is refused. */
+/** The address of an element of points by its number; other numbers are refused. */
 static inline ck10_codec_status ck10_table_points_at(uint32_t number, uint16_t *address)
 {
     if (number - CK10_TABLE_POINTS_FIRST >= CK10_TABLE_POINTS_COUNT) {
@@ -9607,7 +9607,7 @@ static inline ck10_codec_status ck10_table_points_at(uint32_t number, uint16_t *
 #define CK10_TABLE_FLASH_POINTS_COUNT 128u
 #define CK10_TABLE_FLASH_POINTS_FIRST 0u
 
-/** The address of an element of flash_points by its number; a number that there is not is refused. */
+/** The address of an element of flash_points by its number; other numbers are refused. */
 static inline ck10_codec_status ck10_table_flash_points_at(uint32_t number, uint16_t *address)
 {
     if (number - CK10_TABLE_FLASH_POINTS_FIRST >= CK10_TABLE_FLASH_POINTS_COUNT) {
@@ -9622,7 +9622,7 @@ static inline ck10_codec_status ck10_table_flash_points_at(uint32_t number, uint
 /**
  * RS-485, half duplex, asynchronous.
  * Printed as Modbus RTU.
- * A frame is bytes.
+ * Frames are binary.
  * Note: Chapter 2 (L243) says that values of 32 and 64 bits are accessed from the low position on. Read as the
  * lowest address first, it fits both orders of words; read as the low word first, it contradicts 1.2.
  * Note: 1.2 prints that a frame begins with a silence of 3.5 characters; that it also ends with one is not
@@ -9632,14 +9632,14 @@ static inline ck10_codec_status ck10_table_flash_points_at(uint32_t number, uint
  * Note: 1.4 (L202) names parity errors too, though 1.1 knows no parity.
  * Source: 1.2 L78-86, 105-118
  */
-/** An opened request: what stands before the body, and where the body is. */
+/** An opened request: its header, and where its body is. */
 typedef struct ck10_rtu_request_frame {
     /**
      * Printed as 位址.
      * Source: 1.2 L112
      */
     uint8_t station;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
     size_t body_length;
@@ -9666,7 +9666,7 @@ static inline ck10_codec_status ck10_rtu_request_open(const uint8_t *frame, size
     return CK10_OK;
 }
 
-/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
 static inline ck10_codec_status ck10_rtu_request_close(uint8_t station, uint32_t code, size_t body_length, uint8_t *out,
         size_t capacity, size_t *length)
 {
@@ -9687,16 +9687,16 @@ static inline ck10_codec_status ck10_rtu_request_close(uint8_t station, uint32_t
     return CK10_OK;
 }
 
-/** An opened response: what stands before the body, and where the body is. */
+/** An opened response: its header, and where its body is. */
 typedef struct ck10_rtu_response_frame {
     /**
      * Printed as 位址.
      * Source: 1.2 L112
      */
     uint8_t station;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
-    /** The frame refuses a request; its body is an error record. */
+    /** The frame is an exception response; its body is the record of the exception. */
     bool error;
     const uint8_t *body;
     size_t body_length;
@@ -9727,7 +9727,7 @@ static inline ck10_codec_status ck10_rtu_response_open(const uint8_t *frame, siz
     return CK10_OK;
 }
 
-/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
 static inline ck10_codec_status ck10_rtu_response_close(uint8_t station, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -9867,7 +9867,7 @@ static inline ck10_codec_status ck10_rtu_encode_report_server_id_response(uint8_
     return ck10_rtu_response_close(station, 17u, body_length, out, capacity, length);
 }
 
-/** Writes the whole frame of an error reply to a code. */
+/** Writes the whole frame of an exception response to a code. */
 static inline ck10_codec_status ck10_rtu_encode_error(uint8_t station, uint32_t code, const ck10_exception *in,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -9886,13 +9886,13 @@ static inline ck10_codec_status ck10_rtu_encode_error(uint8_t station, uint32_t 
 /**
  * RS-485, half duplex, asynchronous. Each byte is two characters, the high one first.
  * Printed as Modbus ASC.
- * A frame is hexadecimal characters from 3A to 0D 0A.
+ * Frames are hexadecimal characters; they begin with 3A and end with 0D 0A.
  * Note: Two characters may be one second apart at most (L103).
  * Note: The tables of 1.3 and 1.4 print two columns for the check, low and high; the LRC is one byte (1.2
  * L101).
  * Source: 1.2 L68-76, 88-103
  */
-/** Takes the marks away and writes the bytes between them. They may replace the frame itself. */
+/** Removes the delimiters and writes the bytes between them. `out` may be the frame itself. */
 static inline ck10_codec_status ck10_ascii_parts(const uint8_t *frame, size_t size, uint8_t *out, size_t capacity,
         size_t *length)
 {
@@ -9922,14 +9922,14 @@ static inline ck10_codec_status ck10_ascii_parts(const uint8_t *frame, size_t si
     return CK10_OK;
 }
 
-/** An opened request: what stands before the body, and where the body is. */
+/** An opened request: its header, and where its body is. */
 typedef struct ck10_ascii_request_frame {
     /**
      * Printed as 位址.
      * Source: 1.2 L95
      */
     uint8_t station;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
     size_t body_length;
@@ -9937,7 +9937,7 @@ typedef struct ck10_ascii_request_frame {
 
 /**
  * Checks a frame and finds its body.
- * The buffer receives the frame's bytes, and the body lies in it.
+ * `buffer` receives the bytes of the frame, and the body points into it.
  */
 static inline ck10_codec_status ck10_ascii_request_open(const uint8_t *frame, size_t size, uint8_t *buffer,
         size_t capacity, ck10_ascii_request_frame *out)
@@ -9965,7 +9965,7 @@ static inline ck10_codec_status ck10_ascii_request_open(const uint8_t *frame, si
     return CK10_OK;
 }
 
-/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
 static inline ck10_codec_status ck10_ascii_request_close(uint8_t station, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -9995,16 +9995,16 @@ static inline ck10_codec_status ck10_ascii_request_close(uint8_t station, uint32
     return CK10_OK;
 }
 
-/** An opened response: what stands before the body, and where the body is. */
+/** An opened response: its header, and where its body is. */
 typedef struct ck10_ascii_response_frame {
     /**
      * Printed as 位址.
      * Source: 1.2 L95
      */
     uint8_t station;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
-    /** The frame refuses a request; its body is an error record. */
+    /** The frame is an exception response; its body is the record of the exception. */
     bool error;
     const uint8_t *body;
     size_t body_length;
@@ -10012,7 +10012,7 @@ typedef struct ck10_ascii_response_frame {
 
 /**
  * Checks a frame and finds its body.
- * The buffer receives the frame's bytes, and the body lies in it.
+ * `buffer` receives the bytes of the frame, and the body points into it.
  */
 static inline ck10_codec_status ck10_ascii_response_open(const uint8_t *frame, size_t size, uint8_t *buffer,
         size_t capacity, ck10_ascii_response_frame *out)
@@ -10044,7 +10044,7 @@ static inline ck10_codec_status ck10_ascii_response_open(const uint8_t *frame, s
     return CK10_OK;
 }
 
-/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
 static inline ck10_codec_status ck10_ascii_response_close(uint8_t station, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -10193,7 +10193,7 @@ static inline ck10_codec_status ck10_ascii_encode_report_server_id_response(uint
     return ck10_ascii_response_close(station, 17u, body_length, out, capacity, length);
 }
 
-/** Writes the whole frame of an error reply to a code. */
+/** Writes the whole frame of an exception response to a code. */
 static inline ck10_codec_status ck10_ascii_encode_error(uint8_t station, uint32_t code, const ck10_exception *in,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -10212,8 +10212,8 @@ static inline ck10_codec_status ck10_ascii_encode_error(uint8_t station, uint32_
 /* ---- Texts of codes, in UTF-8 ---- */
 
 #ifdef CK10_WITH_TEXTS
-/** The texts of a code. Several causes, or remedies, are parted by line ends.
- * The number is the other one under which the manual knows the code, or -1; printed is how the manual writes it. */
+/** The texts of a code. Line ends separate several causes or remedies. `printed` is the code as the manual writes it;
+ * `number` is the second number that the manual gives the code, or -1. */
 typedef struct ck10_code_text {
     int64_t code;
     int64_t number;
@@ -10225,7 +10225,7 @@ typedef struct ck10_code_text {
     const char *remedies;
 } ck10_code_text;
 
-/** The texts of a code of ck10_exception_code, or NULL where it is not listed. */
+/** The texts of a code of ck10_exception_code, or NULL if the code is unknown. */
 static inline const ck10_code_text *ck10_exception_code_text(int64_t code)
 {
     static const ck10_code_text texts[] = {
@@ -10243,7 +10243,7 @@ static inline const ck10_code_text *ck10_exception_code_text(int64_t code)
     return NULL;
 }
 
-/** The texts of a code of ck10_alarm_code, or NULL where it is not listed. */
+/** The texts of a code of ck10_alarm_code, or NULL if the code is unknown. */
 static inline const ck10_code_text *ck10_alarm_code_text(int64_t code)
 {
     static const ck10_code_text texts[] = {

@@ -2,8 +2,8 @@
  * Tests ck10_v1.h: CK10, version 1
  * Identity: 4332a6ea93cee82e
  *
- * Generated; do not edit. Compile and run: it exits with 0 where all is well. On a machine without an operating system
- * compile it with -ffreestanding: there is no main then, and ck10_selftest is for you to call.
+ * Generated; do not edit. Compile and run it: it exits with 0 if every test passes. On a machine without an operating system
+ * compile it with -ffreestanding; then it has no main, and you call ck10_selftest yourself.
  */
 #define CK10_WITH_TEXTS
 #include "ck10_v1.h"
@@ -13,7 +13,7 @@
 #define HOSTED
 #endif
 
-/* Tells of each test that fails by the function, and gives their number. */
+/* Calls `tell` for each test that fails, and returns their number. */
 unsigned long ck10_selftest(void (*tell)(const char *what));
 
 static unsigned long passed, failed;
@@ -52,7 +52,7 @@ static bool same_text(const char *left, const char *right)
     return false;
 }
 
-/* Copies by volatile accesses: the compiler cannot know what is copied, so what follows happens when the test runs. */
+/* Copies by volatile accesses: the compiler cannot know what is copied, so the code that follows runs when the test does. */
 static void copy(void *to, const void *from, size_t size)
 {
     volatile uint8_t *target = (uint8_t *)to;

@@ -6,11 +6,10 @@
  *
  *     clang -g -O1 -fsanitize=fuzzer,address,undefined,float-cast-overflow hiwin_e_v2_14_4_fuzz.c && ./a.out
  *
- * The first two bytes of an input choose what is fuzzed, and the others are given to it. It stops
- * - where something reads or writes beyond what it was given: that is what the sanitizers see;
- * - where what was decoded and encoded again is not what it was: the same bytes, but for reserved ones and for those
- *   behind the end of a text;
- * - where a frame that was made is not opened again to the same body, or one that was opened is not made again.
+ * The first two bytes of an input select a function, the others are its input. The target stops
+ * - when a function reads or writes out of bounds, which the sanitizers detect;
+ * - when encoding what was decoded gives other bytes, apart from reserved ones and those after the end of a text;
+ * - when opening a frame that was closed gives another body, or closing a frame that was opened gives other bytes.
  */
 #include "hiwin_e_v2_14_4.h"
 
@@ -28,7 +27,7 @@ static void hold(bool so)
     }
 }
 
-/* Decodes, encodes, and does both again; then encodes into exactly enough room, and into one byte less. */
+/* Decodes and encodes twice, then encodes into a buffer of the exact size, and into one that is a byte too small. */
 #define RECORD(type, decode, encode, most, exact) \
     do { \
         type value, second; \
@@ -56,7 +55,7 @@ static void hold(bool so)
         free(room); \
     } while (0)
 
-/* Reads any bytes as a record and writes it, twice: the second time changes nothing. */
+/* Unpacks any bytes and packs them, twice: the second time changes nothing. */
 #define PACKED(type, unpack, pack, length) \
     do { \
         type value; \
@@ -72,7 +71,7 @@ static void hold(bool so)
         hold(memcmp(out, again, sizeof out) == 0); \
     } while (0)
 
-/* A record that nobody gives anything: there is one form of it. */
+/* A record without values, which has only one form. */
 #define FIXED(decode, encode, most, exact) \
     do { \
         uint8_t out[(most) + 1u]; \
@@ -95,7 +94,7 @@ static void hold(bool so)
         hold(encode(value, out) == HIWIN_E_OK && memcmp(out, data, held) == 0); \
     } while (0)
 
-/* A constant: what is written can be read, and so can what else the device answers. */
+/* A constant: what is encoded can be decoded, and so can anything else that the device answers. */
 #define CONSTANT(type, decode, encode, length) \
     do { \
         type value; \
@@ -104,8 +103,8 @@ static void hold(bool so)
         hold(size < (length) || decode(data, &value) != HIWIN_E_ERR_WRONG_CONST); \
     } while (0)
 
-/* What starts an action: the device answers anything, and what may be written is read as it was. `argument` is the type
- * of what is encoded: an enum, which need not have room for every answer. */
+/* A trigger: the device may answer anything, and whatever can be encoded is decoded to the same. `argument` is the type
+ * of the value to encode: an enum, which need not hold every answer. */
 #define TRIGGER(type, argument, decode, encode, held, length) \
     do { \
         type value; \
@@ -119,7 +118,7 @@ static void hold(bool so)
         } \
     } while (0)
 
-/* Any quantity is refused or becomes a count, and a count becomes itself again where the reference is a usual one. */
+/* Any quantity is refused or becomes a count; with a reference of usual size, converting a count back and forth keeps it. */
 #define CONVERSION(type, from_raw, to_raw, exact) \
     do { \
         type raw = 0, again = 0; \

@@ -223,7 +223,7 @@ def enum_implies_range(device: Device, value: Value) -> bool:
 def declare_code_texts(naming: Naming, enum: Enum) -> list[Declaration]:
     """A function from a code to its texts, for tables of alarms, faults, exceptions and errors."""
     struct = naming.own("code_text")
-    about = f"The texts of a code of {naming.type('enum', enum.name)}, or NULL where it is not listed."
+    about = f"The texts of a code of {naming.type('enum', enum.name)}, or NULL if the code is unknown."
     members = [member for member in enum.members if member.value <= _LARGEST_CODE]
     texts, code = Identifier("texts"), Identifier("code")
     row = Element(texts, INDEX)
@@ -289,8 +289,8 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
     levels = [f"{n}: {text}." for n, text in ((0, bit.zero), (1, bit.one)) if text]
     facts = [
         " ".join(levels),
-        f"Its {bit.edge} edge counts." if bit.edge else "",
-        "It is 0 while what its name says is so." if bit.active == "low" else "",
+        f"It acts on its {bit.edge} edge." if bit.edge else "",
+        "It is active low: 0 means what its name says." if bit.active == "low" else "",
         f"See {bit.enum}." if bit.enum else "",
         f"When {bit.when}." if bit.when else "",
     ]
@@ -345,9 +345,9 @@ def _declare_states(naming: Naming, word: Flags, kind: Type) -> list[Declaration
     ]
     return [
         *declarations,
-        comment("The states that the word shows."),
+        comment("The states that the word can show."),
         Enumeration(name, tuple(enumerators)),
-        comment("The first state whose bits the word has, in the order above."),
+        comment("The first state, in the order above, whose bits match the word."),
         Function(
             Type(name),
             naming.function("word", word.name, "state_of"),

@@ -136,17 +136,19 @@ def access_functions(
         encode = encode_value(naming, device, wire, VALUE, OUT)
         outputs.insert(0, declare_value(wire, "value", const=wire.is_array))
     padding = [assign(Element(OUT, decimal(at)), ZERO) for at in range(wire.size, size)]
-    place = f" its value from the {size} bytes of its words." if noun == "register" else " its value."
+    source, target = "", ""
+    if noun == "register":
+        source, target = f" from the {size} bytes of its words", f" into the {size} bytes of its words"
     reason = integer_reason(device, value)
     answer_reason = integer_reason(device, answer.value)
     if value.enum and value.const is None and answer.value.enum != value.enum and not device.enums[value.enum].open:
         answer_reason = f"An integer, as the device may answer what {value.enum} does not have."
     decode_name, encode_name = naming.function(noun, *names, "decode"), naming.function(noun, *names, "encode")
     return [
-        comment(f"Reads{place}", answer_reason),
+        comment(f"Decodes the value{source}.", answer_reason),
         Function(status_type(naming), decode_name, inputs, (*decode, return_ok(naming))),
         BLANK,
-        comment(f"Writes{place.replace(' from ', ' to ')}", reason),
+        comment(f"Encodes the value{target}.", reason),
         Function(status_type(naming), encode_name, tuple(outputs), (*encode, *padding, return_ok(naming))),
     ]
 
@@ -228,7 +230,7 @@ def _address_function(naming: Naming, noun: Noun, name: str, what: str) -> list[
     )
     parameters = Variable(Type("uint32_t"), "number"), Variable(Type("uint16_t", pointer=True), "address")
     return [
-        comment(f"The address of {what}; a number that there is not is refused."),
+        comment(f"The address of {what}; other numbers are refused."),
         Function(status_type(naming), naming.function(noun, name, "at"), parameters, body),
     ]
 
@@ -277,7 +279,7 @@ def _declare_set(naming: Naming, parameters: ParameterSet) -> list[Declaration]:
     base_text = _number_text(parameters, parameters.base)
     base = Identifier(naming.macro("parameter", parameters.name, "base"))
     declarations: list[Declaration] = [
-        describe_fact(parameters, f"Their numbers on the wire are those of the set and {base_text}."),
+        describe_fact(parameters, f"On the wire, {base_text} is added to the numbers of the set."),
         Define(base.name, _number(parameters, parameters.base)),
     ]
     numbers = parameters.numbers
@@ -304,7 +306,7 @@ def _declare_set(naming: Naming, parameters: ParameterSet) -> list[Declaration]:
         (Variable(Type("uint32_t"), "number"), Variable(Type(kind, pointer=True), "out")),
         body,
     )
-    about = f"A number of the set as it is on the wire: {example}. A number that there is not is refused."
+    about = f"A number of the set as it is on the wire: {example}. Other numbers are refused."
     return [*declarations, comment(about), function]
 
 
