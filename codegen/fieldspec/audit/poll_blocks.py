@@ -22,8 +22,8 @@ from fieldspec.source import Span
 WRITE_ONLY, CLEARED, ACCESS_UNKNOWN, TOO_LONG = (
     "can only be written",
     "is cleared by reading",
-    "nothing says whether it can be read",
-    "has more words than one request reads",
+    "it is not stated whether it can be read",
+    "it has more words than one request reads",
 )
 
 
@@ -96,7 +96,7 @@ class Polling:
 def polling_of(layout: DeviceLayout) -> Polling:
     """The poll blocks of all spaces; none where no message reads registers, or no limit is known."""
     device = layout.device
-    limits = tuple(_limit(device, message) for message in device.messages.values() if _reads(device, message))
+    limits = tuple(_limit(device, message) for message in device.messages.values() if _is_read(device, message))
     unpolled = Polling(limits, (), ())
     every = sorted(_units(layout), key=lambda unit: (unit.first, unit.words))
     blocks: list[PollBlock] = []
@@ -123,7 +123,7 @@ def _polled(units: Sequence[PollUnit], most: int) -> tuple[list[PollBlock], list
     return blocks, sorted([*stops, *too_long], key=lambda unit: unit.first)
 
 
-def _reads(device: Device, message: Message) -> bool:
+def _is_read(device: Device, message: Message) -> bool:
     access = device.register_access(message)
     return access is not None and access.operation == "read"
 

@@ -25,7 +25,7 @@ def run(arguments: argparse.Namespace) -> int:
     memory = MEMORIES[arguments.target]
     layout = layout_cache.requested_layout(arguments)
     wrong = []
-    for number, (record, fact, title) in enumerate(_asked(layout, arguments.record)):
+    for number, (record, fact, title) in enumerate(_matching_records(layout, arguments.record)):
         if number:
             print()
         images = Images(layout, SpecNaming(), packed=memory.bits)
@@ -38,7 +38,7 @@ def run(arguments: argparse.Namespace) -> int:
     return 1 if wrong else 0
 
 
-def _asked(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordLayout, Fact, str]]:
+def _matching_records(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordLayout, Fact, str]]:
     """The records that a name means, one for each case of a choice, with their titles. Raises UsageError."""
     known = list(_records(layout))
     number = number_of(name)

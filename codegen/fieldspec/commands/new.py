@@ -69,7 +69,7 @@ def _version(arguments: argparse.Namespace) -> tuple[Path, str]:
         ]
         after = f'  after: "{members[-1]}"\n'
     path = specs.writable_folder(arguments.specs) / arguments.name / VERSIONS / f"{arguments.version}.yaml"
-    return path, _filled(
+    return path, _fill_skeleton(
         "version",
         path,
         device=arguments.name,
@@ -99,11 +99,11 @@ def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
     if arguments.protocol is None or arguments.protocol not in (*SHAPES, *protocols):
         raise unknown("protocol", arguments.protocol or "", [*protocols, *SHAPES])
     path = folder / name / MAIN
-    text = _filled("device", path, name=name)
+    text = _fill_skeleton("device", path, name=name)
     if arguments.protocol in SHAPES:
-        return path, text + _filled(arguments.protocol, path)
+        return path, text + _fill_skeleton(arguments.protocol, path)
     overlays = "\n".join(_overlays(places[arguments.protocol]))
-    return path, text + _filled("protocol", path, protocol=arguments.protocol, overlays=overlays + "\n")
+    return path, text + _fill_skeleton("protocol", path, protocol=arguments.protocol, overlays=overlays + "\n")
 
 
 def _bring_protocols(folder: Path, name: str) -> None:
@@ -150,7 +150,7 @@ def _fits(text: str, form: str, what: str) -> None:
         raise UsageError(f"{text} is not a valid name of {what}: {part['description']}")
 
 
-def _filled(skeleton: str, path: Path, **words: str) -> str:
+def _fill_skeleton(skeleton: str, path: Path, **words: str) -> str:
     text = resources.files("fieldspec").joinpath(f"skeletons/{skeleton}.yaml").read_text("utf-8")
     up = "../" * (2 if path.parent.name != VERSIONS else 3)
     if Path(INSTALLED).is_dir():  # the schema is not beside the specs

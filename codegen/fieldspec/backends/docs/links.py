@@ -31,7 +31,7 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.link import Link, Part
 
 CHECKS = {
-    "crc16_modbus": "CRC-16 with polynomial 8005h, reflected, start value FFFFh, of all bytes",
+    "crc16_modbus": "CRC-16 with polynomial 8005h, reflected, start value FFFFh, over all bytes",
     "lrc": "two's complement of the sum of all bytes",
     "sum8": "low byte of the sum of all bytes",
 }
@@ -96,7 +96,8 @@ class FrameTable:
 
     def _mark(self, name: str, place: str, mark: bytes) -> Iterator[TableRow]:
         if mark:
-            yield self._row(place, cell(name), cell((code(mark.hex(" ").upper()), text_piece(f", the {name} mark"))))
+            delimiter = code(mark.hex(" ").upper()), text_piece(f", the {name} delimiter")
+            yield self._row(place, cell(name), cell(delimiter))
 
     def _end(self, record: RecordLayout | None) -> str:
         """The place of the end mark, counted from the end where the size of the body is open."""
@@ -154,13 +155,13 @@ class FrameTable:
         added = f", {'plus' if more > 0 else 'minus'} {abs(more)}" if more else ""
         number = part.number(around + record.size) if record is not None and record.size is not None else None
         fixed = "" if number is None else f": {number}"
-        return f"the number of {unit} {self._spanned(part)}{added}{fixed}"
+        return f"the number of {unit} {self._span_text(part)}{added}{fixed}"
 
     def _covered(self, part: PartLayout) -> str:
         """Over what a check is worked out."""
-        return "before it" if (part.start, part.stop) == (0, part.offset) else self._spanned(part)
+        return "before it" if (part.start, part.stop) == (0, part.offset) else self._span_text(part)
 
-    def _spanned(self, part: PartLayout) -> str:
+    def _span_text(self, part: PartLayout) -> str:
         """`from command to crc`: what a length counts or a check covers."""
         parts = self.link.link.parts(self.direction)
         first, last = self.link.link.span(self.direction, part.part) or (0, len(parts) - 1)
@@ -307,7 +308,7 @@ def _link(context: Context, link_layout: LinkLayout) -> Section:
     link = link_layout.link
     blocks = context.opening(link)
     blocks.append(Facts(tuple(_facts(link))))
-    if _alike(link):
+    if _has_equal_parts(link):
         frame = FrameTable(context, link_layout, "request", f"{link.place.path}/frame", "links/")
         blocks.append(frame.table("Requests and responses", None))
     else:
@@ -318,11 +319,11 @@ def _link(context: Context, link_layout: LinkLayout) -> Section:
         anchor = f"{link.place.path}/refusal-frame"
         body = context.layout.records[link.exception_response.record]
         frame = FrameTable(context, link_layout, "response", anchor, "")
-        blocks.append(frame.table("Responses that refuse a request", body))
+        blocks.append(frame.table("Exception responses", body))
     return Section(link.place.path, context.section_title(link.title or link.name, link), tuple(blocks))
 
 
-def _alike(link: Link) -> bool:
+def _has_equal_parts(link: Link) -> bool:
     """Whether requests and responses have the same parts."""
 
     def facts_of(part: Part) -> tuple[object, ...]:
@@ -369,15 +370,15 @@ def _stations(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
     if stations is None:
         return
     if stations.ranges is not None:
-        yield "Stations", ((text_piece(spoken(stations.ranges.text())),),)
+        yield "Unit addresses", ((text_piece(spoken(stations.ranges.text())),),)
     if stations.broadcast is not None:
-        yield "All stations", ((text_piece(str(stations.broadcast)),),)
+        yield "Broadcast address", ((text_piece(str(stations.broadcast)),),)
     if stations.rule:
-        yield "How a station is set", ((text_piece(stations.rule),),)
+        yield "How to set the unit address", ((text_piece(stations.rule),),)
     for note in stations.notes:
-        yield "Note on the stations", ((text_piece(note),),)
+        yield "Note on unit addresses", ((text_piece(note),),)
     if stations.sources:
-        yield "Source of the stations", (cited(stations.sources),)
+        yield "Source of unit addresses", (cited(stations.sources),)
 
 
 def _serial(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
