@@ -1,7 +1,7 @@
 /*
  * CK10 (unknown), in any of its versions
  *
- * Selects the header of a version. Define CK10_SELECT before you include this header, or on the command line:
+ * Includes the header of the only version. You may define CK10_SELECT to rely on that version:
  *
  *     -DCK10_SELECT=CK10_SELECT_V1
  *
@@ -16,7 +16,7 @@
 #define CK10_SELECT_LATEST CK10_SELECT_V1
 
 #ifndef CK10_SELECT
-#error "define CK10_SELECT as one of CK10_SELECT_V1 or CK10_SELECT_LATEST"
+#include "ck10_v1.h"
 #elif CK10_SELECT + 0 == CK10_SELECT_V1
 #include "ck10_v1.h"
 #else

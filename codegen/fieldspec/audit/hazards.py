@@ -49,7 +49,8 @@ KINDS = {
         Kind(
             "clears_on_read",
             "Reading changes the value",
-            "Only the first reader gets the value: read it at one place of the program, and never in a polled block.",
+            "Only the first reader gets the value: read it at one place of the program, and never in a block of "
+            "the read plan.",
             True,
         ),
         Kind(
@@ -294,7 +295,7 @@ def access(subject: Subject) -> Section:
         names = ", ".join(register.name for register in open_ones[:6]) + (", …" if len(open_ones) > 6 else "")
         paragraphs.append(
             f"Of {len(open_ones)} registers with several words the manual does not say whether they can be read "
-            f"in parts ({names}); no poll block divides them."
+            f"in parts ({names}); no block of the read plan divides them."
         )
     figures = [Figure("facts cannot safely be read and written back", len(unsafe))]
     tables = []

@@ -186,23 +186,31 @@ def _describe_switches(naming: Naming, algorithms: set[str], texts: bool, conver
 
 
 def _selecting_header(versions: Sequence[DeviceLayout]) -> dict[str, str]:
-    """The header that takes that of the version which is asked for; `versions` are one device's, the oldest first."""
+    """The header that includes the one of the requested version, or of the only one; `versions` are of one device."""
     device = versions[-1].device
     naming = Naming(device.id)
     names = [(version, layout) for layout in versions for version in (layout.device.version, *layout.equal_versions)]
     macros = {version: naming.own_macro(_SELECT, version_word(version)) for version, _ in names}
     select = naming.own_macro(_SELECT)
     headers = [(macros[version], f"{stem(device.id, layout.device.version)}.h", layout) for version, layout in names]
+    usage = f"Selects the header of a version. Define {select} before you include this header, or on the command line:"
+    choices, latest = ", ".join(macros.values()), naming.own_macro(_SELECT, _LATEST)
+    otherwise = f'#error "define {select} as one of {choices} or {latest}"\n'
+    if len(headers) == 1:
+        usage = f"Includes the header of the only version. You may define {select} to rely on that version:"
+        otherwise = f'#include "{headers[0][1]}"\n'
     text = fill(
         "c/selection.h.j2",
         title=escape_comment(f"{device.name} ({device.vendor}), in any of its versions"),
         identity=versions[-1].identity,
         select=select,
-        latest=naming.own_macro(_SELECT, _LATEST),
+        latest=latest,
         newest=macros[device.version],
         versions=[f" * {macro}: {name}, identity {layout.identity}\n" for macro, name, layout in headers],
         defined=[f"#define {macro} {number}\n" for number, (macro, _, _) in enumerate(headers, 1)],
         included=[f'#elif {select} + 0 == {macro}\n#include "{name}"\n' for macro, name, _ in headers],
-        choices=", ".join(macros.values()),
+        choices=choices,
+        usage=usage,
+        otherwise=otherwise,
     )
     return {f"{Name.of(device.id).snake()}.h": text}
