@@ -78,7 +78,7 @@ LONGEST_LINE = 8192
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Explains a frame, or each line of standard input. Exit code 1 where anything is wrong."""
+    """Explains a frame, or each line of standard input. Exit code 1 where anything is wrong. Raises UsageError."""
     layout = layout_cache.requested_layout(arguments)
     if not layout.links:
         raise UsageError(f"{arguments.device} has no link, so there are no frames to decode")

@@ -23,7 +23,10 @@ REVIEWS = ("sarif", "github")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the changes. Exit code 1 where `--fail-on` applies, or where a spec accepts a change that is not there."""
+    """Prints the changes. Exit code 1 where `--fail-on` applies, or where a spec accepts a change that is not there.
+
+    Raises UsageError.
+    """
     bare_paths = arguments.format in REVIEWS
     old, new = (spec_state(text, arguments.specs, bare_paths) for text in (arguments.old, arguments.new))
     compared = list(_comparisons(old, new))

@@ -26,7 +26,7 @@ _MOST = 20
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the frame in hexadecimal, and as characters where it consists of them."""
+    """Prints the frame in hexadecimal, and as characters where it consists of them. Raises UsageError."""
     from fieldspec.reference import CodecError, codec
 
     layout = layout_cache.requested_layout(arguments)

@@ -19,7 +19,10 @@ from fieldspec.render.memory import blocks
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the offsets as a table and a drawing. Exit code 1 where they differ from those on the wire."""
+    """Prints the offsets as a table and a drawing. Exit code 1 where they differ from those on the wire.
+
+    Raises UsageError.
+    """
     if arguments.target not in MEMORIES:
         raise unknown("target", arguments.target, MEMORIES)
     memory = MEMORIES[arguments.target]

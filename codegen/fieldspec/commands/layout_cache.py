@@ -29,7 +29,7 @@ MARK = b"\xef\xbb\xbf"
 
 
 def requested_layout(arguments: argparse.Namespace) -> DeviceLayout:
-    """The layout of the device that the arguments of a verb name."""
+    """The layout of the device that the arguments of a verb name. Raises UsageError."""
     return layout(arguments.specs, arguments.device, arguments.no_cache)
 
 

@@ -29,7 +29,7 @@ _CITED = {"links": "", "messages": "", "enums": "", "records": "fields"}
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the file; never overwrites one."""
+    """Writes the file; never overwrites one. Raises UsageError."""
     if arguments.kind == "version":
         path, text = _version(arguments)
     else:

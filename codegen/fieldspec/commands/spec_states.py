@@ -169,6 +169,7 @@ def spec_state(text: str, specs_option: str | None, bare_paths: bool) -> SpecSta
     """The state that `DEVICE[@VERSION]`, `FOLDER[@VERSION]` or `REVISION[:FOLDER][@VERSION]` means, in this order.
 
     With `bare_paths`, files of a revision are shown by their paths in the repository, without the revision.
+    Raises UsageError for a state that does not exist.
     """
     try:
         here: Path | None = specs.folder(specs_option)

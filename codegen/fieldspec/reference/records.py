@@ -139,7 +139,7 @@ def _decode_element(field: FieldLayout, raw: Any, device: Device, at: int) -> An
 
 
 def decoded_value(name: str, value: Value | None, raw: Any, device: Device, at: int | None) -> Any:
-    """One raw value: booleans as such, text as a str; closed enums and constants are enforced."""
+    """One raw value: booleans as such, text as a str; closed enums and constants are enforced. Raises CodecError."""
     assert value is not None
     kind = value.type.kind
     if kind is Kind.BOOLEAN:
@@ -250,7 +250,7 @@ def _encode_element(field: FieldLayout, value: Any, device: Device) -> Any:
 
 
 def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device) -> Any:
-    """One value as raw number or bytes, refused where it is out of range."""
+    """One value as raw number or bytes, refused where it is out of range. Raises CodecError."""
     assert value is not None
     kind = value.type.kind
     if kind in (Kind.TEXT, Kind.BYTES):
