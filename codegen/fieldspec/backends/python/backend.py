@@ -18,6 +18,7 @@ PACKAGE_NAMES = ("for_firmware", "latest")
 RUNTIME = (
     "__init__",
     "_checks",
+    "_checksums",
     "_choices",
     "_codes",
     "_conversions",
