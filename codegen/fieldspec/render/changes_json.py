@@ -33,6 +33,7 @@ def _change(entry: AcceptedChange) -> dict[str, object]:
         "after": _place(change.after),
         "outputs": list(change.outputs),
         "versions": list(entry.versions),
+        "reason": change.reason or None,
         "accepted": {"reason": accepted.reason, "date": accepted.date} if accepted else None,
     }
 

@@ -186,7 +186,7 @@ def _describe_switches(naming: Naming, algorithms: set[str], texts: bool, conver
 
 
 def _selecting_header(versions: Sequence[DeviceLayout]) -> dict[str, str]:
-    """The header that takes that of the requested version, or of the only one; `versions` are one device's, the oldest first."""
+    """The header that takes that of the requested version, or of the only one; the oldest of `versions` comes first."""
     device = versions[-1].device
     naming = Naming(device.id)
     names = [(version, layout) for layout in versions for version in (layout.device.version, *layout.equal_versions)]
