@@ -5,8 +5,8 @@
  *
  *     -DCK10_SELECT=CK10_SELECT_V1
  *
- * It takes the header of that version, which may as well be included by itself. CK10_SELECT_LATEST is the newest
- * version that was known when this was generated.
+ * You can also include the header of a version directly. CK10_SELECT_LATEST is the newest version that was known when
+ * this header was generated.
  *
  * CK10_SELECT_V1: ck10_v1.h, identity 4332a6ea93cee82e
  *
@@ -20,5 +20,5 @@
 #elif CK10_SELECT + 0 == CK10_SELECT_V1
 #include "ck10_v1.h"
 #else
-#error "CK10_SELECT is no known version; define it as one of CK10_SELECT_V1 or CK10_SELECT_LATEST"
+#error "CK10_SELECT is not a known version; define it as one of CK10_SELECT_V1 or CK10_SELECT_LATEST"
 #endif
