@@ -240,6 +240,16 @@ def test_public_names_have_docstrings(path: Path) -> None:
     assert [name for name, node in public(tree(path).body) if not ast.get_docstring(node) and name != path.stem] == []
 
 
+@pytest.mark.parametrize("path", MODULES, ids=inside)
+def test_public_functions_say_what_they_raise(path: Path) -> None:
+    for name, node in public(tree(path).body):
+        if isinstance(node, ast.FunctionDef):
+            own = ast.Module(node.body, [])
+            caught = {id(inner) for block in ast.walk(own) if isinstance(block, ast.Try) for inner in ast.walk(block)}
+            raises = any(isinstance(inner, ast.Raise) and id(inner) not in caught for inner in ast.walk(own))
+            assert not raises or "aises" in (ast.get_docstring(node) or ""), name
+
+
 def test_nothing_is_left_to_do() -> None:
     here = Path(__file__)
     files = [path for path in [*TEXTS, *TESTS, *(ROOT / "docs").glob("*.md")] if path != here]

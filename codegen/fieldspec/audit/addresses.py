@@ -14,12 +14,13 @@ _NAMES = 4
 """The most names of a block that are printed in full; of more names, the first two and the last."""
 
 _INTRODUCTION = (
-    "Every address, number and code that the spec knows, block by block as the manual lists them. A gap is declared "
-    "where the spec says that the manual leaves it out; one that is not declared may be a row that is missing."
+    "All addresses, numbers and codes of the spec, in the blocks of the manual. A declared gap is "
+    "one that the spec says the manual leaves out; any other gap may be a missing row."
 )
 _PLAN_INTRODUCTION = (
-    "Each row is one request. It begins and ends at a value with a meaning, touches no address of which the manual "
-    "says nothing, and divides no value. Equal requests at equal distances are one row."
+    "Each row is one request. It begins and ends with a value that has a meaning, contains no "
+    "address that the manual does not describe, and divides no value. Equal requests at equal "
+    "distances are one row."
 )
 
 
@@ -33,12 +34,12 @@ def addresses(subject: Subject) -> Section:
         if overlaps:
             unexplained = sum(1 for run in overlaps if not run.reason)
             figures.append(
-                Figure(f"{space.what} held twice ({space.title})", space.count(OVERLAP), good=not unexplained)
+                Figure(f"{space.what} occupied twice ({space.title})", space.count(OVERLAP), good=not unexplained)
             )
         if space.what == "words":
             gaps = space.count(UNDECLARED)
             where = f" ({space.title})" if subject.device.several_spaces else ""
-            figures.append(Figure(f"words in gaps that nothing declares{where}", gaps, good=gaps == 0))
+            figures.append(Figure(f"words in gaps that are not declared{where}", gaps, good=gaps == 0))
     tables = (_blocks(spaces), _gaps(spaces), _overlaps(spaces), _aliases(spaces), _runs(spaces))
     return Section("addresses", "Address map", (_INTRODUCTION,), tuple(figures), tables, spaces=spaces)
 
@@ -58,7 +59,7 @@ def _blocks(spaces: Sequence[Space]) -> SectionTable:
 def _gaps(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
-    for space, block, run in _each(spaces):
+    for space, block, run in _all_runs(spaces):
         if run.state in (DECLARED, UNDECLARED) and run.is_own:
             reason = run.reason or "nothing says why"
             rows.append((space.title, block.title, *_ends(space, run), run.size, STATES[run.state], reason))
@@ -70,14 +71,14 @@ def _gaps(spaces: Sequence[Space]) -> SectionTable:
 def _overlaps(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
-    for space, block, run in _each(spaces):
+    for space, block, run in _all_runs(spaces):
         if run.state == OVERLAP and run.is_own:
             names = " and ".join(occupant.name for occupant in run.occupants)
             rows.append((block.title, *_ends(space, run), names, run.reason or "nothing says why"))
             kinds.append("" if run.reason else "warning")
     return SectionTable(
         "overlaps",
-        "Addresses that are held twice",
+        "Addresses that are occupied twice",
         ("block", "first", "last", "held_by", "reason"),
         tuple(rows),
         tuple(kinds),
@@ -104,7 +105,7 @@ def _aliases(spaces: Sequence[Space]) -> SectionTable:
 
 def _runs(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
-    for space, block, run in _each(spaces):
+    for space, block, run in _all_runs(spaces):
         names = " and ".join(occupant.name for occupant in run.occupants)
         about = " and ".join(dict.fromkeys(occupant.about for occupant in run.occupants if occupant.about))
         occupant = run.occupants[0] if run.occupants else None
@@ -112,11 +113,11 @@ def _runs(spaces: Sequence[Space]) -> SectionTable:
         place = occupant.place["name"] if occupant is not None else None
         rows.append((space.title, block.title, *_ends(space, run), STATES[run.state], names, about, place, source))
     columns = ("space", "block", "first", "last", "state", "name", "type", "spec", "source")
-    title = "Every address, of tables those of the first element"
+    title = "All addresses; for tables, those of the first element"
     return SectionTable("address_map", title, columns, tuple(rows), detail=True)
 
 
-def _each(spaces: Sequence[Space]) -> Iterator[tuple[Space, Block, Run]]:
+def _all_runs(spaces: Sequence[Space]) -> Iterator[tuple[Space, Block, Run]]:
     for space in spaces:
         for block in space.blocks:
             for run in block.runs:

@@ -23,10 +23,13 @@ REVIEWS = ("sarif", "github")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the changes. Exit code 1 where `--fail-on` applies, or where a spec accepts a change that is not there."""
+    """Prints the changes. Exit code 1 where `--fail-on` applies, or where a spec accepts a change that is not there.
+
+    Raises UsageError.
+    """
     bare_paths = arguments.format in REVIEWS
     old, new = (spec_state(text, arguments.specs, bare_paths) for text in (arguments.old, arguments.new))
-    compared = list(_compared(old, new))
+    compared = list(_comparisons(old, new))
     differences = [*_devices(old, new), *(_difference(comparison) for comparison in compared)]
     unused = _unused(compared)
     if arguments.format in REVIEWS:
@@ -58,7 +61,7 @@ class _Compared:
     by_version: dict[str, ComparedVersions]
 
 
-def _compared(old: SpecState, new: SpecState) -> Iterator[_Compared]:
+def _comparisons(old: SpecState, new: SpecState) -> Iterator[_Compared]:
     """The comparisons of two states, device by device."""
     for device in _common(old, new):
         before, after = old.spec(device), new.spec(device)

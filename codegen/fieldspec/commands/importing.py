@@ -17,7 +17,7 @@ _FOLDER = re.compile(r"[^a-z0-9]+")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the file, or prints it for `-`. It overwrites no file, and writes none with errors."""
+    """Writes the file, or prints it for `-`. It overwrites no file, and writes none with errors. Raises UsageError."""
     from fieldspec.lists.cells import REFERENCE
     from fieldspec.lists.listing import listing, moved
     from fieldspec.lists.sheet import ListError

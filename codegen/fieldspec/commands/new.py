@@ -29,7 +29,7 @@ _CITED = {"links": "", "messages": "", "enums": "", "records": "fields"}
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the file; never overwrites one."""
+    """Writes the file; never overwrites one. Raises UsageError."""
     if arguments.kind == "version":
         path, text = _version(arguments)
     else:
@@ -67,7 +67,7 @@ def _version(arguments: argparse.Namespace) -> tuple[Path, str]:
         ]
         after = f'  after: "{members[-1]}"\n'
     path = specs.writable_folder(arguments.specs) / arguments.name / VERSIONS / f"{arguments.version}.yaml"
-    return path, specs.editor_line(path) + _filled(
+    return path, specs.editor_line(path) + _fill_skeleton(
         "version",
         device=arguments.name,
         version=arguments.version,
@@ -98,11 +98,11 @@ def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
     if arguments.protocol not in (*SHAPES, *protocols):
         raise unknown("protocol", arguments.protocol, [*protocols, *SHAPES])
     path = folder / name / MAIN
-    text = specs.editor_line(path) + _filled("device", name=name)
+    text = specs.editor_line(path) + _fill_skeleton("device", name=name)
     if arguments.protocol in SHAPES:
-        return path, text + _filled(arguments.protocol)
+        return path, text + _fill_skeleton(arguments.protocol)
     overlays = "\n".join(_overlays(places[arguments.protocol]))
-    return path, text + _filled("protocol", protocol=arguments.protocol, overlays=overlays + "\n")
+    return path, text + _fill_skeleton("protocol", protocol=arguments.protocol, overlays=overlays + "\n")
 
 
 def _folder(specs_option: str | None) -> Path:
@@ -158,6 +158,6 @@ def _fits(text: str, form: str, what: str) -> None:
         raise UsageError(f"{text} is not a valid name of {what}: {part['description']}")
 
 
-def _filled(skeleton: str, **words: str) -> str:
+def _fill_skeleton(skeleton: str, **words: str) -> str:
     text = resources.files("fieldspec").joinpath(f"skeletons/{skeleton}.yaml").read_text("utf-8")
     return Template(text).substitute(words)

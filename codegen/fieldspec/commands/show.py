@@ -15,7 +15,7 @@ from fieldspec.render.overview import overview
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints an overview of the device, or every item that a text names."""
+    """Prints an overview of the device, or every item that a text names. Raises UsageError."""
     layout = layout_cache.requested_layout(arguments)
     if arguments.item is None:
         print_blocks(overview(layout))

@@ -22,8 +22,8 @@ from fieldspec.source import Span
 WRITE_ONLY, CLEARED, ACCESS_UNKNOWN, TOO_LONG = (
     "can only be written",
     "is cleared by reading",
-    "nothing says whether it can be read",
-    "has more words than one request reads",
+    "it is not stated whether it can be read",
+    "it has more words than one request reads",
 )
 
 
@@ -108,7 +108,7 @@ def read_plan(layout: DeviceLayout) -> ReadPlan:
     block are in `left_out`, each with the reason. Never raises for a device without findings.
     """
     device = layout.device
-    limits = tuple(_limit(device, message) for message in device.messages.values() if _reads(device, message))
+    limits = tuple(_limit(device, message) for message in device.messages.values() if _is_read(device, message))
     plan = ReadPlan(limits, (), ())
     units = sorted(_units(layout), key=lambda unit: (unit.first, unit.words))
     blocks: list[ReadBlock] = []
@@ -135,7 +135,7 @@ def _blocks(units: Sequence[ReadUnit], message: str, most: int) -> tuple[list[Re
     return blocks, sorted([*stops, *too_long], key=lambda unit: unit.first)
 
 
-def _reads(device: Device, message: Message) -> bool:
+def _is_read(device: Device, message: Message) -> bool:
     access = device.register_access(message)
     return access is not None and access.operation == "read"
 

@@ -150,7 +150,7 @@ class _Application:
             old = fact.values.get(key)
             if not self._was(key, was, old, fact, at):
                 sound = False
-            elif _same(was, now):
+            elif _is_same_node(was, now):
                 text = f"`{key}` does not change"
                 self._refuse("overlay_changes_nothing", text, pair, "state another value, or remove the entry")
                 sound = False
@@ -335,7 +335,7 @@ def _absent(node: Node) -> bool:
     return isinstance(node, Scalar) and node.value is None
 
 
-def _same(was: Node, now: Node) -> bool:
+def _is_same_node(was: Node, now: Node) -> bool:
     return exact(was) == exact(now)
 
 

@@ -48,7 +48,7 @@ class FrameCodec:
         }
 
     def parts(self, frame: bytes) -> bytes:
-        """A frame without its marks, as bytes instead of characters."""
+        """A frame without its delimiters, as bytes instead of characters. Raises CodecError."""
         link = self.link.link
         if not frame.startswith(link.start):
             raise CodecError("wrong_mark", f"the frame does not start with {link.start.hex(' ')}", 0)

@@ -120,7 +120,7 @@ def footnotes(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
 def examples(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
     """The examples of the manual with this frame, and those that it misprints as this frame."""
     device = layout.device
-    own = [example for example in device.examples.values() if _alike(example, explanation)]
+    own = [example for example in device.examples.values() if _is_alike(example, explanation)]
     same = [example for example in own if example.frame == explanation.frame]
     for example in same[:_EXAMPLES]:
         text = ", ".join(part for part in (f"example {example.id}", citations(example.sources)) if part)
@@ -134,7 +134,7 @@ def examples(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
                 yield f"erratum {erratum.id}: the manual prints this for {_hex(example.frame)}. {erratum.reason}"
 
 
-def _alike(example: Example, explanation: Explanation) -> bool:
+def _is_alike(example: Example, explanation: Explanation) -> bool:
     """Whether an example has the link, direction and message of a frame."""
     of = (example.link, example.direction, example.message or explanation.message)
     return of == (explanation.link, explanation.direction, explanation.message)

@@ -50,17 +50,17 @@ def _block(finding: Diagnostic, paint: _Paint) -> str:
     lines = [
         f"{paint('place', place(finding.span))}: {paint(severity, f'{severity}[{finding.code}]')}: "
         f"{visible_text(finding.message)}",
-        *_marked(finding.span, "^", paint, "mark"),
+        *_marked_lines(finding.span, "^", paint, "mark"),
     ]
     for label in finding.labels:
         lines.append(f"  {paint('other', place(label.span))}: {visible_text(label.text)}")
-        lines += _marked(label.span, "-", paint, "other")
+        lines += _marked_lines(label.span, "-", paint, "other")
     if finding.help:
         lines.append(f"  {paint('help', 'help')}: {visible_text(finding.help)}")
     return "\n".join(lines) + "\n"
 
 
-def _marked(span: Span, mark: str, paint: _Paint, style: str) -> list[str]:
+def _marked_lines(span: Span, mark: str, paint: _Paint, style: str) -> list[str]:
     """The source line with marks under the span; of a long line, only the part around the span."""
     number, column = span.position()
     source = span.file.line(number)

@@ -75,7 +75,11 @@ def write_fuzz_target(layout: DeviceLayout, naming: Naming, header: str) -> str:
     """The text of the target."""
     directions = [(link, direction) for link in layout.links.values() for direction in ("request", "response")]
     frames = [Call(f"frame_{number}", (_DATA, _SIZE)) for number in range(2 * len(directions))]
-    macros = [*_record_macros(layout, naming), *_value_macros(layout, naming), *_other_macros(layout, naming)]
+    macros = [
+        *_record_macros(layout, naming),
+        *_value_macros(layout, naming),
+        *_address_and_conversion_macros(layout, naming),
+    ]
     choices = [*frames, *macros]
     used = {macro.function for macro in macros}
     functions = [
@@ -179,7 +183,7 @@ def _value_macro(
     return Call("TRIGGER", (kind, Identifier(accessed_type(naming, device, wire.value)), *functions, *sizes))
 
 
-def _other_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
+def _address_and_conversion_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
     for table in layout.tables.values():
         yield Call("ADDRESS", _names("uint16_t", naming.function("table", table.name, "at")))
     for conversion in layout.device.conversions.values():

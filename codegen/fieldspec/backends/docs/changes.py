@@ -44,14 +44,14 @@ COLUMNS = (
 MEANINGS = {
     Effect.WIRE: (
         "On the wire",
-        "Bytes mean something else. Programs for the older version do wrong with the newer one.",
+        "Bytes have another meaning. Programs for the older version do not work correctly with the newer one.",
     ),
     Effect.SOURCE: (
         "In the source code",
         "Generated names or types change. Programs must be changed before they compile.",
     ),
-    Effect.BEHAVIOUR: ("In behaviour", "Limits, defaults or access change, or there is more than there was."),
-    Effect.DOCS: ("In the documentation", "What people read. No program is concerned."),
+    Effect.BEHAVIOUR: ("In behaviour", "Limits, defaults or access change, or something is new."),
+    Effect.DOCS: ("In the documentation", "Only texts for people change. No program is affected."),
 }
 _TARGETS = {"python": "Python", "c": "C", "plc": "PLC"}
 
@@ -209,7 +209,7 @@ VERSION_COLUMNS = (
     TableColumn("Messages", "number"),
     TableColumn("Parameters", "number"),
     TableColumn("Example frames", "number"),
-    TableColumn("Changed since the version before"),
+    TableColumn("Changed since the previous version"),
     TableColumn("Identity", unbroken=True),
     TableColumn("Source", "source"),
 )

@@ -40,13 +40,14 @@ def _facts(context: Context) -> Iterator[tuple[str, tuple[Line, ...]]]:
     device, manual = context.device, context.device.manual
     yield "Device", ((text_piece(f"{device.vendor} {device.name}, "), code(device.id)),)
     yield "Version", ((text_piece(version_title(device)),),)
-    yield "Identity", ((code(context.layout.identity), text_piece(": equal in all outputs that agree on every byte")),)
+    remark = text_piece(": the same in all outputs with the same bytes on the wire")
+    yield "Identity", ((code(context.layout.identity), remark),)
     yield "Manual", ((label(manual.title),),)
     if manual.edition:
         yield "Edition", ((label(manual.edition),),)
     if manual.language:
         yield "Language", ((code(manual.language),),)
-    yield "Text", ((code(manual.file), text_piece(f", {manual.lines} lines; a source is a section and lines of it")),)
+    yield "Text", ((code(manual.file), text_piece(f", {manual.lines} lines; a source is a section and its lines")),)
     yield "SHA-256", ((code(manual.sha256),),)
 
 

@@ -125,10 +125,10 @@ def _special(register: Register) -> Iterator[Line]:
     if register.reserved:
         yield (styled("reserved", "badge"),)
     if register.trigger:
-        text = " Writing has an effect; reading does not give back what was written."
+        text = " Writing has an effect; reading does not return the written value."
         yield (styled("trigger", "badge"), text_piece(text))
     if register.atomic:
-        yield (styled("atomic", "badge"), text_piece(" All of its words are to be accessed in one request."))
+        yield (styled("atomic", "badge"), text_piece(" All of its words must be accessed in one request."))
     if register.copy_of:
         yield (text_piece("Another copy of "), code(register.copy_of, f"#registers/{register.copy_of}"))
     if register.same_as:

@@ -255,10 +255,10 @@ def _subindex(subindex: Subindex, order: str, words: Words, trigger: bool) -> st
 def _type(row: Parameter, words: Words) -> str:
     """The type of the values of a parameter and of all its elements."""
     every = [row.value, *(subindex.value for subindex in row.subindices)]
-    return " | ".join(dict.fromkeys(_answered(value, words, row.trigger) for value in every))
+    return " | ".join(dict.fromkeys(_answer_value(value, words, row.trigger) for value in every))
 
 
-def _answered(value: Value, words: Words, trigger: bool) -> str:
+def _answer_value(value: Value, words: Words, trigger: bool) -> str:
     """The type of a parameter that is read: of a trigger, any number beside the members of a closed enum."""
     more = " | int" if value.as_answer(trigger).enum != value.enum and not value.sentinels else ""
     return value_type(value, words) + more
