@@ -151,7 +151,7 @@ class _Declaring:
                 if data.size and fixed(data):
                     title = message.message.title or Name.of(message.name).title()
                     yield self._of_record(data, "telegram", message.message, title)
-        for group in self.layout.device.groups:
+        for group in self.layout.device.word_groups():
             registers = registers_of(self.layout, group)
             if registers:
                 scope = Scope(self.dialect, f"member of {group.name}", self.found)

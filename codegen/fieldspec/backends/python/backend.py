@@ -16,6 +16,7 @@ PACKAGE = "fieldspec_devices"
 PACKAGE_NAMES = ("for_firmware", "latest")
 RUNTIME = (
     "__init__",
+    "_bits",
     "_checks",
     "_choices",
     "_codes",

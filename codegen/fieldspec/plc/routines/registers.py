@@ -135,10 +135,10 @@ def _address(world: World, table_layout: TableLayout) -> Routine:
 
 def group_routines(world: World) -> Iterator[Routine]:
     """The functions of all groups: of what can be read, and of what can be written."""
-    if world.layout.registers:
+    groups = [(group, registers_of(world.layout, group)) for group in world.layout.device.word_groups()]
+    if any(registers for _, registers in groups):
         yield _holds(world)
-    for group in world.layout.device.groups:
-        registers = registers_of(world.layout, group)
+    for group, registers in groups:
         read_registers = [register for register in registers if readable(register.register.access)]
         # Where no access is printed, writing is what a trigger is for.
         writable_registers = [

@@ -179,7 +179,7 @@ class World:
         """The words of the longest list of registers that a message carries; where none does, of the longest group."""
         lists = [most // 2 for most in _register_lists(self.layout)]
         tables = [table.words for table in self.layout.tables.values()]
-        groups = [_span(group) for group in self.layout.device.groups] if not lists else []
+        groups = [_span(group) for group in self.layout.device.word_groups()] if not lists else []
         return sequence(max([*lists, *tables, *groups], default=1), WORD)
 
 
