@@ -123,9 +123,11 @@ def line_to_server(link: str, device: SimDevice) -> Iterator[Line]:
     """A line to a server of pymodbus."""
     if link == "tcp":
         port = free_port()
-        with running(lambda: ModbusTcpServer(device, identity=IDENTITY, address=("127.0.0.1", port))):
-            with socket.create_connection(("127.0.0.1", port), SECONDS) as connection:
-                yield Line(connection.fileno())
+        with (
+            running(lambda: ModbusTcpServer(device, identity=IDENTITY, address=("127.0.0.1", port))),
+            socket.create_connection(("127.0.0.1", port), SECONDS) as connection,
+        ):
+            yield Line(connection.fileno())
         return
     framer = FramerType.RTU if link == "rtu" else FramerType.ASCII
     with (

@@ -3177,7 +3177,7 @@ static inline ck10_codec_status ck10_reg_push_start_position_encode(int32_t valu
 }
 
 /**
- * Where the push ends at the latest.
+ * Where the push ends.
  * Printed as PushEndPos 推力運動結束座標.
  * Read and write. 2 words must be accessed in one request.
  * Note: Neither unit nor range is printed; the push position of a point is in pulses (3.5 L867).
@@ -3225,7 +3225,7 @@ static inline ck10_codec_status ck10_reg_start_push_motion_encode(uint8_t *out)
 }
 
 /**
- * Writing 1 starts homing in the way that the parameters 13A4h to 13B0h define. Reading gives 0.
+ * Writing 1 starts homing. The parameters define the method. Reading gives 0.
  * Printed as MoveOrigin 開始回原點.
  * Read and write. Writing starts an action.
  * Source: 2.4 L331
@@ -3527,7 +3527,7 @@ static inline ck10_codec_status ck10_reg_compare_pulse_width_encode(uint16_t val
 }
 
 /**
- * The compare output is in use.
+ * Enables the compare output.
  * Printed as CmpEnable.
  * Read and write.
  * Source: 2.5 L348
@@ -3553,7 +3553,7 @@ static inline ck10_codec_status ck10_reg_compare_enable_encode(bool value, uint8
 }
 
 /**
- * Whether it really is.
+ * Whether the compare output is enabled.
  * Printed as CmpStat.
  * Read only.
  * Source: 2.5 L349
@@ -9487,7 +9487,7 @@ static inline ck10_codec_status ck10_reg_alarm_history_at(uint32_t number, uint1
  * Printed as 位置表記憶體.
  * Its elements are ck10_point.
  * Read and write.
- * Note: Wrong data may lead to wrong moves.
+ * Note: Wrong data may cause errors when a point is carried out (2.7 L607).
  * Note: Decimal addresses are printed for the points 0, 1, 2 and 127: 10000, 10032, 10064 and 14064.
  * Source: 2.7 L572-607
  */
