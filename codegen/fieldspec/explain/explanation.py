@@ -227,7 +227,8 @@ class _Frame:
             return self._code(part, read)
         if part.role == "unit_address":
             return self._station(read)
-        return read
+        should = self.asked.values.get(part.part.same_as) if self.asked else None
+        return read if read.reason or should is None else read.judged(read.number == should, repr(should), "")
 
     def _judged_length(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
         """A length, compared with the bytes that it counts."""

@@ -29,7 +29,8 @@ class Part(Fact):
 
     `byte_order` is the byte order of a checksum, empty where the algorithm decides it. `span` is what a length
     counts, in units of `unit_size` bytes and `plus` more, or what a checksum covers. A `reserved` part has no meaning:
-    its constant or 0 is sent, and anything is received.
+    its constant or 0 is sent, and anything is received. `same_as` names the part of the request that a part of the
+    response repeats, else it is empty.
     """
 
     role: str
@@ -40,6 +41,7 @@ class Part(Fact):
     unit_size: int
     plus: int
     reserved: bool
+    same_as: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,11 +16,11 @@ from fieldspec.backends.docs.document import (
     TableRow,
     cell,
     code,
-    joined,
     styled,
     table,
     text_piece,
 )
+from fieldspec.backends.docs.link_settings import serial_facts, station_facts
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
 from fieldspec.classes import dataclass
@@ -140,6 +140,8 @@ class FrameTable:
             yield (text_piece(f"{CHECKS[part.algorithm]} {self._covered(part)}{order}"),)
         elif part.reserved:
             yield (styled("reserved", "badge"),)
+        elif part.part.same_as:
+            yield (text_piece("the same as "), code(part.part.same_as), text_piece(" of the request"))
 
     def _length(self, part: PartLayout, record: RecordLayout | None) -> str:
         around = self.shape.header_size + self.shape.trailer_size
@@ -327,7 +329,7 @@ def _alike(link: Link) -> bool:
 
     def facts_of(part: Part) -> tuple[object, ...]:
         return (
-            (part.name, part.role, part.value, part.algorithm, part.byte_order, part.reserved),
+            (part.name, part.role, part.value, part.algorithm, part.byte_order, part.reserved, part.same_as),
             (part.span, part.unit_size, part.plus),
             (part.doc, part.label, part.notes, part.sources),
         )
@@ -358,42 +360,7 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
             "Refusals",
             ((text_piece(text), code(link.exception_response.record, f"#records/{link.exception_response.record}")),),
         )
-    yield from _stations(link)
-    yield from _serial(link)
+    yield from station_facts(link)
+    yield from serial_facts(link)
     if link.sources:
         yield "Source", (cited(link.sources),)
-
-
-def _stations(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    stations = link.unit_addresses
-    if stations is None:
-        return
-    if stations.ranges is not None:
-        yield "Stations", ((text_piece(spoken(stations.ranges.text())),),)
-    if stations.broadcast is not None:
-        yield "All stations", ((text_piece(str(stations.broadcast)),),)
-    if stations.rule:
-        yield "How a station is set", ((text_piece(stations.rule),),)
-    for note in stations.notes:
-        yield "Note on the stations", ((text_piece(note),),)
-    if stations.sources:
-        yield "Source of the stations", (cited(stations.sources),)
-
-
-def _serial(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    serial = link.serial
-    if serial is None:
-        return
-    if serial.baud:
-        default = "" if serial.default_baud is None else f"; {serial.default_baud} by default"
-        yield "Baud rate", ((text_piece(f"{', '.join(map(str, serial.baud))} bit/s{default}"),),)
-    for title, settings in (
-        ("Start bits", () if serial.start_bits is None else (serial.start_bits,)),
-        ("Data bits", serial.data_bits),
-        ("Parity", serial.parity),
-        ("Stop bits", serial.stop_bits),
-    ):
-        if settings:
-            yield title, (joined(((text_piece(str(setting)),) for setting in settings), " or "),)
-    if serial.sources:
-        yield "Source of the settings", (cited(serial.sources),)

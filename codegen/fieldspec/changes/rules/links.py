@@ -143,6 +143,11 @@ def role_changed(comparison: Comparison) -> Iterator[Change]:
     for part in comparison.of(Part):
         if part.old.role != part.new.role:
             yield _role_text(part, "role", "the role", part.old.role, part.new.role)
+        beside = part.old.place.path.rpartition("/")[0].rpartition("/")[0] + "/request"
+        same = comparison.renamed_to(beside, part.old.same_as) if part.old.same_as else ""
+        if same != part.new.same_as:
+            text = f"{named(part.new)}: {difference_text('the part that it repeats', same, part.new.same_as)}"
+            yield change("role_changed", Effect.BEHAVIOUR, part, "same_as", text, same, part.new.same_as)
     for field in comparison.of(Field):
         yield from _of_field(comparison, field)
     for value_pair in comparison.values:

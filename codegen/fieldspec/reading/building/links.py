@@ -14,10 +14,11 @@ _KEYS = {
     "length": _NUMBER_KEYS | {"range", "counts"},
     "body": frozenset[str](),
     "checksum": frozenset({"algorithm", "byte_order", "covers"}),
-    "plain": VALUE_KEYS - {"length", "characters", "sentinels", "parameter", "default", "unit_default"} | {"reserved"},
+    "plain": VALUE_KEYS - {"length", "characters", "sentinels", "parameter", "default", "unit_default"}
+    | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except those of every fact."""
-_SPECIFIC = VALUE_KEYS | {"algorithm", "covers", "counts", "reserved"}
+_SPECIFIC = VALUE_KEYS | {"algorithm", "covers", "counts", "reserved", "same_as"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
 _HELP = {
     "const": "remove `const`, or remove the `role` of the part",
@@ -26,6 +27,7 @@ _HELP = {
     "covers": "move it to the part with `role: checksum`",
     "algorithm": "add or remove `algorithm`",
     "reserved": "move it to a part without a `role`",
+    "same_as": "move it to a part without a `role`; a response always has the unit address of its request",
 }
 
 
@@ -87,6 +89,7 @@ def _part(entry: Entry) -> Part:
         unit_size=_UNIT_SIZES[span.text("in") or "bytes"] if span is not None else 1,
         plus=(span.integer("plus") or 0) if span is not None else 0,
         reserved=entry.flag("reserved"),
+        same_as=entry.text("same_as"),
     )
 
 
