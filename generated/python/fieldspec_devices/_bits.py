@@ -97,8 +97,8 @@ def unpacked_bits(register: Register[Any], most: int, groups: Sequence[Sequence[
     return bits
 
 
-def single_bit(name: str, number: int, one: int, zero: int) -> int:
+def single_bit(name: str, number: int, set_number: int, clear_number: int) -> int:
     """The bit for which a number stands. Raises CodecError."""
-    if number not in (one, zero):
-        raise CodecError("unknown_value", f"{name} is {number}, neither {one} nor {zero}")
-    return int(number == one)
+    if number not in (set_number, clear_number):
+        raise CodecError("unknown_value", f"{name} is {number}, neither {set_number} nor {clear_number}")
+    return int(number == set_number)
