@@ -3,13 +3,9 @@
 from __future__ import annotations
 
 import asyncio
-import os
-import pty
-import select
 import socket
 import struct
 import threading
-import tty
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
@@ -23,12 +19,12 @@ from pymodbus.simulator import DataType, SimData, SimDevice
 
 from layouts import TEST_SPECS, layouts, newest
 from python_package import codec_error, link_of, module_of
+from serial_lines import SECONDS, Line, serial_line
 
 STATION = module_of(newest(TEST_SPECS, "station"))
 METERS = {layout.device.version: module_of(layout) for layout in layouts(TEST_SPECS)["wattmeter"]}
 CodecError = codec_error()
 LINKS = ("tcp", "rtu", "ascii")
-SECONDS = 5.0
 IDENTITY = ModbusDeviceIdentification(
     info_name={"VendorName": "Nobody", "ProductCode": "S", "MajorMinorRevision": "1.0"}
 )
@@ -49,25 +45,6 @@ def simulated() -> SimDevice:
     return SimDevice(1, simdata=([coils], [inputs], [settings], [measurements]))
 
 
-class Line:
-    """Bytes to and from a peer: a socket, or one end of a line."""
-
-    def __init__(self, handle: int) -> None:
-        self.handle = handle
-
-    def send(self, data: bytes) -> None:
-        """Sends all bytes."""
-        os.write(self.handle, data)
-
-    def receive(self, seconds: float = SECONDS) -> bytes:
-        """The bytes that have arrived; none where nothing comes in time, or the peer is gone."""
-        ready, _, _ = select.select([self.handle], [], [], seconds)
-        try:
-            return os.read(self.handle, 4096) if ready else b""
-        except OSError:
-            return b""
-
-
 def free_port() -> int:
     """A port on which nobody listens."""
     with socket.socket() as probe:
@@ -75,19 +52,6 @@ def free_port() -> int:
         port = probe.getsockname()[1]
     assert isinstance(port, int)
     return port
-
-
-@contextmanager
-def serial_line() -> Iterator[tuple[int, str]]:
-    """One end of a line as a handle, and the path of the other end."""
-    near, far = pty.openpty()
-    tty.setraw(near)
-    tty.setraw(far)
-    try:
-        yield near, os.ttyname(far)
-    finally:
-        os.close(near)
-        os.close(far)
 
 
 @contextmanager
