@@ -48,7 +48,7 @@ KINDS = {
         Kind(
             "clears_on_read",
             "Reading changes the value",
-            "Only the first reader gets it: read it in one place of the program, and in no block that is polled.",
+            "Only the first reader gets it: read it in one place of the program, and in no block of the read plan.",
             True,
         ),
         Kind(
@@ -293,7 +293,7 @@ def access(subject: Subject) -> Section:
         names = ", ".join(register.name for register in open_ones[:6]) + (", …" if len(open_ones) > 6 else "")
         paragraphs.append(
             f"Of {len(open_ones)} registers with several words the manual does not say whether they may be read in "
-            f"parts ({names}); no poll block divides them."
+            f"parts ({names}); no block of the read plan divides them."
         )
     figures = [Figure("facts cannot be read and written back safely", len(unsafe))]
     tables = []

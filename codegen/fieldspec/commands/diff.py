@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Iterator
-from importlib import import_module
 
 from fieldspec.changes import RULES, changes
 from fieldspec.changes.acceptances import ComparedVersions, accepts_used, judged_changes, rules_known
@@ -35,13 +34,15 @@ def run(arguments: argparse.Namespace) -> int:
 
         print_findings([*findings(differences), *unused], arguments.format, "")
     elif arguments.format == "text":
-        from fieldspec.render.changes_text import blocks
+        from fieldspec.render.changes_formats import blocks
 
         print_blocks(blocks(differences))
     else:
-        print(import_module(f"fieldspec.render.changes_{arguments.format}").rendered(differences), end="")
+        from fieldspec.render.changes_formats import format_changes
+
+        print(format_changes(differences, arguments.format), end="")
     if unused and arguments.format not in REVIEWS:
-        from fieldspec.render.text import rendered
+        from fieldspec.render.finding_text import rendered
 
         print(rendered(unused), end="", file=sys.stderr)
     failed = arguments.fail_on is not None and hurts(differences, arguments.fail_on)

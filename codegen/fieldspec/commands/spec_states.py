@@ -13,7 +13,7 @@ from fieldspec.diagnostics import has_errors
 from fieldspec.model.device import Device
 from fieldspec.reading.findings import MAIN, PROTOCOLS, VERSIONS
 from fieldspec.reading.project import DeviceSpec, Project, read
-from fieldspec.render.text import place
+from fieldspec.render.finding_text import place
 
 
 class NoRevision(UsageError):

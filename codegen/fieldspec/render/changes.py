@@ -9,7 +9,7 @@ from fieldspec.changes.evidence import enumeration
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label, Severity
 from fieldspec.model.texts import Acceptance
-from fieldspec.render.text import place
+from fieldspec.render.finding_text import place
 from fieldspec.source import Span
 
 MEANINGS = {

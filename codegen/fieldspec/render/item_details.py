@@ -256,7 +256,8 @@ def _link(layout: DeviceLayout, link: Link) -> Details:
     yield "what", link.title
     yield "encoding", link.encoding
     yield "marks", " .. ".join(mark.hex(" ").upper() for mark in (link.start, link.end) if mark)
-    yield "order", f"bytes {link.byte_order}, words {link.word_order or link.byte_order}"
+    orders = (("bytes", link.byte_order), ("words", link.word_order))
+    yield "order", ", ".join(f"{what} {order}" for what, order in orders if order)
     yield "sends", _sends(layout, link)
 
 

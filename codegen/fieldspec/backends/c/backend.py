@@ -78,13 +78,13 @@ def _print_sections(naming: Naming, layout: DeviceLayout, algorithms: set[str]) 
     device = layout.device
     sections: tuple[tuple[str, Iterable[Block]], ...] = (
         ("Compilers and machines", ([copy_runtime(naming, "machine.h")],)),
-        ("What functions return", ([copy_runtime(naming, "status.h")],)),
-        ("Numbers and characters, independent of the machine", copy_numbers(naming, layout)),
-        ("Checks", copy_checksums(naming, algorithms)),
+        ("Results of codec calls", ([copy_runtime(naming, "status.h")],)),
+        ("Numbers and characters", copy_numbers(naming, layout)),
+        ("Checksums", copy_checksums(naming, algorithms)),
         ("Enums and codes", (declare_enum(naming, enum) for enum in device.enums.values())),
-        ("Words of flags", (declare_flags(naming, word) for word in device.flags.values())),
+        ("Bit fields", (declare_flags(naming, word) for word in device.flags.values())),
         ("Signals", (declare_signal(naming, signal) for signal in device.signals.values())),
-        ("Conversions, which a machine without double leaves out", _conversions(naming, layout)),
+        ("Conversions, which need double", _conversions(naming, layout)),
         (
             "Records",
             (
@@ -94,7 +94,7 @@ def _print_sections(naming: Naming, layout: DeviceLayout, algorithms: set[str]) 
         ),
         ("Data of requests and responses", _messages(naming, layout)),
         ("Registers", (declare_register(naming, device, register) for register in layout.registers)),
-        ("Tables of records", (declare_table(naming, device, table) for table in layout.tables.values())),
+        ("Record tables", (declare_table(naming, device, table) for table in layout.tables.values())),
         (
             "Parameters",
             (
@@ -137,7 +137,7 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
     """For each message its code and number, then the data of its request and of its response."""
     for layout_of_message in layout.messages.values():
         message = layout_of_message.message
-        beside = f"Sent only beside {', '.join(message.supplements)}." if message.supplements else ""
+        beside = f"Sent only together with {', '.join(message.supplements)}." if message.supplements else ""
         links = f"On {', '.join(message.links)}." if message.links and len(layout.links) > 1 else ""
         about = " ".join(text for text in (message.title and f"{message.title}.", links, beside) if text)
         numbers = (("code", message.code), ("number", message.number))
@@ -183,32 +183,40 @@ def _claim_names(naming: Naming, version: str, versions: Sequence[str]) -> None:
 def _describe_switches(naming: Naming, algorithms: set[str], texts: bool, conversions: bool) -> str:
     """What may be defined before the header is included, as lines of a comment."""
     known = (
-        ("with_texts", "for the texts of codes, which take memory", texts),
-        ("without_double", "to leave conversions out, which need double", conversions),
-        ("wide_crc_table", "for a faster check with a table of 512 bytes", "crc16_modbus" in algorithms),
+        ("with_texts", "adds the texts of codes, which take memory", texts),
+        ("without_double", "leaves out the conversions, which need double", conversions),
+        ("wide_crc_table", "takes a table of 512 bytes for a faster CRC", "crc16_modbus" in algorithms),
     )
     lines = [f" *   {naming.own_macro(name)} {what}\n" for name, what, used in known if used]
-    return "".join([" *\n * Before it is included there may be defined:\n", *lines] if lines else [])
+    return "".join([" *\n * Define before you include it:\n", *lines] if lines else [])
 
 
 def _selecting_header(versions: Sequence[DeviceLayout]) -> dict[str, str]:
-    """The header that takes that of the version which is asked for; `versions` are one device's, the oldest first."""
+    """The header that takes that of the requested version, or of the only one; `versions` are one device's, the oldest first."""
     device = versions[-1].device
     naming = Naming(device.id)
     names = [(version, layout) for layout in versions for version in (layout.device.version, *layout.equal_versions)]
     macros = {version: naming.own_macro(_SELECT, version_word(version)) for version, _ in names}
     select = naming.own_macro(_SELECT)
     headers = [(macros[version], f"{stem(device.id, layout.device.version)}.h", layout) for version, layout in names]
+    usage = f"Define {select} before this header is included, or for the compiler, to say which version is meant:"
+    choices, latest = ", ".join(macros.values()), naming.own_macro(_SELECT, _LATEST)
+    otherwise = f'#error "define {select} as one of {choices} or {latest}"\n'
+    if len(headers) == 1:
+        usage = f"It has one version, and includes its header. {select} may be defined to rely on that version:"
+        otherwise = f'#include "{headers[0][1]}"\n'
     text = fill(
         "c/selection.h.j2",
         title=escape_comment(f"{device.name} ({device.vendor}), in any of its versions"),
         identity=versions[-1].identity,
         select=select,
-        latest=naming.own_macro(_SELECT, _LATEST),
+        latest=latest,
         newest=macros[device.version],
         versions=[f" * {macro}: {name}, identity {layout.identity}\n" for macro, name, layout in headers],
         defined=[f"#define {macro} {number}\n" for number, (macro, _, _) in enumerate(headers, 1)],
         included=[f'#elif {select} + 0 == {macro}\n#include "{name}"\n' for macro, name, _ in headers],
-        choices=", ".join(macros.values()),
+        choices=choices,
+        usage=usage,
+        otherwise=otherwise,
     )
     return {f"{Name.of(device.id).snake()}.h": text}

@@ -260,7 +260,8 @@ class Printer(ExpressionPrinter):
         for number, member in enumerate(node.enumerators):
             comma = "," if number < last else ""
             self.lines.append(f"{_STEP}{member.name} = {self._text(member.value)}{comma}{_beside(member.remark)}")
-        self.lines.append(f"}} {node.name};")
+        attribute = f"{node.attribute} " if node.attribute else ""
+        self.lines.append(f"}} {attribute}{node.name};")
 
     def _function(self, node: Function) -> None:
         parameters = ", ".join([self.print_variable(parameter) for parameter in node.parameters]) or "void"

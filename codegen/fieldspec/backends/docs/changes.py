@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from fieldspec.backends import PageLink
 from fieldspec.backends.docs.context import cited
+from fieldspec.backends.docs.device import version_title
 from fieldspec.backends.docs.document import (
     Block,
     Cell,
@@ -24,7 +25,6 @@ from fieldspec.backends.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.backends.docs.identity import version_title
 from fieldspec.changes.acceptances import ComparedVersions, JudgedChange, judged_changes
 from fieldspec.changes.change import Change, Effect
 from fieldspec.classes import dataclass

@@ -1,4 +1,4 @@
-"""The registers by group."""
+"""The registers by group, and the address spaces: what an address holds and which messages reach it."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from fieldspec.backends.docs.value_cells import (
     value_cells,
 )
 from fieldspec.classes import replace
-from fieldspec.model.address_space import BIT
+from fieldspec.model.address_space import BIT, AddressSpace
 from fieldspec.model.registers import Gap, Register, RegisterGroup
 
 COLUMNS = (
@@ -160,3 +160,53 @@ def _element(register: Register, number: int, first_number: int) -> TableRow:
         f"{register.place.path}/{index}",
         element=True,
     )
+
+
+_SPACE_COLUMNS = (
+    TableColumn("Name", unbroken=True),
+    TableColumn("Address holds", "short", unbroken=True),
+    TableColumn("Addresses", unbroken=True),
+    TableColumn("First number", "number"),
+    TableColumn("Read by"),
+    TableColumn("Written by"),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
+)
+
+
+def spaces(context: Context) -> Section:
+    """All address spaces in one table."""
+    address_spaces = context.device.spaces
+    marks = Inferences("spaces")
+    rows = [_space_row(context, space, marks) for space in address_spaces.values()]
+    blocks = (table("Address spaces", _SPACE_COLUMNS, rows, marks.footnotes()),) if rows else ()
+    return Section("spaces", (text_piece("Address spaces"),), blocks)
+
+
+def _space_row(context: Context, space: AddressSpace, marks: Inferences) -> TableRow:
+    bounds = joined(((code(f"{address(low)}..{address(high)}"),) for low, high in space.bounds.intervals), ", ")
+    return TableRow(
+        (
+            names(space, space.name, mark=marks.all_marks(space.inferred)),
+            cell(f"a {space.unit}"),
+            cell(bounds),
+            cell(str(space.first_number)),
+            cell(_space_messages(context, space, "read")),
+            cell(_space_messages(context, space, "write")),
+            cell(*context.about(space)),
+            sources(space),
+        ),
+        space.place.path,
+    )
+
+
+def _space_messages(context: Context, space: AddressSpace, operation: str) -> Line:
+    device = context.device
+    messages = [
+        message
+        for message in device.messages.values()
+        if message.accesses is not None
+        and message.accesses.operation == operation
+        and device.space_name(message.accesses.space) == space.name
+    ]
+    return joined(((code(message.name, f"#{message.place.path}"),) for message in messages), ", ")

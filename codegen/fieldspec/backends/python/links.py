@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from fieldspec.backends.fact_texts import described
 from fieldspec.backends.python.fixed_frames import FixedFrame, fixed_frame, has_fixed_length
 from fieldspec.backends.python.frames import (
     PartView,
@@ -19,7 +20,7 @@ from fieldspec.backends.python.frames import (
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Words
-from fieldspec.backends.python.text import chained, described, docstring, item_lines, literal, union
+from fieldspec.backends.python.text import chained, docstring, item_lines, literal, union
 from fieldspec.backends.python.writing import pairs
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout

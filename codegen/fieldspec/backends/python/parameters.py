@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from fieldspec.backends.fact_texts import described, places
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.naming import PARAMETERS, TYPES, Scope
 from fieldspec.backends.python.registers import ACCESS, register_value, value_facts
 from fieldspec.backends.python.requests import ParameterMessageView, parameter_messages
 from fieldspec.backends.python.slots import Words, value_type
-from fieldspec.backends.python.text import described, docstring, filled, literal, places
+from fieldspec.backends.python.text import docstring, filled, literal
 from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout

@@ -1,4 +1,4 @@
-"""What the page is about: the device, its manual, its versions."""
+"""The device of a page, its manual and its versions."""
 
 from __future__ import annotations
 

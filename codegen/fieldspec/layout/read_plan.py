@@ -1,6 +1,6 @@
-"""Poll blocks: the longest reads of one request that touch no hole.
+"""The read plan: blocks of registers that one request each may read, from the limits of messages, gaps and hazards.
 
-A poll block has readable values, and reserved words between them. It leaves out values that can only be written, that a
+A block has readable values, and reserved words between them. It leaves out values that can only be written, that a
 read clears, or of which the spec does not say whether they can be read. Two requests never divide a value.
 """
 
@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from fieldspec.audit.occupants import Occupant, element_runs
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.record import FieldLayout
 from fieldspec.model.access import readable
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
@@ -44,7 +44,7 @@ class ReadLimit:
 
 
 @dataclass(frozen=True, slots=True)
-class PollUnit:
+class ReadUnit:
     """Words that are read together or not at all; `refused` is why they cannot be read."""
 
     space: str
@@ -61,26 +61,33 @@ class PollUnit:
 
 
 @dataclass(frozen=True, slots=True)
-class PollBlock:
-    """One request: its space, its first address, its words, the names of its values, and its reserved words."""
+class ReadBlock:
+    """One request: its message, space and first address, its words, the names of its values, its reserved words."""
 
+    message: str
     space: str
     start: int
     words: int
     names: tuple[str, ...]
     reserved: int
 
+    @property
+    def end(self) -> int:
+        """The address after the last word."""
+        return self.start + self.words
+
 
 @dataclass(frozen=True, slots=True)
-class Polling:
-    """How a device is polled: the limits, the blocks, and what cannot be polled.
+class ReadPlan:
+    """How a device is read: the limits of its messages, the blocks, and the values that no block reads.
 
-    The name of a space is empty where the device declares only one.
+    The name of a space is empty where the device declares only one. Blocks stand in the order of their addresses, space
+    by space.
     """
 
     limits: tuple[ReadLimit, ...]
-    blocks: tuple[PollBlock, ...]
-    left_out: tuple[PollUnit, ...]
+    blocks: tuple[ReadBlock, ...]
+    left_out: tuple[ReadUnit, ...]
 
     @property
     def spaces(self) -> tuple[str, ...]:
@@ -93,33 +100,38 @@ class Polling:
         return max(known, key=lambda limit: limit.words or 0, default=None)
 
 
-def polling_of(layout: DeviceLayout) -> Polling:
-    """The poll blocks of all spaces; none where no message reads registers, or no limit is known."""
+def read_plan(layout: DeviceLayout) -> ReadPlan:
+    """The longest reads of one request each that touch no hole, for all spaces of a device.
+
+    Each block says which message reads it. There are no blocks where no message reads registers, or where nothing says
+    how many words one request reads: `limits` then tells the two apart. Values that must not or cannot be read in a
+    block are in `left_out`, each with the reason. Never raises for a device without findings.
+    """
     device = layout.device
     limits = tuple(_limit(device, message) for message in device.messages.values() if _reads(device, message))
-    unpolled = Polling(limits, (), ())
-    every = sorted(_units(layout), key=lambda unit: (unit.first, unit.words))
-    blocks: list[PollBlock] = []
-    left_out: list[PollUnit] = []
-    for space in unpolled.spaces:
-        limit = unpolled.limit(space)
+    plan = ReadPlan(limits, (), ())
+    units = sorted(_units(layout), key=lambda unit: (unit.first, unit.words))
+    blocks: list[ReadBlock] = []
+    left_out: list[ReadUnit] = []
+    for space in plan.spaces:
+        limit = plan.limit(space)
         if limit is not None and limit.words is not None:
-            more, rest = _polled([unit for unit in every if unit.space == space], limit.words)
+            more, rest = _blocks([unit for unit in units if unit.space == space], limit.message, limit.words)
             blocks += more
             left_out += rest
-    return Polling(limits, tuple(blocks), tuple(left_out))
+    return ReadPlan(limits, tuple(blocks), tuple(left_out))
 
 
-def _polled(units: Sequence[PollUnit], most: int) -> tuple[list[PollBlock], list[PollUnit]]:
+def _blocks(units: Sequence[ReadUnit], message: str, most: int) -> tuple[list[ReadBlock], list[ReadUnit]]:
     """The blocks of a space, and what is left out; a request reads at most `most` words."""
     too_long = [
-        PollUnit(poll_unit.space, poll_unit.first, poll_unit.words, poll_unit.name, TOO_LONG)
-        for poll_unit in units
-        if not poll_unit.refused and poll_unit.words > most
+        ReadUnit(unit.space, unit.first, unit.words, unit.name, TOO_LONG)
+        for unit in units
+        if not unit.refused and unit.words > most
     ]
-    usable = [poll_unit for poll_unit in units if not poll_unit.refused and poll_unit.words <= most]
-    stops = [poll_unit for poll_unit in units if poll_unit.refused]
-    blocks = [block for run in _together(usable, stops) for block in _cut(run, most)]
+    usable = [unit for unit in units if not unit.refused and unit.words <= most]
+    stops = [unit for unit in units if unit.refused]
+    blocks = [block for run in _together(usable, stops) for block in _cut(run, message, most)]
     return blocks, sorted([*stops, *too_long], key=lambda unit: unit.first)
 
 
@@ -162,45 +174,54 @@ def _folder(span: Span) -> str:
     return span.file.path.rpartition("/")[0]
 
 
-def _units(layout: DeviceLayout) -> Iterator[PollUnit]:
+def _units(layout: DeviceLayout) -> Iterator[ReadUnit]:
     for register in layout.device.registers():
         yield from _of_register(layout.device, register)
     for table in layout.tables.values():
         yield from _of_table(layout.device, table)
 
 
-def _of_register(device: Device, register: Register) -> Iterator[PollUnit]:
+def _of_register(device: Device, register: Register) -> Iterator[ReadUnit]:
     refused = _refused(register.access, register.handling)
     space, width = _space(device, register.space), max(1, register.width)
     for number in range(register.count):
         name = f"{register.name}[{register.index_from + number}]" if register.count > 1 else register.name
-        yield PollUnit(space, register.address + number * register.stride, width, name, refused, register.reserved)
+        yield ReadUnit(space, register.address + number * register.stride, width, name, refused, register.reserved)
 
 
-def _of_table(device: Device, table_layout: TableLayout) -> Iterator[PollUnit]:
+def _of_table(device: Device, table_layout: TableLayout) -> Iterator[ReadUnit]:
     """The fields of all elements. A reserved field between others is read with them."""
     table = table_layout.table
     space = _space(device, table.space)
-    fields = {field.field.place.path: field.field for field in table_layout.record.fields}
-    shapes = [
-        (first, last, occupant, _of_field(table_layout, fields[occupant.path], occupant))
-        for first, last, occupant in element_runs(table_layout)
+    runs = [
+        (first, words, ", ".join(map(_field_name, fields)), _of_fields(table_layout, fields), _reserved(fields))
+        for first, words, fields in table_layout.word_runs()
     ]
     for number in range(table.count):
-        at = number * table.stride
-        for first, last, occupant, refused in shapes:
-            name = f"{table.name}[{table.index_from + number}].{occupant.name}"
-            yield PollUnit(space, first + at, last - first + 1, name, refused, occupant.reserved)
+        at = table.base + number * table.stride
+        for first, words, name, refused, reserved in runs:
+            full_name = f"{table.name}[{table.index_from + number}].{name}"
+            yield ReadUnit(space, at + first, words, full_name, refused, reserved)
 
 
-def _of_field(table: TableLayout, field: Field, occupant: Occupant) -> str:
-    if occupant.reserved and not field.access:
+def _field_name(field: FieldLayout) -> str:
+    return f"{field.name}[{field.count}]" if field.is_list else field.name
+
+
+def _reserved(fields: Sequence[FieldLayout]) -> bool:
+    return all(field.field.reserved for field in fields)
+
+
+def _of_fields(table: TableLayout, fields: Sequence[FieldLayout]) -> str:
+    """Why fields that share words are not read; the first objection to one of them."""
+    if _reserved(fields) and not any(field.field.access for field in fields):
         return ""
-    return _refused(table.access(field), field.handling)
+    refusals = (_refused(table.access(field.field), field.field.handling) for field in fields)
+    return next(filter(None, refusals), "")
 
 
 def _refused(access: str, handling: Handling) -> str:
-    """Why a value is not polled; empty where it may be."""
+    """Why a value is not read in a block; empty where it may be."""
     if access == "wo":
         return WRITE_ONLY
     if handling.clears_on_read:
@@ -208,10 +229,10 @@ def _refused(access: str, handling: Handling) -> str:
     return "" if readable(access) else ACCESS_UNKNOWN
 
 
-def _together(usable: Sequence[PollUnit], stops: Sequence[PollUnit]) -> Iterator[list[PollUnit]]:
+def _together(usable: Sequence[ReadUnit], stops: Sequence[ReadUnit]) -> Iterator[list[ReadUnit]]:
     """Units without a hole between them; an address that cannot be read is a hole, even where a unit shares it."""
-    closed = {address for poll_unit in stops for address in range(poll_unit.first, poll_unit.end)}
-    run: list[PollUnit] = []
+    closed = {address for unit in stops for address in range(unit.first, unit.end)}
+    run: list[ReadUnit] = []
     end = 0
     for unit in usable:
         if any(address in closed for address in range(unit.first, unit.end)):
@@ -225,7 +246,7 @@ def _together(usable: Sequence[PollUnit], stops: Sequence[PollUnit]) -> Iterator
         yield run
 
 
-def _cut(run: Sequence[PollUnit], most: int) -> Iterator[PollBlock]:
+def _cut(run: Sequence[ReadUnit], message: str, most: int) -> Iterator[ReadBlock]:
     """The longest blocks of a run, one after the other, without reserved words at their ends."""
     at = 0
     while at < len(run):
@@ -244,4 +265,4 @@ def _cut(run: Sequence[PollUnit], most: int) -> Iterator[PollBlock]:
             taken = taken[:-1]
         words = max(unit.end for unit in taken) - start
         names = tuple(unit.name for unit in taken if not unit.reserved)
-        yield PollBlock(run[0].space, start, words, names, sum(unit.words for unit in taken if unit.reserved))
+        yield ReadBlock(message, run[0].space, start, words, names, sum(unit.words for unit in taken if unit.reserved))
