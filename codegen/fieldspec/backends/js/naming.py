@@ -24,8 +24,7 @@ SHARED = _words(
     " RecordCodec Register RegisterArray RequestFrame ResponseFrame RecordTable Unit"
 )
 MODULE = _words(
-    "DEVICE IDENTITY LATEST REGISTERS TABLES VERSION VERSIONS forFirmware readRequests readValue"
-    " writeRequests"
+    "DEVICE IDENTITY LATEST REGISTERS TABLES VERSION VERSIONS forFirmware readRequests readValue writeRequests"
 )
 # The locals and helpers of generated functions, so that no name of a spec hides one.
 HELPERS = _words(
