@@ -1,7 +1,7 @@
 /*
  * CK10 (unknown), in any of its versions
  *
- * It has one version, and includes its header. CK10_SELECT may be defined to rely on that version:
+ * Includes the header of the only version. You may define CK10_SELECT to rely on that version:
  *
  *     -DCK10_SELECT=CK10_SELECT_V1
  *

@@ -1,7 +1,7 @@
 /*
  * ESC11-B (TAIYO), in any of its versions
  *
- * Define ESC11_SELECT before this header is included, or for the compiler, to say which version is meant:
+ * Selects the header of a version. Define ESC11_SELECT before you include this header, or on the command line:
  *
  *     -DESC11_SELECT=ESC11_SELECT_V1_17
  *

@@ -1,7 +1,7 @@
 /*
  * E1/E2 PROFINET (HIWIN), in any of its versions
  *
- * Define HIWIN_E_SELECT before this header is included, or for the compiler, to say which version is meant:
+ * Selects the header of a version. Define HIWIN_E_SELECT before you include this header, or on the command line:
  *
  *     -DHIWIN_E_SELECT=HIWIN_E_SELECT_V2_14_4
  *

@@ -1,7 +1,7 @@
 /*
  * TC100 (TOYO), in any of its versions
  *
- * Define TC100_SELECT before this header is included, or for the compiler, to say which version is meant:
+ * Selects the header of a version. Define TC100_SELECT before you include this header, or on the command line:
  *
  *     -DTC100_SELECT=TC100_SELECT_V2_0
  *

@@ -192,18 +192,18 @@ def _describe_switches(naming: Naming, algorithms: set[str], texts: bool, conver
 
 
 def _selecting_header(versions: Sequence[DeviceLayout]) -> dict[str, str]:
-    """The header that takes that of the requested version, or of the only one; `versions` are one device's, the oldest first."""
+    """The header that includes the one of the requested version, or of the only one; `versions` are of one device."""
     device = versions[-1].device
     naming = Naming(device.id)
     names = [(version, layout) for layout in versions for version in (layout.device.version, *layout.equal_versions)]
     macros = {version: naming.own_macro(_SELECT, version_word(version)) for version, _ in names}
     select = naming.own_macro(_SELECT)
     headers = [(macros[version], f"{stem(device.id, layout.device.version)}.h", layout) for version, layout in names]
-    usage = f"Define {select} before this header is included, or for the compiler, to say which version is meant:"
+    usage = f"Selects the header of a version. Define {select} before you include this header, or on the command line:"
     choices, latest = ", ".join(macros.values()), naming.own_macro(_SELECT, _LATEST)
     otherwise = f'#error "define {select} as one of {choices} or {latest}"\n'
     if len(headers) == 1:
-        usage = f"It has one version, and includes its header. {select} may be defined to rely on that version:"
+        usage = f"Includes the header of the only version. You may define {select} to rely on that version:"
         otherwise = f'#include "{headers[0][1]}"\n'
     text = fill(
         "c/selection.h.j2",
