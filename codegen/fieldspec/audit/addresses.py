@@ -184,8 +184,8 @@ def _limit_text(limit: ReadLimit) -> str:
     if not limit.from_manual:
         notes = f" {' '.join(limit.notes)}" if limit.notes else ""
         return (
-            f"One request of {limit.message} reads up to {limit.words} {limit.unit}s. The manual prints no limit; this one is "
-            f"that of the protocol ({place}).{notes}"
+            f"One request of {limit.message} reads up to {limit.words} {limit.unit}s. The manual prints no limit; "
+            f"this one is that of the protocol ({place}).{notes}"
         )
     cited = "; ".join(source.text() for source in limit.sources)
     return f"One request of {limit.message} reads up to {limit.words} {limit.unit}s ({cited or place})."

@@ -96,9 +96,6 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
         capabilities["code_texts"] = refused("are lists of structs with values, which constants cannot be there")
     elif not dialect.wide_texts:
         capabilities["code_texts"] = lossy("have ASCII alone, and at most 254 characters")
-    capabilities["bits"] = lossy(
-        "are constants with their addresses; programs take the bits out of the bytes of a message"
-    )
     capabilities["remedies"] = refused("are texts for people: see the output for operator panels")
     capabilities["labels"] = lossy("are comments")
     if dialect.foreign:

@@ -23,7 +23,8 @@ from fieldspec.plc.narrowing import narrowed
 from fieldspec.plc.routines.expressions import EnumType, StructType, Type
 from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.routines.records import choice_type, field_type, is_user_field
-from fieldspec.plc.routines.registers import answer_name, answer_type, register_type, registers_of
+from fieldspec.plc.routines.register_range import answer_name, answer_type, register_type
+from fieldspec.plc.routines.registers import registers_of
 from fieldspec.plc.routines.remarks import source
 from fieldspec.plc.routines.routine import BASE, STATUSES, Status
 from fieldspec.plc.routines.world import Names, World
@@ -151,7 +152,7 @@ class _Declaring:
                 if data.size and fixed(data):
                     title = message.message.title or Name.of(message.name).title()
                     yield self._of_record(data, "telegram", message.message, title)
-        for group in self.layout.device.word_groups():
+        for group in self.layout.device.groups:
             registers = registers_of(self.layout, group)
             if registers:
                 scope = Scope(self.dialect, f"member of {group.name}", self.found)
