@@ -119,7 +119,8 @@ def _access(access: RegisterAccess | None) -> str | None:
     if access is None:
         return None
     parts = (access.operation, access.start, access.count, access.values)
-    return "RegisterAccess(operation={!r}, start={!r}, count={!r}, values={!r})".format(*parts)
+    text = "RegisterAccess(operation={!r}, start={!r}, count={!r}, values={!r})".format(*parts)
+    return text if access.set is None else f"{text} set={access.set} clear={access.clear}"
 
 
 def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:

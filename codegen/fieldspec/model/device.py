@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.classes import dataclass
-from fieldspec.model.address_space import WORD, WORDS, AddressSpace
+from fieldspec.model.address_space import BIT, WORD, WORDS, AddressSpace
 from fieldspec.model.enums import Enum, Flags
 from fieldspec.model.fact import Citation, Place
 from fieldspec.model.link import Link
@@ -92,6 +92,10 @@ class Device:
         for group in self.groups:
             yield from group.registers
 
+    def word_groups(self) -> Iterator[RegisterGroup]:
+        """The groups in spaces of words."""
+        return (group for group in self.groups if self.space(group.space).unit == WORD)
+
     def register(self, name: str) -> Register | None:
         """The register with a name, None if there is none."""
         return next((register for register in self.registers() if register.name == name), None)
@@ -108,6 +112,11 @@ class Device:
         """How a message accesses registers; None where it accesses none, or a space of bits or bytes."""
         access = message.accesses
         return access if access is not None and self.space(access.space).unit == WORD else None
+
+    def bit_access(self, message: Message) -> RegisterAccess | None:
+        """How a message accesses a space of bits; None where it accesses none."""
+        access = message.accesses
+        return access if access is not None and self.space(access.space).unit == BIT else None
 
     @property
     def several_spaces(self) -> bool:

@@ -26,6 +26,7 @@ CONSTRUCTS = {
     "lists": "lists with a fixed number of elements",
     "choices": "fields whose type another field decides",
     "groups": "groups of registers",
+    "bits": "registers of single bits",
     "tables": "tables of records in registers",
     "frames": "frames: head, length, check, refusals",
     "other_frames": "frames with several checksums, or with other ones than CRC-16/MODBUS, LRC and the sum of 8 bits",

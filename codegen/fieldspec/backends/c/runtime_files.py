@@ -15,7 +15,8 @@ from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.values import WireValue, access_name
 from fieldspec.backends.templates import text
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import Orders, RecordLayout
+from fieldspec.layout.record import Orders, RecordLayout, RegisterLayout
+from fieldspec.model.address_space import BIT
 from fieldspec.model.value import Kind
 
 _FOLDER = "backends/c/runtime"
@@ -66,6 +67,7 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     characters = any(link.link.encoding == "hex_ascii" for link in layout.links.values())
     parts = [
         *_accesses(layout),
+        *(["bits"] if has_bits(layout) else []),
         "signed",
         *(["float"] if Kind.FLOAT in kinds else []),
         *(["text"] if Kind.TEXT in kinds else []),
@@ -93,11 +95,22 @@ def _wire_values(layout: DeviceLayout) -> Iterator[WireValue]:
                 yield WireValue(field.value, field.order, field.swapped)
             yield from (WireValue(case.value, case.order, case.swapped) for case in field.cases)
     for register in layout.registers:
-        yield WireValue(register.register.value, register.order, register.swapped)
+        if not is_bit(register):
+            yield WireValue(register.register.value, register.order, register.swapped)
     for parameters in device.parameters.values():
         for parameter in parameters.parameters:
             for value in (parameter.value, *(inner.value for inner in parameter.subindices)):
                 yield WireValue(value, *orders.of(value))
+
+
+def has_bits(layout: DeviceLayout) -> bool:
+    """Whether the device has registers of single bits."""
+    return any(is_bit(register) for register in layout.registers)
+
+
+def is_bit(register: RegisterLayout) -> bool:
+    """Whether a register is a single bit, which messages pack into bytes."""
+    return register.register.value.type.name == BIT
 
 
 def all_records(layout: DeviceLayout) -> Iterator[RecordLayout]:

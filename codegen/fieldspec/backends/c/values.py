@@ -51,6 +51,7 @@ _TYPES = {
     "f32": "float",
     "bool8": "bool",
     "bool16": "bool",
+    "bit": "bool",
 }
 _NUL = Literal("'\\0'")
 

@@ -17,6 +17,7 @@ PACKAGE = "fieldspec_devices"
 PACKAGE_NAMES = ("for_firmware", "latest")
 RUNTIME = (
     "__init__",
+    "_bits",
     "_checks",
     "_checksums",
     "_choices",

@@ -42,6 +42,7 @@ _STANDARD = (
     ("_StructError", "struct", "error"),
 )
 _SHARED = {
+    "_bits": "BitArray packed_bits single_bit unpacked_bits",
     "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
     "_checksums": "Crc Sum Xor",
     "_choices": "Choice",
