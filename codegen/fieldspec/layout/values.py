@@ -134,7 +134,10 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
     if value.type.kind is Kind.FLOAT:
         named = next((sentinel for sentinel in value.sentinels if sentinel.name == entered), None)
         if named is not None:
-            return struct.unpack(">f", named.value.to_bytes(4, "big"))[0] if named.is_nan else float(named.value)
+            if not named.is_nan:
+                return float(named.value)
+            number: float = struct.unpack(f">{value.type.letter}", named.value.to_bytes(value.size, "big"))[0]
+            return number
         try:
             return float(entered)
         except (TypeError, ValueError):

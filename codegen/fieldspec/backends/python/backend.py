@@ -17,6 +17,7 @@ PACKAGE_NAMES = ("for_firmware", "latest")
 RUNTIME = (
     "__init__",
     "_checks",
+    "_carried",
     "_choices",
     "_codes",
     "_conversions",
