@@ -89,6 +89,7 @@ from fieldspec.checks.table_fields_readable import table_fields_readable
 from fieldspec.checks.tasks_complete import tasks_complete
 from fieldspec.checks.text_fits_words import text_fits_words
 from fieldspec.checks.triggers_writable import triggers_writable
+from fieldspec.checks.units_known import units_known
 from fieldspec.checks.value_within_range import value_within_range
 from fieldspec.checks.widths_fit_place import widths_fit_place
 from fieldspec.checks.wire_numbers_match import wire_numbers_match
@@ -180,6 +181,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("tasks_complete", tasks_complete),
     ("text_fits_words", text_fits_words),
     ("triggers_writable", triggers_writable),
+    ("units_known", units_known),
     ("value_within_range", value_within_range),
     ("widths_fit_place", widths_fit_place),
     ("wire_numbers_match", wire_numbers_match),

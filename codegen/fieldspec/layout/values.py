@@ -16,6 +16,7 @@ from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind, Value
 
 if TYPE_CHECKING:
+    from fractions import Fraction
     from typing import Any, TypeAlias
 
 
@@ -138,15 +139,22 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
                 return float(named.value)
             number: float = struct.unpack(f">{value.type.letter}", named.value.to_bytes(value.size, "big"))[0]
             return number
+        quantity = _in_unit_of(device, value, entered)
         try:
-            return float(entered)
-        except (TypeError, ValueError):
+            return float(entered if quantity is None else quantity)
+        except (TypeError, ValueError, OverflowError):
             raise MeaningError(path, f"`{entered}` is no number") from None
     if isinstance(entered, int) and not isinstance(entered, bool):
         return entered
     if isinstance(entered, str):
         return _text(device, path, value, entered)
     raise MeaningError(path, f"`{entered}` is no whole number of counts; with its unit it may be a fraction")
+
+
+def _in_unit_of(device: Device, value: Value, entered: object) -> Fraction | None:
+    """The exact number of an entered quantity, `10.5mm`, in the unit of the value; None where it is none."""
+    quantity = quantity_of(entered) if isinstance(entered, str) else None
+    return device.quantity_in(*quantity, value.unit) if quantity is not None and value.unit else None
 
 
 def _is_count(entered: object) -> bool:
@@ -165,9 +173,9 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
     for sentinel in value.sentinels:
         if sentinel.name == entered:
             return sentinel.value
-    quantity = quantity_of(entered)
-    if quantity is not None and quantity[1] == value.unit:
-        raw = value.from_unit(quantity[0])
+    quantity = _in_unit_of(device, value, entered)
+    if quantity is not None:
+        raw = value.from_unit(quantity)
         if raw is None:
             raise MeaningError(path, f"`{entered}` is no whole number of counts of {value.scale} {value.unit}")
         absent = value.sentinel(raw)

@@ -301,7 +301,7 @@ class Value:
         """The exact quantity of a raw count."""
         return _EXACT.add(_EXACT.multiply(raw, self.scale), self.offset)
 
-    def from_unit(self, number: Decimal) -> int | None:
+    def from_unit(self, number: Decimal | Fraction) -> int | None:
         """The raw count of a quantity; None where it is not a whole number of counts."""
         from fractions import Fraction
 

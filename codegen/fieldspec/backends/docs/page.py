@@ -30,6 +30,7 @@ from fieldspec.backends.docs.records import records, tables
 from fieldspec.backends.docs.registers import registers
 from fieldspec.backends.docs.spaces import spaces
 from fieldspec.backends.docs.tasks import tasks
+from fieldspec.backends.docs.units import units
 from fieldspec.classes import replace
 from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
@@ -92,6 +93,7 @@ SECTIONS = (
     codes,
     lookups,
     limits,
+    units,
     notes,
     examples,
     errata,

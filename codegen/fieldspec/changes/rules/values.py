@@ -13,6 +13,7 @@ from fieldspec.model.enums import Flags
 from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Field
 from fieldspec.model.registers import Table
+from fieldspec.model.units import DeclaredUnit
 from fieldspec.model.value import Conversion, Value
 
 
@@ -92,7 +93,7 @@ def scale_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def unit_changed(comparison: Comparison) -> Iterator[Change]:
-    """A quantity is in another unit.
+    """A quantity is in another unit, or a unit that the spec declares is worth something else.
 
     Why: the same number is in millimetres now, and was in pulses.
 
@@ -107,6 +108,12 @@ def unit_changed(comparison: Comparison) -> Iterator[Change]:
         if old != new:
             text = f"{named(value_pair.of.new)}: {difference_text('the unit', old, new)}"
             yield change("unit_changed", Effect.WIRE, value_pair, "unit", text, old, new, (PYTHON,))
+    for unit in comparison.of(DeclaredUnit):
+        for key, what in (("symbol", "the symbol"), ("quantity", "what it measures"), ("factor", "the factor")):
+            before, after = getattr(unit.old, key) or None, getattr(unit.new, key) or None
+            if before != after:
+                text = f"the unit {named(unit.new)}: {difference_text(what, before, after)}"
+                yield change("unit_changed", Effect.WIRE, unit, key, text, before, after)
 
 
 def sentinel_changed(comparison: Comparison) -> Iterator[Change]:
