@@ -115,9 +115,14 @@ def test_the_bits_of_the_map_are_those_that_the_reference_writes(layout: DeviceL
 def check_element(row: Row, area: Area, placed_value: PlacedValue, chance: random.Random) -> None:
     raw = chance.getrandbits(8 * placed_value.size)
     assert placed_value.value is not None
-    letter = placed_value.value.type.letter
+    primitive = placed_value.value.type
     endian = ">" if (placed_value.order == "big") != placed_value.swapped else "<"
-    word = struct.unpack(f"{endian}{letter}", raw.to_bytes(placed_value.size, "big" if endian == ">" else "little"))[0]
+    if primitive.letter:
+        word = struct.unpack(
+            f"{endian}{primitive.letter}", raw.to_bytes(placed_value.size, "big" if endian == ">" else "little")
+        )[0]
+    else:
+        word = raw - (1 << 8 * primitive.size) if raw > primitive.high else raw
     if word != word:
         return
     encoded = value_construct(placed_value.value, placed_value.order, placed_value.swapped).build(word)

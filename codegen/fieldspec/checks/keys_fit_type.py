@@ -1,5 +1,6 @@
 """A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers. A
-floating-point number has no scale. Texts and bytes have no byte order, range or scale.
+floating-point number has no scale. Texts and bytes have no byte order, range or scale. Only a number of
+several words has a word order.
 
 Why: a key that no output can apply must not look as if it had an effect. A reader would rely on a limit or a
 name that no codec knows.
@@ -26,8 +27,8 @@ _SCALED = ("scale", "offset")
 _UNFIT = {
     Kind.FLOAT: (*_NAMED, *_SCALED),
     Kind.BOOLEAN: ("flags", *_SCALED, "sentinels"),
-    Kind.TEXT: (*_NAMED, *_SCALED, "byte_order", "range", "sentinels", "unit"),
-    Kind.BYTES: (*_NAMED, *_SCALED, "byte_order", "range", "sentinels", "unit"),
+    Kind.TEXT: (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit"),
+    Kind.BYTES: (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit"),
 }
 _OF_BITS = ("const", "byte_order", "range", "unit")
 _HELP = {
@@ -46,8 +47,11 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
             if _has(value, key):
                 text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
                 yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, _HELP[kind])
+        if value.type.is_number and value.word_order and not value.has_words:
+            text = f"{fact.name} is {value.type.name}, which does not consist of several words of 16 bits"
+            yield finding("keys_fit_type", fact.place, "word_order", text, "remove it, or correct the type")
         if kind is Kind.INTEGER and value.absent_nan:
-            text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f32"
+            text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f32 or f64"
             yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
 
 
@@ -63,6 +67,7 @@ def _has(value: Value, key: str) -> bool:
         "scale": value.scale != 1,
         "offset": value.offset,
         "byte_order": value.byte_order,
+        "word_order": value.word_order,
         "range": value.ranges is not None,
         "sentinels": value.sentinels,
         "unit": value.unit,

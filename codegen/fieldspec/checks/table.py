@@ -91,7 +91,9 @@ from fieldspec.checks.tasks_complete import tasks_complete
 from fieldspec.checks.text_fits_words import text_fits_words
 from fieldspec.checks.triggers_writable import triggers_writable
 from fieldspec.checks.types_fit_space import types_fit_space
+from fieldspec.checks.units_known import units_known
 from fieldspec.checks.value_within_range import value_within_range
+from fieldspec.checks.widths_fit_place import widths_fit_place
 from fieldspec.checks.wire_numbers_match import wire_numbers_match
 from fieldspec.checks.words_match_type import words_match_type
 from fieldspec.checks.write_range_applies import write_range_applies
@@ -183,7 +185,9 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("text_fits_words", text_fits_words),
     ("triggers_writable", triggers_writable),
     ("types_fit_space", types_fit_space),
+    ("units_known", units_known),
     ("value_within_range", value_within_range),
+    ("widths_fit_place", widths_fit_place),
     ("wire_numbers_match", wire_numbers_match),
     ("words_match_type", words_match_type),
     ("write_range_applies", write_range_applies),

@@ -218,7 +218,7 @@ def _count_of(layout: DeviceLayout, way: _Way, name: str, text: object) -> objec
         return text if number is None else number
     if "/" not in value.scale_text:
         return text
-    count = nearest(value, text)
+    count = nearest(layout.device, value, text)
     if count is None or count.is_whole:
         return text
     which = "" if count.text.replace(" ", "") == text.replace(" ", "") else f", which is {count.text}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.access import narrowed
@@ -26,7 +26,7 @@ class Item:
 
     A field of a table, and a parameter with several elements, stand for `count` values: the first has the number
     `first`, and they are `stride` addresses apart, or all at one address if that is 0. `access` is empty if the manual
-    does not state it. `members` are the names of raw values.
+    does not state it. `members` are the names of raw values, `ucum` the code of the unit.
     """
 
     space: str
@@ -44,6 +44,7 @@ class Item:
     members: tuple[tuple[str, str], ...] = ()
     source: Citation | None = None
     unverified: bool = False
+    ucum: str = ""
 
     def addresses(self) -> range:
         """The addresses of all values that it stands for."""
@@ -61,7 +62,12 @@ def items(layout: DeviceLayout) -> list[Item]:
         items += [
             item for parameter in parameter_set.parameters for item in _parameter(parameter_set, parameter, enums)
         ]
-    return items
+    return [replace(item, ucum=_code(layout.device, item.value)) for item in items]
+
+
+def _code(device: Device, value: Value | None) -> str:
+    unit = device.unit(value.unit) if value is not None and value.unit else None
+    return unit.ucum if unit is not None else ""
 
 
 def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> Iterator[Item]:

@@ -44,7 +44,7 @@ from fieldspec.backends.c.expressions import (
     negate,
     subtract,
     unsigned,
-    whole_float,
+    whole_real,
 )
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.runtime_files import is_bit
@@ -106,7 +106,8 @@ def _bound(value: Value, number: int) -> Expression:
     """A bound of the value's range as a constant of its type."""
     if value.type.kind is not Kind.FLOAT:
         return integer(number, value.size, value.type.signed)
-    return Group(whole_float(number)) if number < 0 else whole_float(number)
+    real = whole_real(number, value.size)
+    return Group(real) if number < 0 else real
 
 
 def access_functions(

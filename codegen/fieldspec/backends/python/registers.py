@@ -33,7 +33,7 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
         kind = "_Text" if value.type.kind is Kind.TEXT else "_Bytes"
         return f'{kind}("{size}s", {value.size})'
-    letter, narrow = value.type.letter, value.size < size
+    letter, narrow = value.type.letter or value.type.name, value.size < size
     if narrow:
         letter = "h" if value.type.signed else "H"
     letters = literal((">" if (order == "big") != swapped else "<") + letter)
@@ -46,7 +46,7 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
         others = ['float("nan")' if text == "nan" else text for text in others]
         more += [f"others={tuple_of(others)}"] if others else []
         more += [f"unit={literal(value.unit)}"] if value.unit and (others or value.ranges is not None) else []
-        return _call("_Float", letters, more)
+        return _call("_Float" if value.size == 4 else "_Double", letters, more)
     if value.const is not None:
         if not any_answer:
             return _call("_Constant", letters, [str(value.const), *more])

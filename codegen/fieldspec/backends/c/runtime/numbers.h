@@ -269,6 +269,22 @@ DEVICE_INLINE uint32_t device_bits_of(float value)
     return bits;
 }
 
+/* ---- double ---- */
+
+DEVICE_INLINE double device_double_of(uint64_t bits)
+{
+    double value;
+    DEVICE_COPY(&value, &bits, sizeof value);
+    return value;
+}
+
+DEVICE_INLINE uint64_t device_bits_of_double(double value)
+{
+    uint64_t bits;
+    DEVICE_COPY(&bits, &value, sizeof bits);
+    return bits;
+}
+
 /* ---- text ---- */
 
 static inline bool device_is_ascii(const uint8_t *in, size_t size)
