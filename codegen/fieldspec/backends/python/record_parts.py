@@ -21,7 +21,7 @@ def column_lines(shaped: RecordShape) -> list[str]:
     return [
         f"Column({', '.join([literal(field.name) if field.stored else literal(''), *_arguments(shaped, field)])})"
         for field in shaped.fields
-        if field.stored or field.constant is not None or field.field.field.measures
+        if field.stored or field.field.field.measures or (field.constant is not None and not field.field.field.reserved)
     ]
 
 

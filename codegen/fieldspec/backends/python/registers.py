@@ -59,7 +59,7 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
         more.append(f"others={tuple_of(sentinel.value for sentinel in value.sentinels)}")
     if value.enum:
         enum = words.enums[value.enum]
-        if any_answer:
+        if any_answer and not enum.open:
             return _call("_Trigger", letters, [literal(enum.title), enum.table, *more])
         if not enum.open and value.sentinels:
             more.append("closed=True")
