@@ -2,20 +2,29 @@
 
 from __future__ import annotations
 
+import random
 from pathlib import Path
 from typing import Any
 
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import RegisterLayout
+from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.record import RecordLayout, RegisterLayout
 from fieldspec.model.record import Message
 from fieldspec.model.value import Kind, Value
-from python_package import record_class, runtime
-from random_devices.inputs import is_computed
+from python_package import built, link_of, record_class, runtime
+from random_devices.inputs import is_computed, record_values
 from random_devices.python_judge import Python
 from random_devices.queries import Answer, Query
 from random_devices.reference_answers import Reference
 
 SILENT = Answer(reason=None)
+
+
+def _has_read_only(record: RecordLayout) -> bool:
+    """Whether a field of a record, or of a record in it, can only be read."""
+    return any(
+        field.field.access == "ro" or (field.record is not None and _has_read_only(field.record))
+        for field in record.fields
+    )
 
 
 class Access(Python):
@@ -31,6 +40,8 @@ class Access(Python):
         for register in self.layout.registers:
             self._assert_readable(register)
             self._assert_writable(register)
+        for table in self.layout.tables.values():
+            self._assert_table(table)
         for query in queries:
             if query.kind in ("register", "parameter") and query.values is None:
                 self._assert_quantity(query)
@@ -93,6 +104,21 @@ class Access(Python):
         assert register.register.access != "ro", f"{register.name} can only be read, and is written"
         classes = [record_class(self.module, self.layout.messages[message.name].request) for message in messages]
         assert type(requests[0]) in classes, f"{register.name} is written by {type(requests[0]).__name__}"
+
+    def _assert_table(self, table: TableLayout) -> None:
+        """An element is written where neither the table nor any of its fields is read only."""
+        values = record_values(self.layout, table.record, random.Random(1))
+        element = next(iter(link_of(self.module, table.name)))
+        if not hasattr(self.module, "write_requests"):
+            return
+        read_only = table.table.access == "ro" or _has_read_only(table.record)
+        try:
+            self.module.write_requests(element, built(self.module, self.layout, table.record, values))
+        except self.error as error:
+            if read_only != (error.reason == "read_only") and error.reason in ("", "read_only"):
+                raise AssertionError(f"{table.name} can be written, and is not: {error}") from error
+            return
+        assert not read_only, f"{table.name} can only be read in part, and is written"
 
     def _attribute(self, message: Any, title: str) -> str:
         return next(name for name in (title, f"{title}_") if hasattr(message, name))

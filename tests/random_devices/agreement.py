@@ -15,6 +15,7 @@ from fieldspec.proofs.running import outcome
 from fieldspec.reading.project import read
 from random_devices.access_judge import Access
 from random_devices.c_judge import C
+from random_devices.command_judge import Command
 from random_devices.devices import text_of
 from random_devices.draft import Spec
 from random_devices.explainer_judge import Explainer
@@ -47,6 +48,7 @@ JUDGES = (
     Judge("access", 1, Access),
     Judge("explainer", 1, lambda layout, folder, number: Explainer(layout, folder)),
     Judge("tcc", 1, lambda layout, folder, number: C(layout, folder, ["tcc", "-std=c99", "-w"]), True),
+    Judge("command", 5, Command),
     Judge("selftest", 25, Selftest),
     Judge("sanitized", 20, lambda layout, folder, number: C(layout, folder, SANITIZED), True),
     Judge("big_endian", 50, lambda layout, folder, number: C(layout, folder, BIG_ENDIAN, ("qemu-m68k",)), True),

@@ -19,6 +19,8 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
             _repeat_field(draft, drawn[-1])
     if coded_links and (draft.spec.get("registers") or draft.spec.get("tables")):
         drawn += _accesses(draft, codes, coded_links if other_links else [])
+    if coded_links and draft.spec.get("parameters") and draft.chance(60):
+        drawn += _parameter_messages(draft, codes, coded_links if other_links else [])
     numbers = 0
     for _ in range(draft.number(1, 3) if other_links else 0):
         numbers += draft.number(1, 9)
@@ -85,3 +87,18 @@ def _access(draft: Draft, operation: str, space: str, most: int) -> Spec:
         count["measures"] = {"items": words["name"]}
         return draft.fact(request=[address, count, *sized], response=[], accesses=access)
     return draft.fact(request=[address, *sized], response=[], accesses=access)
+
+
+def _parameter_messages(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
+    """The messages that read and write the parameters of a set by their numbers."""
+    parameter_set = draft.pick(draft.spec["parameters"])
+    name = parameter_set.get("space") or parameter_set["name"]
+    number = draft.fact(type="u16", parameter={"set": name, "part": "number"})
+    kind = draft.pick(("u16", "u32", "i32"))
+    value = draft.fact(type=kind, parameter={"set": name, "part": "value", "number": number["name"]})
+    drawn = [draft.fact(request=[number], response=[number, value]), draft.fact(request=[number, value], response=[])]
+    for message in drawn:
+        message["code"] = _code(draft, codes)
+        if links:
+            message["links"] = list(links)
+    return drawn

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.reference import CodecError, DeviceCodec, codec
@@ -71,7 +72,8 @@ class Reference:
             return Answer(again=self._encoded(query.shape, name, query.values[name]))
         if len(query.data) != size:
             return Answer("incomplete" if len(query.data) < size else "wrong_length", UNKNOWN)
-        answer = value.as_answer(trigger)
+        # What a device answers is read, whatever it is: a constant binds writing, and so does the enum of a trigger.
+        answer = replace(value, const=None, enum="" if trigger else value.enum)
         raw = value_construct(answer, order, swapped).parse(query.data[: value.size])
         result = decoded_value(name, answer, raw, self.layout.device, None)
         try:
@@ -82,6 +84,9 @@ class Reference:
 
     def _encoded(self, shape: Any, name: str, raw: Any) -> str:
         value, order, swapped, _, size = shape
+        absent = any(sentinel.value == raw for sentinel in value.sentinels)
+        if value.write_ranges is not None and raw not in value.write_ranges and not absent:
+            raise CodecError("out_of_range", f"{name} is {raw}, and may not be written")
         # Writing a trigger takes what its enum lists, as writing anything does.
         number = encoded_value(name, value, raw, self.layout.device)
         data: bytes = value_construct(value, order, swapped).build(number)

@@ -91,7 +91,6 @@ KEYS = {
         "examples": MAPPINGS["example"],
     }.items()
 } | {
-    ("value", "parameter"): MAPPINGS["value.parameter"],
     ("link.unit_addresses", "rule"): DOCUMENTATION,
     ("fact", "name"): "It is what the facts of the other mappings have.",
     ("link", "message_name"): DOCUMENTATION,

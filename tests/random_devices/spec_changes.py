@@ -8,9 +8,10 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from fieldspec.diagnostics import has_errors
+from fieldspec.explain.readings import FrameOptions, read
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.proofs.running import outcome
-from fieldspec.reading.project import read
+from fieldspec.reading.project import read as read_project
 from random_devices.devices import text_of
 from random_devices.draft import SIZES, Spec
 from random_devices.queries import Answer, Query, is_stable
@@ -23,7 +24,7 @@ _ALIKE = {"u8": "i8", "u16": "i16", "u32": "i32", "u64": "i64", "i8": "u8", "i16
 
 def layouts_of(spec: Spec) -> list[DeviceLayout] | str:
     """The layouts of all versions of a spec; the first finding where it has some."""
-    project = read({"chance/device.yaml": text_of(spec).encode()})
+    project = read_project({"chance/device.yaml": text_of(spec).encode()})
     findings = list(project.findings)
     if not has_errors(findings):
         findings += outcome(project.devices["chance"]).findings
@@ -96,6 +97,13 @@ def examples_are_proven(spec: Spec, layouts: list[DeviceLayout], queries: list[Q
         result = layouts_of(enriched)
         if isinstance(result, str):
             yield f"examples: {result}"
+            return
+        for example in result[-1].device.examples.values():
+            same = [other for other in result[-1].device.examples.values() if other.frame == example.frame]
+            explanation = read(result[-1], example.frame, FrameOptions()).explanation
+            reading = explanation.link, explanation.direction, explanation.message, explanation.error
+            if reading not in [(e.link, e.direction, e.message, e.exception_response) for e in same]:
+                yield f"examples: {example.frame.hex(' ')} is explained as {reading}, not as {example.id}"
 
 
 # Identities
