@@ -181,8 +181,9 @@ def table_view(layout: TableLayout, words: Words, order: str, scope: Scope, spac
         f"count={table.count}",
         f"first={table.index_from}",
     ]
-    if table.access:
-        arguments.append(f"access={literal(table.access if layout.writable else 'ro')}")
+    access = table.access if layout.writable else "ro"
+    if access:
+        arguments.append(f"access={literal(access)}")
     if order == "little":
         arguments.append('order="<"')
     if space:
