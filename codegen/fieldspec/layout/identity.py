@@ -92,6 +92,8 @@ def _span(part: PartLayout) -> Iterator[Words]:
     usual = part.role != "checksum" or (part.start, part.stop) == (0, part.offset)
     if not usual or (part.unit_size, part.base, part.reserved) != (1, 0, False):
         yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
+    if part.digits:
+        yield "digits", part.digits
     if part.part.same_as:
         yield "repeats", part.part.same_as
 

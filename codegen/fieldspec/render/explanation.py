@@ -56,7 +56,7 @@ def faults(explanation: Explanation) -> Iterator[str]:
 def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
     """Every byte of the frame in order; neighbouring elements of a list share a row where they are only numbers."""
     shape = layout.links[explanation.link].frame(explanation.direction)
-    checksum = shape.checksum
+    checksums = {part.name for part in shape.checksums}
     code = shape.role("code")
     message = layout.messages.get(explanation.message)
     accesses = message.message.accesses if message else None
@@ -69,7 +69,7 @@ def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
             lines += _element_lines(rows)
             continue
         for row in rows:
-            raw = "" if checksum is not None and row.path == checksum.name else raw_text(row, row.path in addresses)
+            raw = "" if row.path in checksums else raw_text(row, row.path in addresses)
             if code is not None and row.path == code.name and message is not None and not explanation.error:
                 row = replace(row, meanings=(Meaning(message.name, message.message.label, "", ""),))
             first = (str(row.offset), row.characters, _hex(row.raw), row.path, _label(row), raw, row.value)

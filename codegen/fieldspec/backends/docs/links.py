@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.backends.docs.checksums import DIGITS, checksum_text
 from fieldspec.backends.docs.context import Context, cited, many, names, sources
 from fieldspec.backends.docs.document import (
     Cell,
@@ -30,11 +31,6 @@ from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import Link, Part
 
-CHECKS = {
-    "crc16_modbus": "CRC-16 with polynomial 8005h, reflected, start value FFFFh, of all bytes",
-    "lrc": "two's complement of the sum of all bytes",
-    "sum8": "low byte of the sum of all bytes",
-}
 END_FIRST = {"big": "high", "little": "low"}
 
 COLUMNS = (
@@ -137,7 +133,8 @@ class FrameTable:
             yield (text_piece(self._length(part, record)),)
         elif part.role == "checksum":
             order = f"; the {END_FIRST[part.order]} byte is sent first" if part.size > 1 else ""
-            yield (text_piece(f"{CHECKS[part.algorithm]} {self._covered(part)}{order}"),)
+            order = f"; {DIGITS[part.digits]}" if part.digits else order
+            yield (text_piece(f"{checksum_text(part)} {self._covered(part)}{order}"),)
         elif part.reserved:
             yield (styled("reserved", "badge"),)
         elif part.part.same_as:
@@ -329,7 +326,16 @@ def _alike(link: Link) -> bool:
 
     def facts_of(part: Part) -> tuple[object, ...]:
         return (
-            (part.name, part.role, part.value, part.algorithm, part.byte_order, part.reserved, part.same_as),
+            (
+                part.name,
+                part.role,
+                part.value,
+                part.algorithm,
+                part.byte_order,
+                part.reserved,
+                part.same_as,
+                part.digits,
+            ),
             (part.span, part.unit_size, part.plus),
             (part.doc, part.label, part.notes, part.sources),
         )

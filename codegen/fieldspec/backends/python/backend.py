@@ -19,6 +19,7 @@ RUNTIME = (
     "__init__",
     "_bits",
     "_checks",
+    "_checksums",
     "_choices",
     "_codes",
     "_conversions",
