@@ -209,6 +209,20 @@ class FrameCodec:
             numbers[check.name] = ALGORITHMS[check.algorithm](data[check.start : check.stop])
         return self._marked(self._joined(direction, numbers, inner))
 
+    def with_checksum(self, direction: str, parts: bytes) -> bytes:
+        """The binary form of a frame with the checksum that is right for its other parts."""
+        check = self.link.frame(direction).checksum
+        if check is None:
+            return parts
+        at = check.at(len(parts))
+        number = ALGORITHMS[check.algorithm](parts[check.start : check.stop])
+        data = _part_construct(check).build(number)
+        return parts[:at] + bytes(data) + parts[at + len(data) :]
+
+    def joined_parts(self, parts: bytes) -> bytes:
+        """The frame of its binary form: as characters where the link has them, between its delimiters."""
+        return self._marked(parts)
+
     def _joined(self, direction: str, numbers: Values, body: bytes) -> bytes:
         """The parts of a frame as bytes."""
         head, tail = self.heads[direction].build(numbers), self.tails[direction].build(numbers)
