@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from fieldspec.simulator.server import Answer, Server
 SPECS = str(Path(__file__).parent.parent / "specs")
 
 
+@cache
 def parts_of(device: str, folder: str = SPECS) -> tuple[DeviceLayout, Behaviour]:
     """The layout and the behaviour of `DEVICE` or `DEVICE@VERSION`."""
     spec, version = specs.spec_at(folder, device)

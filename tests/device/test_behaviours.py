@@ -303,7 +303,7 @@ def test_parameters_are_read_and_refused_by_number() -> None:
     assert unit.ask("read_parameter", **address, parameter_number=0x2534)["values"] == [250]
     errors = {
         (0x2534, 6, 1): 2,
-        (0x2534, 3, 250): 0x17,
+        (0x2534, 3, 250): 5,
         (922, 6, 1): 1,
         (1, 6, 1): 0,
     }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
+from importlib import import_module
 from importlib.abc import InspectLoader, MetaPathFinder
 from importlib.machinery import ModuleSpec
 from importlib.util import spec_from_loader
@@ -15,6 +16,8 @@ from fieldspec.backends.python.backend import PACKAGE, files, shared
 from fieldspec.layout.device import DeviceLayout
 
 _numbers = count()
+_modules: dict[tuple[str, str, str], ModuleType] = {}
+"""The modules that have been imported, by device, version and identity."""
 
 
 class Framer(Protocol):
@@ -64,8 +67,14 @@ class _Texts(MetaPathFinder, InspectLoader):
 
 
 def device_module(layout: DeviceLayout) -> ModuleType:
-    """The generated module of a device at a version."""
-    from importlib import import_module
+    """The generated module of a device at a version, imported once."""
+    key = (layout.device.id, layout.device.version, layout.identity)
+    if key not in _modules:
+        _modules[key] = _imported(layout)
+    return _modules[key]
+
+
+def _imported(layout: DeviceLayout) -> ModuleType:
 
     name = f"{PACKAGE}_{next(_numbers)}"
     own = files([layout])

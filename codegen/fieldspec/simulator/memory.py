@@ -53,6 +53,8 @@ class Memory:
         self.elements: dict[Element, Raw] = {}
         self.fields: dict[str, Raw] = {}
         self.lists: dict[str, list[dict[str, Raw]]] = {}
+        self.formats: dict[tuple[str, int], int] = {}
+        """The number of the format in which a parameter was last written, or is to be read."""
         self._constructs: dict[int, Any] = {}
         self.order: Literal["big", "little"] = "big" if layout.device.byte_order == "big" else "little"
         device = layout.device

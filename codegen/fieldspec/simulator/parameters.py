@@ -21,11 +21,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Target:
-    """The elements of a parameter that a request means. `count` is None for one value without an index."""
+    """The elements of a parameter that a request means. `count` is None for one value without an index.
+
+    `parameter` is None for a number that the set has and no row describes: it holds what is written to it.
+    """
 
     set_name: str
     number: int
-    parameter: Parameter
+    parameter: Parameter | None
     first: int
     count: int | None
 
@@ -69,13 +72,19 @@ def target_of(engine: Engine, record: RecordLayout, values: Mapping[str, Any]) -
         return None
     device, wire_number = engine.layout.device, int(values[numbered.name])
     known = device.parameter_at(numbered.value.parameter.set, wire_number)
-    parameter = known[0].numbered(known[1]) if known is not None else None
-    if known is None or parameter is None:
+    if known is None:
         raise Refusal("unknown_address", f"no parameter has the number {wire_number}")
     indexed = part_of(record, "subindex")
     count_field = _count_field(record) if indexed is not None else None
     count = int(values[count_field.name]) if count_field is not None and values[count_field.name] else None
     first = int(values[indexed.name]) if indexed is not None and count is not None else 0
+    carried = part_of(record, "value")
+    content = values.get(carried.name) if carried is not None else None
+    if count is not None and isinstance(content, list) and len(content) != count:
+        raise Refusal("count_invalid", f"{len(content)} values for {count} elements")
+    parameter = known[0].numbered(known[1])
+    if parameter is None:
+        return Target(known[0].name, known[1], None, first, count)
     most = parameter.elements or 1
     if count is not None and parameter.elements is None and (first or count > 1):
         raise Refusal("no_array", f"{parameter.name} has one value")
@@ -86,6 +95,11 @@ def target_of(engine: Engine, record: RecordLayout, values: Mapping[str, Any]) -
 
 def read_parameter(engine: Engine, target: Target) -> list[Raw]:
     """The raw values of the elements. Raises Refusal."""
+    if target.parameter is None:
+        keys = [(target.set_name, target.number, index) for index in target.elements]
+        if not all(key in engine.memory.elements for key in keys):
+            raise Refusal("unknown_address", f"nothing is known of parameter {target.number}, and nothing was written")
+        return [engine.memory.elements[key] for key in keys]
     if not readable(target.parameter.access or "rw"):
         raise Refusal("read_forbidden", f"{target.parameter.name} can only be written")
     return [engine.memory.elements[target.set_name, target.number, index] for index in target.elements]
@@ -94,10 +108,14 @@ def read_parameter(engine: Engine, target: Target) -> list[Raw]:
 def write_parameter(engine: Engine, target: Target, raws: list[Raw]) -> None:
     """Writes the elements and lets the behaviour follow. Raises Refusal, and then nothing is written."""
     parameter = target.parameter
-    if parameter.access == "ro":
-        raise Refusal("write_forbidden", f"{parameter.name} can only be read")
     if len(raws) != len(target.elements):
         raise Refusal("count_invalid", f"{len(raws)} values for {len(target.elements)} elements")
+    if parameter is None:
+        for index, raw in zip(target.elements, raws, strict=True):
+            engine.memory.elements[target.set_name, target.number, index] = raw
+        return
+    if parameter.access == "ro":
+        raise Refusal("write_forbidden", f"{parameter.name} can only be read")
     for index, raw in zip(target.elements, raws, strict=True):
         why = "" if parameter.reserved else invalid(engine, element_value(parameter, index), raw)
         if why:
@@ -124,13 +142,10 @@ def all_values(engine: Engine, name: str) -> list[Raw]:
 
 def write_all(engine: Engine, name: str, raws: list[Raw]) -> None:
     """Writes all parameters of a set. Raises Refusal."""
-    targets = [
-        Target(set_name, number, parameter, 0, None)
-        for set_name, number, parameter in numbers_of(engine.layout.device.sets(name))
-    ]
-    for target, raw in zip(targets, raws, strict=True):
-        why = "" if target.parameter.reserved else invalid(engine, target.parameter.value, raw)
+    rows = numbers_of(engine.layout.device.sets(name))
+    for (_, _, parameter), raw in zip(rows, raws, strict=True):
+        why = "" if parameter.reserved else invalid(engine, parameter.value, raw)
         if why:
-            raise Refusal("value_invalid", f"{target.parameter.name} cannot be {raw!r}: {why}")
-    for target, raw in zip(targets, raws, strict=True):
-        write_parameter(engine, target, [raw])
+            raise Refusal("value_invalid", f"{parameter.name} cannot be {raw!r}: {why}")
+    for (set_name, number, parameter), raw in zip(rows, raws, strict=True):
+        write_parameter(engine, Target(set_name, number, parameter, 0, None), [raw])

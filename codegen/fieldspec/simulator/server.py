@@ -75,7 +75,7 @@ class Server:
         try:
             if forced:
                 raise Refusal(forced, "by a fault")
-            announced, values = self._decoded(frames, frame, message)
+            announced, values = self._decoded(frames, frame, message if code is None else "")
             if broadcast and not (announced.message.broadcast and self._accepts_broadcast()):
                 return Answer(b"", "broadcast, not accepted")
             body = self._carried_out(announced, values)
@@ -99,7 +99,7 @@ class Server:
         except CodecError as error:
             if error.reason in _DAMAGED:
                 raise _Damaged(error.detail) from None
-            raise Refusal(_REASONS.get(error.reason, "value_invalid"), error.detail) from None
+            raise Refusal(_reason(frames, frame, error), error.detail) from None
         announced = decoded.message
         if announced is None:
             raise Refusal("unknown_code")
@@ -151,37 +151,35 @@ class Server:
         self, announced: MessageLayout, values: dict[str, Any], target: parameters.Target
     ) -> dict[str, Any]:
         engine, request, response = self.engine, announced.request, announced.response
+        key = (target.set_name, target.number)
+        value = element_value(target.parameter, target.first) if target.parameter is not None else None
         value_field = parameters.part_of(request, "value")
         if value_field is not None:
-            stated_kind = _chosen_kind(request, values)
-            value = element_value(target.parameter, target.first)
-            if stated_kind is not None and stated_kind != value.type.name:
-                raise Refusal("format_invalid", f"{target.parameter.name} is {value.type.name}, not {stated_kind}")
-            raw = values[_own(request, value_field)]
-            raws = list(raw) if isinstance(raw, list | tuple) else [raw]
-            raws = [int(item) if isinstance(item, bool) else item for item in raws]
-            parameters.write_parameter(engine, target, [_signed(item, value.size, value.type.signed) for item in raws])
+            kind = _chosen_kind(request, values)
+            if kind is not None and value is not None and kind != value.type.name:
+                raise Refusal("type_invalid", f"the parameter is {value.type.name}, not {kind}")
+            raw = values[value_field.name]
+            raws = [int(item) if isinstance(item, bool) else item for item in (raw if isinstance(raw, list) else [raw])]
+            if value is not None:
+                raws = [_signed(item, value.size, value.type.signed) for item in raws]
+            parameters.write_parameter(engine, target, raws)
+            if request.selector is not None:
+                engine.memory.formats[key] = values[request.selector.name]
             engine.follow_message(announced.name, announced.message.place.path, announced.message.roles)
-            engine.refresh()
             return {}
         answer_field = parameters.part_of(response, "value")
         if answer_field is None:
             return {}
         engine.refresh()
         read = parameters.read_parameter(engine, target)
-        name = _own(response, answer_field)
-        result: dict[str, Any] = {}
-        selector = response.selector
-        if selector is not None:
-            kind = element_value(target.parameter, target.first).type.name
-            number = _number_of_kind(response, kind)
-            if number is None:
-                raise Refusal("format_invalid", f"no format carries {kind}")
-            result[selector.name] = number
-            result[name] = read
-        else:
-            result[name] = _in_type(read[0], answer_field)
-        return result
+        if response.selector is None:
+            return {answer_field.name: _in_type(read[0], answer_field)}
+        number = engine.memory.formats.get(key)
+        if number is None and value is not None:
+            number = _number_of_kind(response, value.type.name)
+        if number is None:
+            raise Refusal("format_invalid", "no format carries the value")
+        return {response.selector.name: number, answer_field.name: read}
 
     def _store(self, record: RecordLayout, path: str, values: Mapping[str, Any]) -> None:
         """Puts the fields of a request where rules look for them."""
@@ -325,6 +323,19 @@ class _Damaged(Exception):
     """A frame that no device can understand."""
 
 
+def _reason(frames: FrameCodec, frame: bytes, error: CodecError) -> str:
+    """Why a request that cannot be decoded is refused."""
+    shape = frames.link.request
+    coded = shape.role("code")
+    parts = frames.parts(frame)
+    code = int.from_bytes(parts[coded.offset : coded.offset + coded.size], "big") if coded is not None else None
+    announced = frames.link.message_with_code(code) if code is not None else None
+    selector = announced.request.selector if announced is not None else None
+    if selector is not None and error.offset == shape.header_size + selector.offset:
+        return "format_invalid"
+    return _REASONS.get(error.reason, "value_invalid")
+
+
 def _out_of_range(field: FieldLayout, values: Mapping[str, Any]) -> str:
     """The name of a field whose value is beyond its range; empty for all others."""
     value, raw = field.value, values.get(field.name)
@@ -336,11 +347,6 @@ def _out_of_range(field: FieldLayout, values: Mapping[str, Any]) -> str:
 def _free_field(record: RecordLayout) -> FieldLayout:
     """The field of the record of an exception response that has no constant."""
     return next(field for field in record.fields if field.value is not None and field.value.const is None)
-
-
-def _own(record: RecordLayout, field: FieldLayout) -> str:
-    """The name of a field in the values of a record."""
-    return next((own.name for own in record.fields if own.name == field.name), field.name)
 
 
 def _chosen_kind(record: RecordLayout, values: Mapping[str, Any]) -> str | None:

@@ -52,7 +52,7 @@ class Simulation:
         self.lock = threading.RLock()
         self.places: list[tuple[str, str]] = []
         """The links, each with the place where it is served."""
-        self._module: ModuleType | None = None
+        self._module: ModuleType = codecs.device_module(layout)
         self._threads: list[threading.Thread] = []
         self._closers: list[Callable[[], None]] = []
         self._releases: list[Callable[[], None]] = []
@@ -79,8 +79,6 @@ class Simulation:
 
     def line(self, link: str, framed: bool = True) -> Line:
         """A new connection to a link. Datagrams are not `framed`: each is a frame."""
-        if self._module is None:
-            self._module = codecs.device_module(self.layout)
         framer = codecs.framer(self._module, link, "request") if framed else None
         return Line(self.server, link, framer, self.faults, self._tell, self.message)
 
