@@ -20,6 +20,7 @@ REFUSALS = {
     "text_lists": "plc_arrays_flat",
     "images": "plc_images_exact",
     "absent_reals": "plc_reals_present",
+    "other_frames": "plc_frames_supported",
 }
 """Constructs that some output refuses by a rule, and whose failing case needs them."""
 

@@ -44,7 +44,8 @@ PROGRAMS = {
         ["status.h", "functions"],
         "RECORD(uint8_t, decode, encode, 1, 1); PACKED(uint8_t, unpack, pack, 1); FIXED(decode_nothing, encode_nothing,"
         " 1, 1); VALUE(uint8_t, read_value, write_value, 1, 1); ARRAY(uint8_t value[1], unpack_status, write_array, 1,"
-        " 1); CONSTANT(uint8_t, read_value, write_constant, 1); TRIGGER(uint8_t, read_value, write_value, 1, 1);"
+        " 1); CONSTANT(uint8_t, read_value, write_constant, 1); TRIGGER(uint8_t, uint8_t, read_value, write_value,"
+        " 1, 1);"
         " ADDRESS(uint16_t, at); CONVERSION(uint8_t, from_raw, to_raw, 1);",
     ),
 }

@@ -20,7 +20,7 @@ from pymodbus import FramerType, ModbusException
 from pymodbus.client import ModbusSerialClient, ModbusTcpClient
 
 from external_tools import require_tool
-from fieldspec.reference.frames import crc16_modbus
+from fieldspec.reference.checksums import checksum
 from fieldspec.simulator.clock import ManualClock
 from fieldspec.testing import SimulatedDevice, simulated, simulation
 from simulators import SPECS
@@ -29,7 +29,7 @@ from simulators import SPECS
 def rtu(text: str) -> bytes:
     """A frame in bytes, with its checksum."""
     data = bytes.fromhex(text)
-    return data + crc16_modbus(data).to_bytes(2, "little")
+    return data + checksum("crc16_modbus", data, "little").to_bytes(2, "little")
 
 
 tc100 = simulated("tc100", ports={"rtu": "pty", "ascii": "pty"}, folder=SPECS)

@@ -19,6 +19,7 @@ from drawing import drawn_bytes, drawn_value, drawn_values
 from loaded import COMPUTING, DEVICES, NAMES, WAY_NAMES, WAYS, computing, judged, proof_by, words_in
 from proving import Proof, without
 
+from fieldspec.backends.vectors.backend import idle_vectors
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.plc.routines.enums import enum_routines
@@ -156,6 +157,35 @@ def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof)
                 pairs = zip(expected[register.name], before[register.name], strict=True)
                 wanted = [old if new is None else new for new, old in pairs]
                 assert read_out(prover, group, register, copy) == wanted, (register.name, address)
+
+
+def test_the_registers_of_an_idle_device_are_read_as_the_vectors_say(prover: Proof) -> None:
+    layout, most = prover.world.layout, prover.world.words.high + 1
+    for read in idle_vectors([layout]):
+        link, message = layout.links[read["link"]], layout.messages[read["message"]]
+        for direction, run in (("request", prover.build), ("response", prover.parse)):
+            frame, values = bytes.fromhex(read[direction]["right"]), read[direction]["values"]
+            if direction == "request":
+                assert run(link, message, values) == ("ok", frame), read["address"]
+            else:
+                assert run(link, message, frame)[0] == "ok", read["address"]
+        answer = read["response"]["values"][message.message.accesses.values]
+        words = answer if isinstance(answer, list) else [answer]
+        array = [*words, *([0] * (most - len(words)))]
+        names = {name.partition("[")[0] for name in read["registers"]}
+        for group in layout.device.groups:
+            registers_of_group = [register for register in registers(prover, group, READ) if register.name in names]
+            if not registers_of_group:
+                continue
+            copy = prover.machine.fresh(prover.world.names.structs[group.name].lower())
+            value = {"uiAddress": read["address"], "iCount": read["words"], "aWords": array, "stData": copy}
+            assert prover.run(ordered(prover, "unpack", group.name), **value)[0] == "ok", (group.name, read["address"])
+            for register in registers_of_group:
+                for at, actual in enumerate(read_out(prover, group, register, copy)):
+                    index = f"[{register.register.index_from + at}]" if register.count > 1 else ""
+                    wanted = read["registers"].get(register.name + index, actual)
+                    raw = actual.hex() if isinstance(actual, bytes) else actual
+                    assert raw == wanted, register.name
 
 
 def read_out(prover: Proof, group: RegisterGroup, register: RegisterLayout, value: dict[str, Any]) -> list[Any]:

@@ -26,7 +26,7 @@ _MOST = 20
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the frame in hexadecimal, and as characters where it consists of them."""
+    """Prints the frame in hexadecimal, and as characters where it consists of them. Raises UsageError."""
     from fieldspec.reference import CodecError, codec
 
     layout = layout_cache.requested_layout(arguments)
@@ -47,7 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
         _refuse_access(layout, way, values)
         frame = codec(layout).links[way.link].encode(way.direction, way.message, values)
     except (MeaningError, CodecError) as error:
-        raise UsageError(f"{error}; {_spoken(layout, way)} has the fields {', '.join(fields)}") from None
+        raise UsageError(f"{error}; {_way_text(layout, way)} has the fields {', '.join(fields)}") from None
     _judge(layout, way, frame)
     _print(layout, way, arguments.format, frame)
     return 0
@@ -86,18 +86,18 @@ def _way(layout: DeviceLayout, arguments: argparse.Namespace) -> tuple[_Way, lis
         arguments.message = pairs.pop(0)
     options = frame_options(layout, arguments)
     if not options.message:
-        raise UsageError(f"name the message; {layout.device.id} has {_some(layout.messages)}")
+        raise UsageError(f"name the message; {layout.device.id} has {_names_text(layout.messages)}")
     if arguments.direction:
         return _Way(*options.places[0], options.message), pairs
     return _Way(options.places[0][0], "request", options.message), pairs
 
 
-def _spoken(layout: DeviceLayout, way: _Way) -> str:
+def _way_text(layout: DeviceLayout, way: _Way) -> str:
     name = layout.device.links[way.link].direction_name(way.direction)
     return f"the {name}" if name in DIRECTIONS else f"{way.message} {name}"
 
 
-def _some(names: Collection[str]) -> str:
+def _names_text(names: Collection[str]) -> str:
     return ", ".join(names) if len(names) <= _MOST else f"{len(names)} of them"
 
 

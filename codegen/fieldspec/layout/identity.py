@@ -88,10 +88,14 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
 
 
 def _span(part: PartLayout) -> Iterator[Words]:
-    """What a part counts or covers, and whether it is reserved; nothing for the values that most frames have."""
+    """What a part counts, covers or repeats, and whether it is reserved; nothing for what most frames have."""
     usual = part.role != "checksum" or (part.start, part.stop) == (0, part.offset)
     if not usual or (part.unit_size, part.base, part.reserved) != (1, 0, False):
         yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
+    if part.digits:
+        yield "digits", part.digits
+    if part.part.same_as:
+        yield "repeats", part.part.same_as
 
 
 def _record(record: RecordLayout) -> Iterator[Words]:

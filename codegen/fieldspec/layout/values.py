@@ -11,7 +11,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
-from fieldspec.model.quantity import count_of, quantity_of
+from fieldspec.model.quantity import count_of, number_of, quantity_of
 from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind, Value
 
@@ -135,10 +135,10 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
         named = next((sentinel for sentinel in value.sentinels if sentinel.name == entered), None)
         if named is not None:
             return struct.unpack(">f", named.value.to_bytes(4, "big"))[0] if named.is_nan else float(named.value)
-        try:
-            return float(entered)
-        except (TypeError, ValueError):
-            raise MeaningError(path, f"`{entered}` is no number") from None
+        number = entered if isinstance(entered, float) else number_of(str(entered))
+        if number is None:
+            raise MeaningError(path, f"`{entered}` is no number; write it as `0.5` or `2.5e-3`")
+        return number
     if isinstance(entered, int) and not isinstance(entered, bool):
         return entered
     if isinstance(entered, str):

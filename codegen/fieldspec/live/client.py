@@ -73,14 +73,13 @@ class Client:
         request can carry, and CarrierError.
         """
         frame = self.request(message, values)
-        tries = 1 + (self.timing.retries if retries is None else retries)
-        reason = ""
-        for _ in range(tries):
-            try:
-                return self._answer(message, frame)
-            except NoAnswerError as error:
-                reason = str(error)
-        raise NoAnswerError(reason + (f", in {tries} tries" if tries > 1 else ""))
+        left = self.timing.retries if retries is None else retries
+        try:
+            return self._answer(message, frame)
+        except NoAnswerError:
+            if left <= 0:
+                raise
+        return self.ask(message, values, left - 1)
 
     def _answer(self, message: str, frame: bytes) -> Decoded:
         self._drain()

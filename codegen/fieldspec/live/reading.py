@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from fieldspec.audit.poll_blocks import PollBlock, polling_of
 from fieldspec.classes import dataclass
 from fieldspec.explain.registers import Occupant, Span, occupants
 from fieldspec.explain.values import DecodedValue, decode_value
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.read_plan import ReadBlock, read_plan
 from fieldspec.live.client import Client, RefusedError
 from fieldspec.model.record import Message
 
@@ -35,10 +35,6 @@ class Block:
     occupants: tuple[Occupant, ...]
 
 
-class NameError_(ValueError):
-    """A name that no register of the device has."""
-
-
 def all_occupants(layout: DeviceLayout) -> Iterator[tuple[str, Occupant]]:
     """Everything at addresses, with its space."""
     device = layout.device
@@ -48,13 +44,13 @@ def all_occupants(layout: DeviceLayout) -> Iterator[tuple[str, Occupant]]:
 
 
 def blocks(layout: DeviceLayout, chosen: Sequence[tuple[str, Occupant]]) -> list[Block]:
-    """The requests that read some values: parts of poll blocks, so that none touches what must not be read.
+    """The requests that read some values: parts of the read plan, so that none touches what must not be read.
 
-    A value that no poll block has is read alone: somebody has named it.
+    A value that no block of the plan has is read alone: somebody has named it.
     """
     result: list[Block] = []
     rest = list(chosen)
-    for block in polling_of(layout).blocks:
+    for block in read_plan(layout).blocks:
         own = [pair for pair in rest if _within(layout, block, *pair)]
         if own:
             rest = [pair for pair in rest if pair not in own]
@@ -65,9 +61,9 @@ def blocks(layout: DeviceLayout, chosen: Sequence[tuple[str, Occupant]]) -> list
     return sorted(result, key=lambda block: (block.space, block.start))
 
 
-def _within(layout: DeviceLayout, block: PollBlock, space: str, occupant: Occupant) -> bool:
+def _within(layout: DeviceLayout, block: ReadBlock, space: str, occupant: Occupant) -> bool:
     own = block.space or layout.device.space_name("")
-    return own == space and block.start <= occupant.address and occupant.address + occupant.words <= block.start + block.words
+    return own == space and block.start <= occupant.address and occupant.address + occupant.words <= block.end
 
 
 def message_for(layout: DeviceLayout, operation: str, space: str, words: int) -> Message | None:

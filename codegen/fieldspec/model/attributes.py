@@ -15,7 +15,7 @@ from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Subindex, Table
 from fieldspec.model.task import Task
-from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note
+from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note, StatedChange
 from fieldspec.model.value import Conversion, Signal
 
 # Whoever walks a device, compares two of them, or describes an object reads this table. A new class of the model, or a
@@ -113,6 +113,7 @@ MODEL_CLASSES: dict[type, ModelClass] = {
             Content(Example, "examples"),
             Content(Erratum, "errata"),
             Content(Acceptance, "accepts"),
+            Content(StatedChange, "stated_changes"),
         ),
         ("name", "vendor", "title", "doc", "manual"),
         key=attrgetter("id"),
@@ -167,6 +168,7 @@ MODEL_CLASSES: dict[type, ModelClass] = {
         key=attrgetter("id"),
     ),
     Acceptance: ModelClass("accepted change", documentation=("rule", "path", "reason", "date", "since")),
+    StatedChange: ModelClass("stated change", documentation=("kind", "path", "to", "reason", "sources")),
 }
 """Every class whose objects a device contains, in lists of its own or of others."""
 

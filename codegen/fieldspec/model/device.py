@@ -12,7 +12,7 @@ from fieldspec.model.link import Link
 from fieldspec.model.record import Message, Record, RegisterAccess
 from fieldspec.model.registers import ParameterSet, Register, RegisterGroup, Table
 from fieldspec.model.task import Task
-from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note
+from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note, StatedChange
 from fieldspec.model.value import Conversion, Signal
 
 
@@ -85,6 +85,7 @@ class Device:
     examples: Mapping[str, Example]
     errata: tuple[Erratum, ...]
     accepts: tuple[Acceptance, ...]
+    stated_changes: tuple[StatedChange, ...]
 
     def registers(self) -> Iterator[Register]:
         """All registers in the order of the spec."""

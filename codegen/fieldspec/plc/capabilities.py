@@ -28,6 +28,7 @@ CONSTRUCTS = {
     "groups": "groups of registers",
     "tables": "tables of records in registers",
     "frames": "frames: head, length, check, refusals",
+    "other_frames": "frames with several checksums, or with other ones than CRC-16/MODBUS, LRC and the sum of 8 bits",
     "telegrams": "process data of telegrams, as values",
     "aligned_images": "process data whose words begin at even bytes, as a struct laid over the bytes",
     "images": "process data whose words begin at odd bytes, as a struct laid over the bytes",
@@ -78,6 +79,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["open_enums"] = lossy("are numbers with constants, because a variable of an enum holds nothing else")
     capabilities["floats"] = lossy("infinity and NaN are refused, because comparing them differs between controllers")
     capabilities["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
+    capabilities["other_frames"] = refused("there are no functions for them: plc_frames_supported")
     capabilities["choices"] = lossy("are bit strings as wide as the widest type, with a function that says which it is")
     if dialect.bits == "packed":
         capabilities["bit_fields"] = lossy("are masks and single bits in images, because a BOOL is one bit")

@@ -16,6 +16,7 @@ from fieldspec.plc.absent import absent_reals
 from fieldspec.plc.constants import LISTS, Constant, ConstantList, Draft
 from fieldspec.plc.dialects import Dialect, Scope
 from fieldspec.plc.enums import EnumDeclaration, EnumMember, TextTable, available, coded
+from fieldspec.plc.frames import with_supported_links
 from fieldspec.plc.layout import fitting
 from fieldspec.plc.layout.images import Images, SpecNaming, titled
 from fieldspec.plc.layout.memory import MEMORIES, Placed, placed
@@ -68,8 +69,9 @@ class Declarations:
 
 def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     """The declarations of a device that has passed the checks."""
-    narrowed_layout, findings = narrowed(layout, dialect)
-    declaring = _Declaring(narrowed_layout, dialect, [*findings, *absent_reals(layout, dialect)])
+    supported, frame_findings = with_supported_links(layout, dialect)
+    narrowed_layout, findings = narrowed(supported, dialect)
+    declaring = _Declaring(narrowed_layout, dialect, [*findings, *absent_reals(layout, dialect), *frame_findings])
     enums = tuple(declaring.enums())
     structs = tuple(declaring.structs())
     images = tuple(declaring.images())

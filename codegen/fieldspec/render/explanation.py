@@ -55,7 +55,7 @@ def faults(explanation: Explanation) -> Iterator[str]:
 def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
     """Every byte of the frame in order; neighbouring elements of a list share a row where they are only numbers."""
     shape = layout.links[explanation.link].frame(explanation.direction)
-    checksum = shape.checksum
+    checksums = {part.name for part in shape.checksums}
     code = shape.role("code")
     message = layout.messages.get(explanation.message)
     accesses = message.message.accesses if message else None
@@ -68,7 +68,7 @@ def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
             lines += _element_lines(rows)
             continue
         for row in rows:
-            raw = "" if checksum is not None and row.path == checksum.name else raw_text(row, row.path in addresses)
+            raw = "" if row.path in checksums else raw_text(row, row.path in addresses)
             if code is not None and row.path == code.name and message is not None and not explanation.error:
                 row = replace(row, meanings=(Meaning(message.name, message.message.label, "", ""),))
             first = (str(row.offset), row.characters, _hex(row.raw), row.path, _label(row), raw, row.value)
@@ -120,7 +120,7 @@ def footnotes(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
 def examples(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
     """The examples of the manual with this frame, and those that it misprints as this frame."""
     device = layout.device
-    own = [example for example in device.examples.values() if _alike(example, explanation)]
+    own = [example for example in device.examples.values() if _is_alike(example, explanation)]
     same = [example for example in own if example.frame == explanation.frame]
     for example in same[:_EXAMPLES]:
         text = ", ".join(part for part in (f"example {example.id}", citations(example.sources)) if part)
@@ -134,7 +134,7 @@ def examples(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
                 yield f"erratum {erratum.id}: the manual prints this for {_hex(example.frame)}. {erratum.reason}"
 
 
-def _alike(example: Example, explanation: Explanation) -> bool:
+def _is_alike(example: Example, explanation: Explanation) -> bool:
     """Whether an example has the link, direction and message of a frame."""
     of = (example.link, example.direction, example.message or explanation.message)
     return of == (explanation.link, explanation.direction, explanation.message)

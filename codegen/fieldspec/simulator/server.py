@@ -62,7 +62,7 @@ class Server:
             head = dict(frames.heads["request"].parse(parts[: shape.header_size]))
         except CodecError as error:
             return Answer(b"", f"damaged: {error.detail}")
-        if shape.checksum is not None and not frames.has_right_checksum(frame, "request"):
+        if shape.checksums and not frames.has_right_checksum(frame, "request"):
             return Answer(b"", "damaged: wrong checksum")
         broadcast = False
         addressed = shape.role("unit_address")

@@ -7,7 +7,7 @@ The names in these files begin with `device_` and `DEVICE_`. A file has parts wh
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 
 from fieldspec.backends.c.declarations import Source
@@ -24,9 +24,11 @@ _PREFIXED = re.compile(r"\b(?:device|DEVICE)_(\w+)")
 _STATUS = re.compile(r"^    DEVICE_(\w+) = ", re.MULTILINE)
 
 
-def copy_runtime(naming: Naming, file: str, part: str = "") -> Source:
-    """A file, or a part of it, with the names of a device."""
+def copy_runtime(naming: Naming, file: str, part: str = "", words: Mapping[str, str] | None = None) -> Source:
+    """A file, or a part of it, with the names of a device. `words` replace the words of a form."""
     content = _parts(file)[part] if part else text(f"{_FOLDER}/{file}")
+    if words:
+        content = re.sub(r"\b(device_)?(" + "|".join(words) + r")\b", lambda m: (m[1] or "") + words[m[2]], content)
     return Source(_PREFIXED.sub(lambda match: _device_name(naming, match), content))
 
 
@@ -56,11 +58,6 @@ def runtime_macros() -> list[str]:
     """The macros that every header defines."""
     defined = re.findall(r"#define DEVICE_(\w+)", text(f"{_FOLDER}/machine.h"))
     return [*dict.fromkeys(name.lower() for name in defined), *status_names()]
-
-
-def copy_checksums(naming: Naming, algorithms: set[str]) -> list[list[Source]]:
-    """The functions of the checksums that the device's links use."""
-    return [[copy_runtime(naming, "checksums.h", name)] for name in sorted(algorithms)]
 
 
 def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:

@@ -1,4 +1,4 @@
-"""The registers by group."""
+"""The registers by group, and the address spaces: what an address holds and which messages reach it."""
 
 from __future__ import annotations
 
@@ -29,6 +29,7 @@ from fieldspec.backends.docs.value_cells import (
     restart_cell,
     value_cells,
 )
+from fieldspec.model.address_space import AddressSpace
 from fieldspec.model.registers import Gap, Register, RegisterGroup
 
 COLUMNS = (
@@ -124,10 +125,10 @@ def _special(register: Register) -> Iterator[Line]:
     if register.reserved:
         yield (styled("reserved", "badge"),)
     if register.trigger:
-        text = " Writing has an effect; reading does not give back what was written."
+        text = " Writing has an effect; reading does not return the written value."
         yield (styled("trigger", "badge"), text_piece(text))
     if register.atomic:
-        yield (styled("atomic", "badge"), text_piece(" All of its words are to be accessed in one request."))
+        yield (styled("atomic", "badge"), text_piece(" All of its words must be accessed in one request."))
     if register.copy_of:
         yield (text_piece("Another copy of "), code(register.copy_of, f"#registers/{register.copy_of}"))
     if register.same_as:
@@ -153,3 +154,53 @@ def _element(register: Register, number: int, first_number: int) -> TableRow:
         f"{register.place.path}/{index}",
         element=True,
     )
+
+
+_SPACE_COLUMNS = (
+    TableColumn("Name", unbroken=True),
+    TableColumn("Address holds", "short", unbroken=True),
+    TableColumn("Addresses", unbroken=True),
+    TableColumn("First number", "number"),
+    TableColumn("Read by"),
+    TableColumn("Written by"),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
+)
+
+
+def spaces(context: Context) -> Section:
+    """All address spaces in one table."""
+    address_spaces = context.device.spaces
+    marks = Inferences("spaces")
+    rows = [_space_row(context, space, marks) for space in address_spaces.values()]
+    blocks = (table("Address spaces", _SPACE_COLUMNS, rows, marks.footnotes()),) if rows else ()
+    return Section("spaces", (text_piece("Address spaces"),), blocks)
+
+
+def _space_row(context: Context, space: AddressSpace, marks: Inferences) -> TableRow:
+    bounds = joined(((code(f"{address(low)}..{address(high)}"),) for low, high in space.bounds.intervals), ", ")
+    return TableRow(
+        (
+            names(space, space.name, mark=marks.all_marks(space.inferred)),
+            cell(f"a {space.unit}"),
+            cell(bounds),
+            cell(str(space.first_number)),
+            cell(_space_messages(context, space, "read")),
+            cell(_space_messages(context, space, "write")),
+            cell(*context.about(space)),
+            sources(space),
+        ),
+        space.place.path,
+    )
+
+
+def _space_messages(context: Context, space: AddressSpace, operation: str) -> Line:
+    device = context.device
+    messages = [
+        message
+        for message in device.messages.values()
+        if message.accesses is not None
+        and message.accesses.operation == operation
+        and device.space_name(message.accesses.space) == space.name
+    ]
+    return joined(((code(message.name, f"#{message.place.path}"),) for message in messages), ", ")

@@ -83,7 +83,7 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
     place: Cells = {"area": area.name, "device": dialect.device(base + word), "word": word}
     if placed_value.elements > 1:
         place |= {"elements": placed_value.elements, "stride": placed_value.stride // area.unit}
-    where = _where(area, placed_value)
+    where = _place_cells(area, placed_value)
     row = (
         place
         | where
@@ -129,7 +129,7 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
         }
 
 
-def _where(area: Area, placed_value: PlacedValue) -> Cells:
+def _place_cells(area: Area, placed_value: PlacedValue) -> Cells:
     """Where a value is on the wire: the address of its first register, or its first byte."""
     if area.address is None:
         return {"byte": placed_value.start}

@@ -43,6 +43,7 @@ _STANDARD = (
 )
 _SHARED = {
     "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
+    "_checksums": "Crc Sum Xor",
     "_choices": "Choice",
     "_codes": "by_number by_printed_name",
     "_conversions": (

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 from fieldspec.classes import dataclass, field
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.model.checksums import checksum_named
 from fieldspec.model.fact import Fact
-from fieldspec.model.link import CHECKSUM_SIZES
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
@@ -103,7 +103,7 @@ class World:
 
     def checksum(self, algorithm: str, length: Expression, frame: Expression, first: Expression) -> Call:
         """The check of the bytes of a frame from an index on up to a length."""
-        kind = WORD if CHECKSUM_SIZES[algorithm] == 2 else BYTE
+        kind = WORD if checksum_named(algorithm).size == 2 else BYTE
         begin = (("iFirst", first),) if self.begins_later(algorithm) else ()
         return Call(self.routine(algorithm), (*begin, ("iLength", length), ("aFrame", frame)), (), kind)
 

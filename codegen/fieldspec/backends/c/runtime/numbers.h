@@ -266,7 +266,7 @@ static inline bool device_is_ascii(const uint8_t *in, size_t size)
     return true;
 }
 
-/** Whether a text of at most size characters has no others than those of ASCII. */
+/** Whether a text of at most `size` characters is ASCII. */
 static inline bool device_is_text(const char *text, size_t size)
 {
     size_t at;
@@ -278,7 +278,7 @@ static inline bool device_is_text(const char *text, size_t size)
     return true;
 }
 
-/** Writes a text of at most size characters, filled up with zeros. */
+/** Writes a text of at most `size` characters, padded with zeros. */
 static inline void device_put_text(uint8_t *out, const char *text, size_t size)
 {
     size_t at;
