@@ -58,6 +58,13 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _named(table.place, "space", "address space", table.space, device.spaces)
         yield from _named(table.place, "record", "record", table.record, device.records)
     for link in device.links.values():
+        asked = {part.name for part in link.request if part.role == "plain" and not part.reserved}
+        for part in link.response:
+            yield from _named(part.place, "same_as", "part of the request", part.same_as, asked)
+        for part in link.request:
+            if part.same_as:
+                text = f"the part {part.name} of a request repeats nothing"
+                yield finding("references_resolve", part.place, "same_as", text, "move `same_as` to the response")
         if link.exception_response is not None:
             yield from _named(
                 link.place, "exception_response", "record", link.exception_response.record, device.records

@@ -93,9 +93,8 @@ def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
     places |= {path.stem: path for path in (folder / PROTOCOLS).glob("*.yaml")}
     protocols = sorted(places)
     if not arguments.protocol:
-        raise UsageError(
-            f"name the protocol with --protocol: {', '.join(protocols)}; or {' or '.join(SHAPES)} for none"
-        )
+        shapes = " or ".join(SHAPES)
+        raise UsageError(f"name the protocol with --protocol: {', '.join(protocols)}; or {shapes} for none")
     if arguments.protocol not in (*SHAPES, *protocols):
         raise unknown("protocol", arguments.protocol, [*protocols, *SHAPES])
     path = folder / name / MAIN

@@ -185,9 +185,8 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         help = described(part.get("properties", {}).get(missing, {}))
         return Diagnostic("missing_key", f"the key `{missing}` is missing", _head(node), help=help)
     if keyword == "enum" and text is not None:
-        code = "units_known" if last == "unit" else "unknown_word"
         hint = near(text, [str(option) for option in part.get("enum", [])])
-        return Diagnostic(code, f"{what} cannot be {quoted(text)}", node.span, help=hint)
+        return Diagnostic("unknown_word", f"{what} cannot be {quoted(text)}", node.span, help=hint)
     description = part.get("description", "")
     if keyword == "type":
         wanted = part.get("type")
@@ -231,8 +230,22 @@ def _have(node: Node) -> str:
 
 
 def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
-    hint = near(key, list(part.get("properties", {})))
+    hint = _comma(node, key) or near(key, list(part.get("properties", {})))
     return Diagnostic("unknown_key", f"there is no key {quoted(key)} here", key_span(node, key), help=hint)
+
+
+def _comma(node: Mapping, key: str) -> str:
+    """What to do where a key within braces is the rest of a text with a comma; empty where it is none."""
+    value = node.values[key]
+    keys = list(node.values)
+    before = keys[keys.index(key) - 1] if key != keys[0] else ""
+    text = node.values.get(before)
+    in_braces = node.file.text[node.start : node.start + 1] == "{"
+    if not in_braces or not isinstance(value, Scalar) or value.text or value.quoted:
+        return ""
+    if not isinstance(text, Scalar) or text.quoted or not text.text:
+        return ""
+    return f'a comma within braces ends the text of `{before}`: quote it, as in `{before}: "{text.text}, {key}"`'
 
 
 def _schema_part(path: list[str | int], root: tuple[str, ...]) -> Schema:

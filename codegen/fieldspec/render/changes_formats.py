@@ -71,6 +71,7 @@ def _json_change(entry: AcceptedChange) -> dict[str, object]:
         "after": _json_place(change.after),
         "outputs": list(change.outputs),
         "versions": list(entry.versions),
+        "reason": change.reason or None,
         "accepted": {"reason": accepted.reason, "date": accepted.date} if accepted else None,
     }
 

@@ -2264,8 +2264,9 @@ const framesOfSerial = /* @__PURE__ */ frames({
       { name: "command", role: "code", key: null, offset: 2, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
     ],
     trailer: [
-      { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, ranges: null, algorithm: sum8 },
+      { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, ranges: null, algorithm: sum8, digits: "" },
     ],
+    checksums: [3],
   },
   response: {
     header: [
@@ -2274,8 +2275,9 @@ const framesOfSerial = /* @__PURE__ */ frames({
       { name: "status", role: "plain", key: "status", offset: 2, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
     ],
     trailer: [
-      { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, ranges: null, algorithm: sum8 },
+      { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, ranges: null, algorithm: sum8, digits: "" },
     ],
+    checksums: [3],
   },
   unitAddresses: { ranges: [[0, 15]], broadcast: null },
 });

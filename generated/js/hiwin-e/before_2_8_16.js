@@ -2328,12 +2328,14 @@ const framesOfCyclic = /* @__PURE__ */ frames({
     ],
     trailer: [
     ],
+    checksums: [],
   },
   response: {
     header: [
     ],
     trailer: [
     ],
+    checksums: [],
   },
   unitAddresses: null,
 });
@@ -2354,6 +2356,7 @@ const framesOfParameterChannel = /* @__PURE__ */ frames({
     ],
     trailer: [
     ],
+    checksums: [],
   },
   response: {
     header: [
@@ -2364,6 +2367,7 @@ const framesOfParameterChannel = /* @__PURE__ */ frames({
     ],
     trailer: [
     ],
+    checksums: [],
   },
   unitAddresses: null,
 });

@@ -2334,12 +2334,14 @@ const framesOfCyclic = /* @__PURE__ */ frames({
     ],
     trailer: [
     ],
+    checksums: [],
   },
   response: {
     header: [
     ],
     trailer: [
     ],
+    checksums: [],
   },
   unitAddresses: null,
 });
@@ -2360,6 +2362,7 @@ const framesOfParameterChannel = /* @__PURE__ */ frames({
     ],
     trailer: [
     ],
+    checksums: [],
   },
   response: {
     header: [
@@ -2370,6 +2373,7 @@ const framesOfParameterChannel = /* @__PURE__ */ frames({
     ],
     trailer: [
     ],
+    checksums: [],
   },
   unitAddresses: null,
 });

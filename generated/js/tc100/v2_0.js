@@ -561,8 +561,9 @@ const framesOfRtu = /* @__PURE__ */ frames({
       { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
     ],
     trailer: [
-      { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, low: 0, high: 65535, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, ranges: null, algorithm: crc16 },
+      { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, low: 0, high: 65535, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, ranges: null, algorithm: crc16, digits: "" },
     ],
+    checksums: [2],
   },
   response: {
     header: [
@@ -570,8 +571,9 @@ const framesOfRtu = /* @__PURE__ */ frames({
       { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
     ],
     trailer: [
-      { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, low: 0, high: 65535, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, ranges: null, algorithm: crc16 },
+      { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, low: 0, high: 65535, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, ranges: null, algorithm: crc16, digits: "" },
     ],
+    checksums: [2],
   },
   unitAddresses: { ranges: [[1, 16]], broadcast: 0 },
 });
@@ -593,8 +595,9 @@ const framesOfAscii = /* @__PURE__ */ frames({
       { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
     ],
     trailer: [
-      { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, ranges: null, algorithm: lrc },
+      { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, ranges: null, algorithm: lrc, digits: "" },
     ],
+    checksums: [2],
   },
   response: {
     header: [
@@ -602,8 +605,9 @@ const framesOfAscii = /* @__PURE__ */ frames({
       { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
     ],
     trailer: [
-      { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, ranges: null, algorithm: lrc },
+      { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, ranges: null, algorithm: lrc, digits: "" },
     ],
+    checksums: [2],
   },
   unitAddresses: { ranges: [[1, 16]], broadcast: 0 },
 });

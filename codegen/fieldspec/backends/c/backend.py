@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from fieldspec.backends.c.checksums import checksum_parts, declare_checksums
 from fieldspec.backends.c.conversions import declare_conversion
 from fieldspec.backends.c.declarations import Declaration, Define, Directive, comment, describe_fact, escape_comment
 from fieldspec.backends.c.enums import code_tables, declare_code_texts, declare_enum, declare_flags
-from fieldspec.backends.c.expressions import string, unsigned
+from fieldspec.backends.c.expressions import hexadecimal, string, unsigned
 from fieldspec.backends.c.frames import declare_link
 from fieldspec.backends.c.fuzzing import write_fuzz_target
 from fieldspec.backends.c.messages import declare_messages
@@ -15,7 +16,7 @@ from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.printer import Printer
 from fieldspec.backends.c.records import declare_record
 from fieldspec.backends.c.registers import declare_parameters, declare_register, declare_signal, declare_table
-from fieldspec.backends.c.runtime_files import copy_checksums, copy_numbers, copy_runtime, runtime_macros
+from fieldspec.backends.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
 from fieldspec.backends.c.selftest import write_selftest
 from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
@@ -50,13 +51,7 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
     """The header of a version. It settles the names, so whoever uses it must have the same naming."""
     device = layout.device
     _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
-    algorithms = {
-        part.algorithm
-        for link in layout.links.values()
-        for frame in (link.request, link.response)
-        for part in frame.parts
-        if part.algorithm
-    }
+    algorithms = {part.algorithm for part in checksum_parts(layout)}
     return fill(
         "c/header.h.j2",
         title=escape_comment(f"{device.name} ({device.vendor}), version {device.version}"),
@@ -69,18 +64,18 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         identity_macro=naming.own_macro("identity"),
         identity_text=string(layout.identity).text,
         switches=_describe_switches(naming, algorithms, bool(code_tables(device)), bool(device.conversions)),
-        sections=_print_sections(naming, layout, algorithms),
+        sections=_print_sections(naming, layout),
     )
 
 
-def _print_sections(naming: Naming, layout: DeviceLayout, algorithms: set[str]) -> Iterator[str]:
+def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
     """The texts of all sections. Names are claimed in this order."""
     device = layout.device
     sections: tuple[tuple[str, Iterable[Block]], ...] = (
         ("Compilers and machines", ([copy_runtime(naming, "machine.h")],)),
         ("Results of codec calls", ([copy_runtime(naming, "status.h")],)),
         ("Numbers and characters", copy_numbers(naming, layout)),
-        ("Checksums", copy_checksums(naming, algorithms)),
+        ("Checksums", declare_checksums(naming, layout)),
         ("Enums and codes", (declare_enum(naming, enum) for enum in device.enums.values())),
         ("Bit fields", (declare_flags(naming, word) for word in device.flags.values())),
         ("Signals", (declare_signal(naming, signal) for signal in device.signals.values())),
@@ -148,6 +143,12 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
             for name, number in numbers
             if number is not None
         ]
+        access = message.accesses
+        if access is not None and access.set is not None:
+            block += [
+                Define(naming.macro("message", layout_of_message.name, name), hexadecimal(number, 2))
+                for name, number in (("bit_set", access.set), ("bit_clear", access.clear))
+            ]
         yield block
         for data in (layout_of_message.request, layout_of_message.response):
             yield declare_record(naming, layout.device, data, comment())

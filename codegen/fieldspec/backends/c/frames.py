@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.c.checksums import compute_checksum, is_wrong, store_checksum
 from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Function, Struct, comment, describe_fact
 from fieldspec.backends.c.delimiters import declare_unwrap, is_wrapped, wrap_frame
 from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
@@ -54,7 +55,6 @@ from fieldspec.backends.c.statements import (
 )
 from fieldspec.backends.c.values import (
     WireValue,
-    access_name,
     check_constant,
     declare_value,
     load,
@@ -181,25 +181,13 @@ def _check_frame(naming: Naming, frame: FrameLayout) -> Body:
         received = load(naming, part_value(length), part_pointer(IN, length, LENGTH))
         number, unrepresentable = _length_number(frame, length, LENGTH)
         body += refuse(naming, any_of([*unrepresentable, different(received, number)]), "err_wrong_length")
-    checksum = frame.checksum
-    if checksum is not None:
-        received = Call(naming.own(f"load_{_checksum_access(checksum)}"), (part_pointer(IN, checksum, LENGTH),))
-        computed = _compute_checksum(naming, checksum, IN, LENGTH)
-        body += refuse(naming, different(computed, received), "err_wrong_check")
+    for checksum in frame.checksums:
+        computed = compute_checksum(naming, checksum, IN, LENGTH)
+        test = is_wrong(naming, checksum, computed, part_pointer(IN, checksum, LENGTH))
+        body += refuse(naming, test, "err_wrong_check")
     for part in frame.constants:
         body += check_constant(naming, part_value(part), part_pointer(IN, part, LENGTH))
     return body
-
-
-def _compute_checksum(naming: Naming, checksum: PartLayout, source: Expression, total: Expression) -> Call:
-    """`crc16_modbus(in + 1, length - 3u)`: the checksum of the bytes that it covers in a frame of `total` bytes."""
-    start, stop = checksum.start, checksum.stop or 0
-    first = source
-    if start:
-        first = add(source, decimal(start) if start > 0 else add_size(total, start))
-    # A start and a stop that are counted from the same end bound a constant size.
-    size = unsigned(stop - start) if start < 0 or stop > 0 else add_size(total, stop - start)
-    return Call(naming.own(checksum.algorithm), (first, size))
 
 
 def _length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
@@ -215,10 +203,6 @@ def _length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> t
         unrepresentable.append(different(Operation("%", (number, unit)), ZERO))
         number = Operation("/", (number, unit))
     return number, unrepresentable
-
-
-def _checksum_access(checksum: PartLayout) -> str:
-    return access_name(checksum.size, checksum.order, False)
 
 
 def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
@@ -274,10 +258,9 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     for part in frame.parts:
         if part.role != "checksum":
             body += _write_part(naming, layout, link, frame, part)
-    checksum = frame.checksum
-    if checksum is not None:
+    for checksum in frame.checksums:
         target = part_pointer(OUT, checksum, _TOTAL)
-        body.append(store(naming, _checksum_access(checksum), target, _compute_checksum(naming, checksum, OUT, _TOTAL)))
+        body.append(store_checksum(naming, checksum, compute_checksum(naming, checksum, OUT, _TOTAL), target))
     if is_wrapped(link):
         body += wrap_frame(naming, link)
     if not frame.parts and not is_wrapped(link):

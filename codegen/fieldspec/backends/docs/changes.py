@@ -175,6 +175,8 @@ def _row(judged_change: JudgedChange, pages: _Pages) -> TableRow:
     remarks: list[Line] = []
     if change.outputs:
         remarks.append((text_piece(f"in {', '.join(_TARGETS.get(name, name) for name in change.outputs)}"),))
+    if change.reason:
+        remarks.append((styled("reason: ", "strong"), text_piece(change.reason)))
     if judged_change.accepted is not None:
         remarks.append((styled("accepted: ", "strong"), text_piece(judged_change.accepted.reason)))
     return TableRow((cell(change.message), cell(code(change.path, pages.fact(change))), cell(*remarks)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.backends.docs.checksums import DIGITS, checksum_text
 from fieldspec.backends.docs.context import Context, cited, many, names, sources
 from fieldspec.backends.docs.document import (
     Cell,
@@ -16,11 +17,11 @@ from fieldspec.backends.docs.document import (
     TableRow,
     cell,
     code,
-    joined,
     styled,
     table,
     text_piece,
 )
+from fieldspec.backends.docs.link_settings import serial_facts, station_facts
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
 from fieldspec.classes import dataclass
@@ -30,11 +31,6 @@ from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import Link, Part
 
-CHECKS = {
-    "crc16_modbus": "CRC-16 with polynomial 8005h, reflected, start value FFFFh, over all bytes",
-    "lrc": "two's complement of the sum of all bytes",
-    "sum8": "low byte of the sum of all bytes",
-}
 END_FIRST = {"big": "high", "little": "low"}
 
 COLUMNS = (
@@ -138,9 +134,12 @@ class FrameTable:
             yield (text_piece(self._length(part, record)),)
         elif part.role == "checksum":
             order = f"; the {END_FIRST[part.order]} byte is sent first" if part.size > 1 else ""
-            yield (text_piece(f"{CHECKS[part.algorithm]} {self._covered(part)}{order}"),)
+            order = f"; {DIGITS[part.digits]}" if part.digits else order
+            yield (text_piece(f"{checksum_text(part)} {self._covered(part)}{order}"),)
         elif part.reserved:
             yield (styled("reserved", "badge"),)
+        elif part.part.same_as:
+            yield (text_piece("the same as "), code(part.part.same_as), text_piece(" of the request"))
 
     def _length(self, part: PartLayout, record: RecordLayout | None) -> str:
         around = self.shape.header_size + self.shape.trailer_size
@@ -328,7 +327,16 @@ def _has_equal_parts(link: Link) -> bool:
 
     def facts_of(part: Part) -> tuple[object, ...]:
         return (
-            (part.name, part.role, part.value, part.algorithm, part.byte_order, part.reserved),
+            (
+                part.name,
+                part.role,
+                part.value,
+                part.algorithm,
+                part.byte_order,
+                part.reserved,
+                part.same_as,
+                part.digits,
+            ),
             (part.span, part.unit_size, part.plus),
             (part.doc, part.label, part.notes, part.sources),
         )
@@ -359,42 +367,7 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
             "Refusals",
             ((text_piece(text), code(link.exception_response.record, f"#records/{link.exception_response.record}")),),
         )
-    yield from _stations(link)
-    yield from _serial(link)
+    yield from station_facts(link)
+    yield from serial_facts(link)
     if link.sources:
         yield "Source", (cited(link.sources),)
-
-
-def _stations(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    stations = link.unit_addresses
-    if stations is None:
-        return
-    if stations.ranges is not None:
-        yield "Unit addresses", ((text_piece(spoken(stations.ranges.text())),),)
-    if stations.broadcast is not None:
-        yield "Broadcast address", ((text_piece(str(stations.broadcast)),),)
-    if stations.rule:
-        yield "How to set the unit address", ((text_piece(stations.rule),),)
-    for note in stations.notes:
-        yield "Note on unit addresses", ((text_piece(note),),)
-    if stations.sources:
-        yield "Source of unit addresses", (cited(stations.sources),)
-
-
-def _serial(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    serial = link.serial
-    if serial is None:
-        return
-    if serial.baud:
-        default = "" if serial.default_baud is None else f"; {serial.default_baud} by default"
-        yield "Baud rate", ((text_piece(f"{', '.join(map(str, serial.baud))} bit/s{default}"),),)
-    for title, settings in (
-        ("Start bits", () if serial.start_bits is None else (serial.start_bits,)),
-        ("Data bits", serial.data_bits),
-        ("Parity", serial.parity),
-        ("Stop bits", serial.stop_bits),
-    ):
-        if settings:
-            yield title, (joined(((text_piece(str(setting)),) for setting in settings), " or "),)
-    if serial.sources:
-        yield "Source of the settings", (cited(serial.sources),)

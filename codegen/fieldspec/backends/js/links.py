@@ -12,11 +12,12 @@ from fieldspec.backends.js.naming import property_scope
 from fieldspec.backends.js.text import comment, flag, literal, object_of
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.model.checksums import checksum_named
 from fieldspec.model.value import Ranges
 from fieldspec.names import Name
 
-ALGORITHMS = {"crc16_modbus": "crc16", "lrc": "lrc", "sum8": "sum8"}
-"""The functions of `checksums.js` by the names of the language."""
+SHORT = {"crc16_modbus": "crc16", "lrc": "lrc", "sum8": "sum8"}
+"""The functions of `checksums.js` by the names of the algorithms that have one of their own."""
 
 LONGEST = 0xFFFF
 """The bytes of a body that nothing bounds."""
@@ -63,7 +64,10 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
         f"  hex: {'true' if link.link.encoding == 'hex_ascii' else 'false'},",
     ]
     for direction in ("request", "response"):
-        code += [f"  {direction}: {{", *_parts("header", link, direction), *_parts("trailer", link, direction), "  },"]
+        frame = link.frame(direction)
+        order = [frame.parts.index(part) for part in frame.checksums]
+        code += [f"  {direction}: {{", *_parts("header", link, direction), *_parts("trailer", link, direction)]
+        code += [f"    checksums: {order},", "  },"]
     ranges = _intervals(addresses.ranges) if addresses is not None else "null"
     broadcast = "null" if addresses is None or addresses.broadcast is None else str(addresses.broadcast)
     code.append(
@@ -134,11 +138,38 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
         }
         more = [f"ranges: {_intervals(part.value.ranges) if part.value else 'null'}"]
         if part.role == "checksum":
-            more.append(f"algorithm: {ALGORITHMS[part.algorithm]}")
+            more += [f"algorithm: {checksum_function(part.algorithm, part.order)}", f"digits: {literal(part.digits)}"]
         lines.append(
             f"      {{ {', '.join([*(f'{field}: {json.dumps(value)}' for field, value in row.items()), *more])} }},"
         )
     return [*lines, "    ],"]
+
+
+def checksum_function(algorithm: str, order: str) -> str:
+    """The function that computes a checksum; `order` is that of the numbers which a sum or an xor combines."""
+    short = SHORT.get(algorithm)
+    if short is not None:
+        return short
+    kind = checksum_named(algorithm)
+    if kind.method == "crc":
+        parameters = {
+            "width": str(kind.width),
+            "polynomial": f"0x{kind.polynomial:X}n",
+            "initial": f"0x{kind.initial:X}n",
+            "reflectIn": flag(kind.reflect_in),
+            "reflectOut": flag(kind.reflect_out),
+            "finalXor": f"0x{kind.final_xor:X}n",
+        }
+        return f"crcOf({object_of(parameters)})"
+    parameters = {
+        "method": literal(kind.method),
+        "width": str(kind.width),
+        "initial": f"{kind.initial}n",
+        "complement": literal(kind.complement),
+        "unitSize": str(kind.unit_size),
+        "order": literal(order),
+    }
+    return f"totalOf({object_of(parameters)})"
 
 
 def _intervals(ranges: Ranges | None) -> str:

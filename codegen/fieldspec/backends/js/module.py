@@ -20,7 +20,7 @@ from fieldspec.layout.frame import MessageLayout
 from fieldspec.names import Name
 
 IMPORTS = {
-    "checksums": ("crc16", "lrc", "sum8"),
+    "checksums": ("crc16", "crcOf", "lrc", "sum8", "totalOf"),
     "error": ("brokenList", "refusedNumber", "wrongNumber"),
     "framer": ("codeFramer", "delimiterFramer", "lengthFramer"),
     "link": ("frames", "link", "message"),
@@ -31,6 +31,8 @@ IMPORTS = {
     "values": (
         "bitsOf",
         "booleanOf",
+        "doubleBitsOf",
+        "doubleOf",
         "floatOf",
         "listLength",
         "numberOf",

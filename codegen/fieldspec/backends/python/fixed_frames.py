@@ -11,7 +11,8 @@ from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import chained, filled, literal, unpacked
 from fieldspec.backends.python.writing import greatest
 from fieldspec.classes import dataclass
-from fieldspec.layout.frame import CHECKSUMS, FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.checksums import checksum
+from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 
 TABLES = 8
 _WORDS = "crc16_modbus"
@@ -209,7 +210,8 @@ def _crc_terms(
     varying: list[tuple[int, int, bool, int, str]] = []
     for part in frame.header:
         if part.name in constants:
-            known = constants[part.name].to_bytes(part.size, "little" if part.order == "little" else "big")
+            number = constants[part.name] & ((1 << 8 * part.size) - 1)
+            known = number.to_bytes(part.size, "little" if part.order == "little" else "big")
             base[part.offset : part.offset + part.size] = known
         else:
             flags = raw if part.value is not None and part.value.flags else ""
@@ -222,7 +224,7 @@ def _crc_terms(
             varying.append((at, field.field.size, signed, most, local(field) + flags))
         elif field.constant:
             base[at : at + field.field.size] = field.bytes_of(field.constant)
-    constant, same = CHECKSUMS[_WORDS](bytes(base)), frame.checksum is not None and frame.checksum.order == order
+    constant, same = checksum(_WORDS, bytes(base)), frame.checksum is not None and frame.checksum.order == order
     yield str(constant if same else (constant & 0xFF) << 8 | constant >> 8)
     table = "_C" if same else "_X"
     for at, width, signed, most, expression in varying:

@@ -1,3 +1,4 @@
+import { checksumBytes } from "./checksums.js";
 import { CodecError, refusedNumber } from "./error.js";
 import { rangesText, within } from "./values.js";
 
@@ -51,7 +52,7 @@ export function link(shapes, messages, exception) {
   });
 }
 
-function frame({ header, trailer }) {
+function frame({ header, trailer, checksums }) {
   const sum = (parts) => parts.reduce((size, part) => size + part.size, 0);
   const parts = [...header, ...trailer];
   return {
@@ -61,7 +62,7 @@ function frame({ header, trailer }) {
     headerSize: sum(header),
     trailerSize: sum(trailer),
     lengths: header.filter((part) => part.role === "length"),
-    checksums: parts.filter((part) => part.role === "checksum"),
+    checksums: checksums.map((index) => parts[index]),
     constants: parts.filter((part) => part.constant !== null && !part.reserved),
     visible: header.filter((part) => part.key !== null),
     keys: Object.assign({ __proto__: null }, ...parts.filter((part) => part.key !== null).map((part) => ({ [part.key]: 0 }))),
@@ -178,11 +179,10 @@ export function wrongChecksum(shape, data) {
   const size = data.length;
   for (const part of shape.checksums) {
     const at = place(part.offset, size);
-    const have = readPart(data, at, part);
-    const want = part.algorithm(data, place(part.start, size), place(part.stop, size));
-    if (have !== want) {
-      const text = (number) => number.toString(16).toUpperCase().padStart(2 * part.size, "0");
-      return new CodecError("wrong_check", `${part.name} is ${text(have)}, not ${text(want)}`, at);
+    const want = checksumBytes(part, data, place(part.start, size), place(part.stop, size));
+    if (!matches(data, at, want)) {
+      const have = data.subarray(at, at + part.size);
+      return new CodecError("wrong_check", `${part.name} is ${hexText(have)}, not ${hexText(want)}`, at);
     }
   }
   return null;
@@ -253,7 +253,7 @@ function encoded(context, shape, header, code, record, value) {
     writePart(data, part.offset, part, units);
   }
   for (const part of shape.checksums) {
-    writePart(data, place(part.offset, size), part, part.algorithm(data, place(part.start, size), place(part.stop, size)));
+    data.set(checksumBytes(part, data, place(part.start, size), place(part.stop, size)), place(part.offset, size));
   }
   return withDelimiters(context, data);
 }
