@@ -17,7 +17,7 @@ from fieldspec.render.capabilities import COLUMNS, capabilities, page
 from fieldspec.schema.capabilities import effects
 
 PAGE = Path(__file__).parent.parent / "docs" / "capabilities.md"
-SHARES = 1 if os.environ.get("FIELDSPEC_CAPABILITIES") == "all" else 16
+FRACTION = 1 if os.environ.get("FIELDSPEC_CAPABILITIES") == "all" else 16
 """One key of so many is derived; `make capabilities` derives them all."""
 CASES = Path(__file__).parent / "cases"
 
@@ -85,7 +85,7 @@ def test_the_table_is_in_order() -> None:
     assert all(list(keys) == sorted(keys) for keys in effects().values())
 
 
-DERIVED = sorted(key for key in stored_witnesses() if zlib.crc32("/".join(key).encode()) % SHARES == 0)
+DERIVED = sorted(key for key in stored_witnesses() if zlib.crc32("/".join(key).encode()) % FRACTION == 0)
 
 
 @pytest.mark.parametrize("key", DERIVED, ids="/".join)
