@@ -34,6 +34,8 @@ TEST_SPECS = Path(__file__).parent / "specs"
 
 # Features that the made-up devices lack.
 MORE = """
+versions:
+  - {line: firmware, builds: true, members: [{id: "1", source: L1}]}
 registers:
   - group: all
     rows:
@@ -52,6 +54,12 @@ accepts:
   - {rule: range_widened, path: registers/speed, reason: It turns faster now., date: 2026-01-31}
 """
 
+OVERLAY = """
+overlay: {id: "2", line: firmware, based_on: "1"}
+changes:
+  - {fact: registers/speed, set: {range: {was: 0..9, is: 0..10}}, reason: Faster.}
+"""
+
 SAMPLES: dict[Any, Any] = {
     str: "other",
     int: 1,
@@ -67,6 +75,11 @@ IGNORED = {
     "Device.id": "only versions of one device are compared",
     "Device.version": "it is what is compared",
     "Device.accepts": "it judges changes, and is none",
+    "Device.stated_changes": "it gives changes their reasons, and is none",
+    **{
+        f"StatedChange.{name}": "it gives changes their reasons, and is none"
+        for name in ("kind", "path", "to", "reason", "sources")
+    },
     **{f"Acceptance.{name}": "it judges changes, and is none" for name in ("rule", "path", "reason", "date", "since")},
     "RegisterGroup.space": "it is that of its registers",
     "RegisterGroup.ascending": "it says how the table is checked, nothing about the device",
@@ -100,7 +113,7 @@ def devices() -> tuple[Device, ...]:
     """The newest versions of the made-up devices, which use every feature of the language."""
     files = {path.relative_to(TEST_SPECS).as_posix(): path.read_bytes() for path in TEST_SPECS.rglob("*.yaml")}
     project = read(files)
-    specs = (*project.devices.values(), gadget(MORE))
+    specs = (*project.devices.values(), gadget(MORE, **{"gadget/versions_2": OVERLAY}))
     return tuple(spec.at(spec.versions()[-1])[0] for spec in specs)
 
 

@@ -12,7 +12,7 @@ from fieldspec.reading.nodes import Mapping, Node, Scalar, ScalarValue, Sequence
 from fieldspec.reading.project import read
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.yaml_reader import decoded, key_span, parsed
-from fieldspec.render.text import rendered
+from fieldspec.render.finding_text import rendered
 from spec_files import DEVICE, pointed_at, project, unmarked
 
 WRONG = object()

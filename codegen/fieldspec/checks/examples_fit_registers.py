@@ -33,7 +33,8 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
     refused = {reply.reply_to for reply in device.examples.values() if reply.exception_response}
     for example in device.examples.values():
         message = device.messages.get(example.message)
-        access = device.register_access(message) if message is not None else None
+        bits = device.bit_access(message) if message is not None else None
+        access = bits or (device.register_access(message) if message is not None else None)
         if message is None or access is None or example.exception_response or example.refused:
             continue
         if example.id in refused:
@@ -45,7 +46,8 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
         if example.direction == "request":
             yield from _accessed(device, addresses, access, start, message, example)
         writes = access.operation == "write"
-        for address, occupant, number in addresses.counts(access.space, start, _words(device, message, example)):
+        words = _words(device, message, example) if bits is None else _bits(device, message, bits, example, asked)
+        for address, occupant, number in addresses.counts(access.space, start, words):
             yield from _valued(occupant, address, number, legal, writes, example)
 
 
@@ -80,6 +82,21 @@ def _number(device: Device, message: Message, name: str, example: Example) -> in
     """The count of a field of the request."""
     field = next((field for field in message.request.fields if field.name == name), None)
     return in_counts(device, field.value, example.values.get(name)) if field is not None and field.value else None
+
+
+def _bits(
+    device: Device, message: Message, access: RegisterAccess, example: Example, asked: Example | None
+) -> list[int]:
+    """The bits that an example carries; none if it carries none, or if they cannot be read."""
+    if (access.operation == "read") != (example.direction == "response"):
+        return []
+    value = example.values.get(access.values)
+    if access.set is not None:
+        return [{access.set: 1, access.clear: 0}[value]] if value in (access.set, access.clear) else []
+    count = _number(device, message, access.count, asked) if asked is not None else None
+    if not isinstance(value, list) or not all(isinstance(byte, int) and 0 <= byte <= 0xFF for byte in value):
+        return []
+    return [byte >> place & 1 for byte in value for place in range(8)][:count]
 
 
 def _words(device: Device, message: Message, example: Example) -> list[int]:

@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, range_key
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.address_space import BIT
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Place
 from fieldspec.model.value import Kind, Value
@@ -29,6 +30,7 @@ _UNFIT = {
     Kind.TEXT: (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit"),
     Kind.BYTES: (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit"),
 }
+_OF_BITS = ("const", "byte_order", "range", "unit")
 _HELP = {
     Kind.FLOAT: "remove it, or use an integer type",
     Kind.BOOLEAN: "remove it, or use an integer type",
@@ -40,7 +42,8 @@ _HELP = {
 def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         kind = value.type.kind
-        for key in _UNFIT.get(kind, ()):
+        more = _OF_BITS if value.type.name == BIT else ()
+        for key in (*_UNFIT.get(kind, ()), *more):
             if _has(value, key):
                 text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
                 yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, _HELP[kind])

@@ -11,7 +11,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
-from fieldspec.model.quantity import count_of, quantity_of
+from fieldspec.model.quantity import count_of, number_of, quantity_of
 from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind, Value
 
@@ -137,13 +137,15 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
         if named is not None:
             if not named.is_nan:
                 return float(named.value)
-            number: float = struct.unpack(f">{value.type.letter}", named.value.to_bytes(value.size, "big"))[0]
-            return number
+            nan: float = struct.unpack(f">{value.type.letter}", named.value.to_bytes(value.size, "big"))[0]
+            return nan
         quantity = _in_unit_of(device, value, entered)
-        try:
-            return float(entered if quantity is None else quantity)
-        except (TypeError, ValueError, OverflowError):
-            raise MeaningError(path, f"`{entered}` is no number") from None
+        if quantity is not None:
+            return float(quantity)
+        number = entered if isinstance(entered, float) else number_of(str(entered))
+        if number is None:
+            raise MeaningError(path, f"`{entered}` is no number; write it as `0.5` or `2.5e-3`")
+        return number
     if isinstance(entered, int) and not isinstance(entered, bool):
         return entered
     if isinstance(entered, str):

@@ -57,7 +57,6 @@ _UNITS = {
 _BARE_SCALAR = re.compile(r"[A-Za-z][A-Za-z0-9_./-]*")
 
 _HEAD = """\
-# yaml-language-server: $schema=../../codegen/fieldspec/schema/spec.schema.json
 # Written from a list, and not verified. Compare each row with the manual, cite its section and line as the source, and
 # take `unverified` away. Then put the manual's own title, file and hash below, and add how frames look: `fieldspec new
 # device` shows it.

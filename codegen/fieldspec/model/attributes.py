@@ -15,7 +15,7 @@ from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Subindex, Table
 from fieldspec.model.task import Task
-from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note
+from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note, StatedChange
 from fieldspec.model.units import DeclaredUnit
 from fieldspec.model.value import Conversion, Signal
 
@@ -115,6 +115,7 @@ MODEL_CLASSES: dict[type, ModelClass] = {
             Content(Example, "examples"),
             Content(Erratum, "errata"),
             Content(Acceptance, "accepts"),
+            Content(StatedChange, "stated_changes"),
         ),
         ("name", "vendor", "title", "doc", "manual"),
         key=attrgetter("id"),
@@ -170,6 +171,7 @@ MODEL_CLASSES: dict[type, ModelClass] = {
         key=attrgetter("id"),
     ),
     Acceptance: ModelClass("accepted change", documentation=("rule", "path", "reason", "date", "since")),
+    StatedChange: ModelClass("stated change", documentation=("kind", "path", "to", "reason", "sources")),
 }
 """Every class whose objects a device contains, in lists of its own or of others."""
 

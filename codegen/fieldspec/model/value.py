@@ -91,6 +91,7 @@ PRIMITIVES = {
         Primitive("f64", Kind.FLOAT, 8, True, "d"),
         Primitive("bool8", Kind.BOOLEAN, 1, False, "B"),
         Primitive("bool16", Kind.BOOLEAN, 2, False, "H"),
+        Primitive("bit", Kind.BOOLEAN, 1, False, "B"),
         Primitive("text", Kind.TEXT, 0, False, "s"),
         Primitive("bytes", Kind.BYTES, 0, False, "s"),
     )

@@ -11,6 +11,14 @@ Example: a field with `type: text, length: 8, count: 4`.
 
 Cure: Exclude the output for the device (`--to`), or state the list as a record with one text and a `count`.
 """,
+    "plc_frames_supported": """The functions for controllers can build and check every frame of the device.
+
+Why: a controller that cannot compute a checksum neither sends a frame nor accepts one.
+
+Example: a link whose frames end with `algorithm: crc32_iso_hdlc`.
+
+Cure: Exclude the output for the device (`--to`).
+""",
     "plc_images_exact": """A struct that overlays process data has its members at the offsets of the wire, and
 no extra bytes.
 

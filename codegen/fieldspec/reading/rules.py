@@ -158,6 +158,14 @@ Example: `fact: registers/sped`, or a register that only another version line ha
 
 Cure: Correct the path, or base the version on one that has the fact.
 """,
+    "overlay_removal_incomplete": """What is about a fact goes with it: errata, examples, notes and tasks.
+
+Why: they would be about something that the version does not have.
+
+Example: `removes: [{fact: registers/speed, ...}]` where an erratum is about `registers/speed`.
+
+Cure: Remove them in the same file, or change what they are about.
+""",
     "overlay_name_taken": """A fact that a version file adds or renames has a name that is not in use.
 
 Why: two facts with the same name in one list cannot be distinguished.

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
+from fieldspec.backends.c.enums import enum_implies_range, enum_type, unknown_value_test
 from fieldspec.backends.c.expressions import (
+    IN,
+    OUT,
+    VALUE,
     ZERO,
     Call,
     Cast,
@@ -11,6 +14,7 @@ from fieldspec.backends.c.expressions import (
     Element,
     Expression,
     Group,
+    Identifier,
     Literal,
     Type,
     all_of,
@@ -18,6 +22,7 @@ from fieldspec.backends.c.expressions import (
     at_least,
     at_most,
     decimal,
+    dereference,
     different,
     equal,
     greater,
@@ -44,6 +49,7 @@ _TYPES = {
     "f64": "double",
     "bool8": "bool",
     "bool16": "bool",
+    "bit": "bool",
 }
 _NUL = Literal("'\\0'")
 
@@ -99,6 +105,12 @@ def declare_value(wire: WireValue, name: str, count: int | None = None, const: b
     elif wire.kind is Kind.BYTES:
         dimensions = (*dimensions, decimal(wire.size))
     return Variable(Type(type_name(wire.value), const=const), name, dimensions)
+
+
+def accessed_type(naming: Naming, device: Device, value: Value) -> str:
+    """The type of a value as a parameter or a result: that of its closed enum, where it may have it."""
+    enum = enum_type(device, value)
+    return type_name(value) if enum is None else naming.type("enum", enum.name)
 
 
 def access_name(size: int, order: str, swapped: bool) -> str:
@@ -241,6 +253,17 @@ def decode_value(naming: Naming, device: Device, wire: WireValue, source: Expres
     return (*load_value(naming, wire, source, target), *checks)
 
 
+def decode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
+    """`*out = (stop_mode)number;`: a number is checked before it becomes a member of its enum."""
+    number = Identifier("number")
+    member = Cast(accessed_type(naming, device, wire.value), number)
+    return (
+        Variable(Type(type_name(wire.value), const=True), number.name, value=load(naming, wire, IN)),
+        *check_loaded(naming, device, wire, IN, number),
+        Assignment(dereference(OUT), member),
+    )
+
+
 def check_constant(naming: Naming, wire: WireValue, source: Expression) -> Body:
     """`if (load_u8(in + 4) != 3u) { return ERR_WRONG_CONST; }`"""
     assert wire.value.const is not None
@@ -258,12 +281,17 @@ def check_stored(naming: Naming, device: Device, wire: WireValue, source: Expres
         return refuse(naming, negate(text_test), "err_unknown_value")
     if wire.kind not in (Kind.INTEGER, Kind.FLOAT):
         return ()
+    return _check_known(naming, device, wire, source) + _check_range(naming, device, wire, source)
+
+
+def _check_known(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
     unknown = unknown_value_test(naming, device, wire.value, source)
+    return refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()
+
+
+def _check_range(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
     outside = None if enum_implies_range(device, wire.value) else out_of_range_test(wire.value, source)
-    return (
-        *(refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()),
-        *(refuse(naming, outside, "err_out_of_range") if outside is not None else ()),
-    )
+    return refuse(naming, outside, "err_out_of_range") if outside is not None else ()
 
 
 def store_value(naming: Naming, wire: WireValue, source: Expression, target: Expression) -> Body:
@@ -286,6 +314,23 @@ def store_value(naming: Naming, wire: WireValue, source: Expression, target: Exp
 def encode_value(naming: Naming, device: Device, wire: WireValue, source: Expression, target: Expression) -> Body:
     """Checks the value `source` and writes it at `target`."""
     return (*check_stored(naming, device, wire, source), *store_value(naming, wire, source, target))
+
+
+def encode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
+    """`store_u16_be(out, (uint16_t)value);`: checks a member of an enum, as a cast makes one of any number.
+
+    A range that leaves out members is tested on a variable: gcc warns of bounds that the type of the enum implies.
+    """
+    number = Identifier("number")
+    range_check = _check_range(naming, device, wire, number)
+    # No signed type that is too small for what a cast may have made of it.
+    kind = "int64_t" if wire.value.type.signed else type_name(wire.value)
+    return (
+        *((Variable(Type(kind, const=True), number.name, value=Cast(kind, VALUE)),) if range_check else ()),
+        *_check_known(naming, device, wire, VALUE),
+        *range_check,
+        store(naming, wire.access, OUT, Cast(f"uint{8 * wire.size}_t", VALUE)),
+    )
 
 
 def store_constant(naming: Naming, wire: WireValue, number: int, target: Expression) -> Body:

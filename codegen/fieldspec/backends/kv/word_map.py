@@ -83,7 +83,7 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
     place: Cells = {"area": area.name, "device": dialect.device(base + word), "word": word}
     if placed_value.elements > 1:
         place |= {"elements": placed_value.elements, "stride": placed_value.stride // area.unit}
-    where = _where(area, placed_value)
+    where = _place_cells(area, placed_value)
     row = (
         place
         | where
@@ -132,7 +132,7 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
         }
 
 
-def _where(area: Area, placed_value: PlacedValue) -> Cells:
+def _place_cells(area: Area, placed_value: PlacedValue) -> Cells:
     """Where a value is on the wire: the address of its first register, or its first byte."""
     if area.address is None:
         return {"byte": placed_value.start}
@@ -191,14 +191,13 @@ def _source(fact: Fact) -> str | None:
 
 
 _LETTERS = re.compile("[A-Za-z]+")
-_FOREIGN = {"°C": "degC"}
 
 
-def comment_rows(base: int, area: Area, dialect: WordDialect) -> Iterator[tuple[str, str]]:
-    """Devices and their comments, for an area whose first word has the number `base`."""
+def comment_rows(model: Device, base: int, area: Area, dialect: WordDialect) -> Iterator[tuple[str, str]]:
+    """Memory devices and their comments, for an area of `model` whose first word has the number `base`."""
     texts: dict[int, dict[str, str]] = {}
     for placed_value in area.values:
-        unit = _scaled(placed_value)
+        unit = _scaled(model, placed_value)
         for name, start in placed_value.names():
             first, last = start // area.unit, (start + max(placed_value.size, 1) - 1) // area.unit
             texts.setdefault(first, {}).setdefault(name, unit)
@@ -210,12 +209,13 @@ def comment_rows(base: int, area: Area, dialect: WordDialect) -> Iterator[tuple[
             yield device, _fitted(area.tag, names, dialect.width)
 
 
-def _scaled(placed_value: PlacedValue) -> str:
+def _scaled(model: Device, placed_value: PlacedValue) -> str:
     """What one count is worth: `0.01mm`."""
     value = placed_value.value
     if value is None or not value.unit:
         return ""
-    unit = _FOREIGN.get(value.unit, value.unit)
+    known = model.unit(value.unit)
+    unit = known.ascii_symbol if known is not None else value.unit
     return f"{value.scale_text}{unit}" if value.scaled else unit
 
 

@@ -42,7 +42,9 @@ _STANDARD = (
     ("_StructError", "struct", "error"),
 )
 _SHARED = {
+    "_bits": "BitArray packed_bits single_bit unpacked_bits",
     "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
+    "_checksums": "Crc Sum Xor",
     "_choices": "Choice",
     "_codes": "by_number by_printed_name",
     "_conversions": (

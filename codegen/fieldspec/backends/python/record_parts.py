@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.backends.fact_texts import availability, described, printed, sentence
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.registers import value_facts
 from fieldspec.backends.python.scaling import ratio
 from fieldspec.backends.python.slots import Slots
-from fieldspec.backends.python.text import availability, described, literal, printed, sentence
+from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.value import Kind, Primitive, Ranges, merged

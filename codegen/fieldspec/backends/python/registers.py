@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.fact_texts import described
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.scaling import quantity, ratio
 from fieldspec.backends.python.slots import Words
-from fieldspec.backends.python.text import described, docstring, literal
+from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.record import RegisterLayout
+from fieldspec.model.address_space import BIT
 from fieldspec.model.value import Kind, Ranges, Value
 from fieldspec.names import Name
 
@@ -127,6 +129,7 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
     """
     register = layout.register
     name = scope.take(Name.of(layout.name).upper())
+    is_bit = register.value.type.name == BIT
     value = register_value(register.value, 2 * layout.words, layout.order, layout.swapped, words, register.trigger)
     arguments = [literal(layout.name), f"0x{layout.address:04X}", str(layout.words), value, literal(register.access)]
     if layout.count > 1:
@@ -143,11 +146,11 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
     facts = [
         f"0x{layout.address:04X}",
         *([f"in {space}"] if space else []),
-        f"{layout.words} word{'s' if layout.words > 1 else ''}",
+        "1 bit" if is_bit else f"{layout.words} word{'s' if layout.words > 1 else ''}",
     ]
     if register.access:
         facts.append(ACCESS[register.access])
-    facts.append(register.value.type.name)
+    facts += [] if is_bit else [register.value.type.name]
     facts += value_facts(register.value)
     if register.restart:
         facts.append("takes effect after a restart")
@@ -165,7 +168,8 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
         last = register.index_from + layout.count - 1
         facts.append(f"{layout.count} of them, {register.index_from} to {last}")
     doc = docstring(described(Name.of(layout.name).title(), register, f"{', '.join(facts)}."))
-    return RegisterView(name, f"{'_RegisterArray' if layout.count > 1 else '_Register'}({', '.join(arguments)})", doc)
+    kind = "_Register" if layout.count == 1 else "_BitArray" if is_bit and layout.stride == 1 else "_RegisterArray"
+    return RegisterView(name, f"{kind}({', '.join(arguments)})", doc)
 
 
 def table_view(layout: TableLayout, words: Words, order: str, scope: Scope, space: str = "") -> TableView:

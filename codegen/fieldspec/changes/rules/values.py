@@ -143,10 +143,10 @@ def sentinel_changed(comparison: Comparison) -> Iterator[Change]:
 
     for value_pair in comparison.values:
         if value_pair.old.sentinels != value_pair.new.sentinels:
-            yield from _compared(value_pair)
+            yield from _compare_sentinels(value_pair)
 
 
-def _compared(value_pair: ValuePair) -> Iterator[Change]:
+def _compare_sentinels(value_pair: ValuePair) -> Iterator[Change]:
     name = named(value_pair.of.new)
     old, new = (
         {(sentinel.value, sentinel.text): sentinel.name for sentinel in value.sentinels}

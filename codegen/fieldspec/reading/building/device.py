@@ -61,6 +61,7 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
             examples=_by_name(root, "examples", texts.example, reused, "id"),
             errata=tuple(_by_name(root, "errata", texts.erratum, reused, "id").values()),
             accepts=tuple(texts.acceptance(entry) for entry in root.named("accepts", "accepts")),
+            stated_changes=tuple(texts.stated_change(entry) for entry in root.named("changes", "changes")),
         ),
         findings,
     )
