@@ -53,16 +53,19 @@ HOMES = {
     "argparse": ("cli.py", "commands/"),
     "rich": ("commands/",),
     "shtab": ("commands/",),
-    "os": ("cli.py", "commands/"),
+    "os": ("cli.py", "commands/", "carriers/"),
     "shutil": ("commands/",),
     "tempfile": ("commands/",),
     "subprocess": ("commands/",),
-    "socket": (),
+    "socket": ("carriers/",),
+    "serial": ("carriers/",),
+    "textual": ("commands/",),
     "platform": (),
     "getpass": (),
     "datetime": ("lists/packing.py",),  # workbooks have one that is the same in all of them
-    "time": ("commands/build.py", "commands/audit_files.py"),  # a review records the date of the day
-    "random": (),
+    # A review records the date of the day, and a simulation runs by a clock.
+    "time": ("commands/build.py", "commands/audit_files.py", "simulator/clock.py"),
+    "random": ("simulator/faults.py",),
     "uuid": ("backends/twincat/",),  # identifiers are computed from names and equal in every build
     "pickle": (),
     "jsonschema": (),

@@ -7,6 +7,7 @@ import textwrap
 from collections.abc import Iterator
 
 from fieldspec.audit.rules import RULES as OF_AUDITS
+from fieldspec.behaviour.rules import RULES as OF_BEHAVIOURS
 from fieldspec.changes import RULES as OF_CHANGES
 from fieldspec.checks import CHECKS
 from fieldspec.checks.allowances_used import allowances_used
@@ -20,6 +21,7 @@ _PARTS = ("Why: ", "Example: ", "Cure: ")
 _TITLES = {
     "reading": "Rules for files",
     "checks": "Rules for a device",
+    "behaviours": "Rules for what a device does over time",
     "proofs": "Rules for examples and errata",
     "outputs": "Rules for what outputs for controllers can express",
     "audits": "Rules for a spec compared with its manual",
@@ -128,6 +130,8 @@ def _rules() -> Iterator[Rule]:
         yield _parsed(code, "reading", text)
     for code, check in (*CHECKS, ("allowances_used", allowances_used)):
         yield check_rule(code, check)
+    for code, text in OF_BEHAVIOURS.items():
+        yield _parsed(code, "behaviours", text)
     for code, text in OF_PROOFS.items():
         yield _parsed(code, "proofs", text)
     for code, text in OF_CONTROLLERS.items():

@@ -85,7 +85,7 @@ class Span:
 
 @dataclass(frozen=True, slots=True)
 class Occupant:
-    """What is at an address: a register, or a field in an element of a table."""
+    """What is at an address: a register, or a field in an element of a table. Its bytes begin after `skip` bytes."""
 
     address: int
     words: int
@@ -99,6 +99,7 @@ class Occupant:
     reserved: bool
     atomic: bool = False
     trigger: bool = False
+    skip: int = 0
 
 
 def accessed(
@@ -137,9 +138,9 @@ def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) 
 
     `operation` is `read` or `write`. Registers that do not allow it have a note.
     """
-    occupants = sorted(_occupants(layout, span), key=lambda occupant: occupant.address)
+    present = sorted(occupants(layout, span), key=lambda occupant: occupant.address)
     at = span.address
-    for occupant in occupants:
+    for occupant in present:
         if occupant.address > at:
             yield _unlisted(layout, span, at, occupant.address, spot)
         at = max(at, occupant.address + occupant.words)
@@ -152,7 +153,7 @@ def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) 
 
 def forbidden(layout: DeviceLayout, span: Span, operation: str) -> str:
     """Why the words of a span cannot be read or written; empty if all of them can, as far as the spec says."""
-    for occupant in sorted(_occupants(layout, span), key=lambda occupant: occupant.address):
+    for occupant in sorted(occupants(layout, span), key=lambda occupant: occupant.address):
         why = FORBIDS.get((operation, occupant.access))
         if why:
             return f"{occupant.path} at 0x{occupant.address:04X} {why}"
@@ -161,11 +162,12 @@ def forbidden(layout: DeviceLayout, span: Span, operation: str) -> str:
 
 def occupant_at(layout: DeviceLayout, space: str, address: int) -> Occupant | None:
     """The register or the field of a table's element that begins at an address of a space; None if there is none."""
-    occupants = _occupants(layout, Span(space, address, 1, 0, b""))
-    return next((occupant for occupant in occupants if occupant.address == address), None)
+    at_address = occupants(layout, Span(space, address, 1, 0, b""))
+    return next((occupant for occupant in at_address if occupant.address == address), None)
 
 
-def _occupants(layout: DeviceLayout, span: Span) -> Iterator[Occupant]:
+def occupants(layout: DeviceLayout, span: Span) -> Iterator[Occupant]:
+    """The registers, and the fields of tables, that share words with a span, in the order of the spec."""
     device = layout.device
     own = device.space_name(span.space)
     for register in layout.registers:
@@ -237,6 +239,8 @@ def _field(table_layout: TableLayout, field: FieldLayout, base: int, item: int, 
         field.swapped,
         table_layout.access(field.field),
         field.field.reserved,
+        atomic=field.field.atomic,
+        skip=first % 2,
     )
 
 

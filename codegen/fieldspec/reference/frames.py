@@ -184,6 +184,18 @@ class FrameCodec:
             numbers[check.name] = _checksum(check, self._joined(direction, numbers, inner))
         return self._marked(self._joined(direction, numbers, inner))
 
+    def with_checksum(self, direction: str, parts: bytes) -> bytes:
+        """The binary form of a frame with the checksums that are right for its other parts."""
+        shape = self.link.frame(direction)
+        for check in shape.checksums:
+            at = check.at(len(parts))
+            parts = parts[:at] + check.checksum(parts) + parts[at + check.size :]
+        return parts
+
+    def joined_parts(self, parts: bytes) -> bytes:
+        """The frame of its binary form: as characters where the link has them, between its delimiters."""
+        return self._marked(parts)
+
     def _joined(self, direction: str, numbers: Values, body: bytes) -> bytes:
         """The parts of a frame as bytes."""
         head, tail = self.heads[direction].build(numbers), self.tails[direction].build(numbers)

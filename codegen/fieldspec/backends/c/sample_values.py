@@ -141,6 +141,8 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
 
 def _fixed_value(field: FieldLayout) -> Any:
     """What a field has that no user sets."""
+    if field.record is not None:
+        return [{}] * (field.count or 1) if field.is_list else {}
     assert field.value is not None
     default = field.value.default if isinstance(field.value.default, int) else 0
     value: Any = field.value.const if field.value.const is not None else default
@@ -154,7 +156,7 @@ def _measured_size(record: RecordLayout, field: FieldLayout, values: dict[str, A
     assert measure is not None
     other = record.named(measure.field)
     assert other is not None
-    items = len(values[other.name]) if other.is_list else 1
+    items = len(values[other.name]) if other.field.repeat is not None else other.count or 1
     return items * other.size if measure.of == "bytes" else items
 
 

@@ -30,8 +30,8 @@ IMPORTS = {
     "register": ("readRequestsOf", "register", "registerArray", "table", "valueOf", "writeRequestsOf"),
     "values": (
         "bitsOf",
-        "bitsOfDouble",
         "booleanOf",
+        "doubleBitsOf",
         "doubleOf",
         "floatOf",
         "listLength",

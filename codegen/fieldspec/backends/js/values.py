@@ -39,11 +39,6 @@ class Slot:
         return self.value.type.kind is Kind.INTEGER and self.size > 6
 
     @property
-    def in_bigint(self) -> bool:
-        """Whether its bytes are joined to a bigint, as those of a floating-point number of 64 bits are too."""
-        return self.wide or (self.value.type.kind is Kind.FLOAT and self.size > 6)
-
-    @property
     def places(self) -> tuple[int, ...]:
         """The places of its bytes, the most significant one first."""
         places = list(range(self.size))
@@ -78,7 +73,7 @@ class Slot:
     def stored(self, number: str, base: str, offset: int) -> list[str]:
         """The statements that write a number, given by the name of a variable."""
         at = [byte(base, offset + place) for place in reversed(self.places)]
-        if self.in_bigint:
+        if self.size > 6:
             return [
                 f"{target} = Number({number if not k else f'({number} >> {8 * k}n)'} & 255n);"
                 for k, target in enumerate(at)
@@ -155,7 +150,7 @@ class Slot:
             return Reading((), f"b.slice({at}, {place(base, offset + self.size)})")
         number = self.number(base, offset)
         if kind is Kind.FLOAT:
-            return Reading((), f"{'doubleOf' if self.in_bigint else 'floatOf'}({number})")
+            return Reading((), f"{'doubleOf' if self.size == 8 else 'floatOf'}({number})")
         if kind is Kind.BOOLEAN:
             return Reading((), f"booleanOf({name}, {number}, {at})", throws=True)
         checks = list(self._checks(variable, at))
@@ -188,7 +183,7 @@ class Slot:
             return [f"const {raw} = numberOf({name}, {variable});", *self.stored(raw, base, offset)]
         if kind is Kind.FLOAT:
             arguments = f"{name}, {variable}, {self._float_ranges()}"
-            function = "bitsOfDouble" if self.in_bigint else "bitsOf"
+            function = "doubleBitsOf" if self.size == 8 else "bitsOf"
             return [f"const {raw} = {function}({arguments});", *self.stored(raw, base, offset)]
         return [self._refusal(variable), *self.stored(variable, base, offset)]
 

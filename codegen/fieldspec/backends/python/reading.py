@@ -23,7 +23,7 @@ def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
         return []
     star = "*" if field.is_list or field.decided else ""
     if field.field.field.reserved and not field.field.field.measures:
-        return [f"{star}_"]
+        return ["_"] * field.parted or [f"{star}_"]
     if (field.is_raw or field.deferred) and field.stored and not bound:
         return [f"{star}{owner}.{field.slot}"]
     if field.parted:

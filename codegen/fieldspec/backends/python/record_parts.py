@@ -11,7 +11,7 @@ from fieldspec.backends.python.scaling import ratio
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.writing import pairs, tuple_of
-from fieldspec.layout.record import RecordLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Kind, Primitive, Ranges, merged
 
 
@@ -22,8 +22,15 @@ def column_lines(shaped: RecordShape) -> list[str]:
     return [
         f"Column({', '.join([literal(field.name) if field.stored else literal(''), *_arguments(shaped, field)])})"
         for field in shaped.fields
-        if field.stored or field.constant is not None or field.field.field.measures
+        if _is_column(field.field)
     ]
+
+
+def _is_column(field: FieldLayout) -> bool:
+    """Whether a field has values or tests: it is not reserved, and of a record not all fields are."""
+    if field.record is not None:
+        return any(map(_is_column, field.record.fields))
+    return not field.field.reserved or field.field.measures is not None
 
 
 def _arguments(shaped: RecordShape, field: Slots) -> Iterator[str]:

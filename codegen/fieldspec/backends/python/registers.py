@@ -61,7 +61,7 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
         more.append(f"others={tuple_of(sentinel.value for sentinel in value.sentinels)}")
     if value.enum:
         enum = words.enums[value.enum]
-        if any_answer:
+        if any_answer and not enum.open:
             return _call("_Trigger", letters, [literal(enum.title), enum.table, *more])
         if not enum.open and value.sentinels:
             more.append("closed=True")
@@ -185,8 +185,9 @@ def table_view(layout: TableLayout, words: Words, order: str, scope: Scope, spac
         f"count={table.count}",
         f"first={table.index_from}",
     ]
-    if table.access:
-        arguments.append(f"access={literal(table.access if layout.writable else 'ro')}")
+    access = table.access if layout.writable else "ro"
+    if access:
+        arguments.append(f"access={literal(access)}")
     if order == "little":
         arguments.append('order="<"')
     if space:
