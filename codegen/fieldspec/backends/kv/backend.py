@@ -68,7 +68,7 @@ _NOT_EXACT = {
     "wide_numbers": lossy("are words; no instruction of the KV takes them"),
     "wide_lists": lossy("are words; no instruction of the KV takes them"),
     "choices": lossy("stand once for each type, with the values that decide it"),
-    "other_frames": lossy("are words to fill in and to compare; nothing sums and compares them"),
+    "other_frames": lossy("are words to fill in and to compare; nothing escapes, sums and compares them"),
     "frames": lossy("are words to fill in and to compare; nothing sums and compares them"),
     "orders": lossy("are said for each value; the ladder turns words and bytes"),
     "scales": lossy(_TABLE),
