@@ -27,7 +27,7 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
         other = registers.get(register.same_as)
         if other is not None:
-            yield from _compared(f"{register.name} is {other.name}", register, register.value, other, other.value)
+            yield from _compare_values(f"{register.name} is {other.name}", register, register.value, other, other.value)
     for record in device.records.values():
         alike = device.records.get(record.same_as)
         for field in record.fields:
@@ -46,10 +46,10 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
 
 def _echo(field: Field | Part, same: Field | Part | None, text: str) -> Iterator[Diagnostic]:
     if same is not None and field.value is not None and same.value is not None:
-        yield from _compared(text, field, field.value, same, same.value)
+        yield from _compare_values(text, field, field.value, same, same.value)
 
 
-def _compared(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> Iterator[Diagnostic]:
+def _compare_values(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> Iterator[Diagnostic]:
     for key, mine, theirs in (
         ("type", (value.type.name, value.size), (same.type.name, same.size)),
         ("scale", (value.scale, value.offset), (same.scale, same.offset)),

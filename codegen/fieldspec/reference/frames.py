@@ -49,7 +49,7 @@ class FrameCodec:
         }
 
     def parts(self, frame: bytes) -> bytes:
-        """A frame without its marks, as bytes instead of characters."""
+        """A frame without its delimiters, as bytes instead of characters. Raises CodecError."""
         link = self.link.link
         if not frame.startswith(link.start):
             raise CodecError("wrong_mark", f"the frame does not start with {link.start.hex(' ')}", 0)
@@ -211,11 +211,29 @@ class FrameCodec:
             numbers[check.name] = _checksum(check, self._joined(direction, numbers, inner, _is_sent(shape, check)))
         return self._marked(self._joined(direction, numbers, inner, True))
 
+    def with_checksum(self, direction: str, parts: bytes) -> bytes:
+        """The binary form of a frame with the checksums that are right for its other parts."""
+        shape = self.link.frame(direction)
+        for check in shape.checksums:
+            at = check.at(len(parts))
+            data = self._escaped(shape, parts) if _is_sent(shape, check) else parts
+            parts = parts[:at] + check.checksum(data) + parts[at + check.size :]
+        return parts
+
+    def joined_parts(self, direction: str, parts: bytes) -> bytes:
+        """The frame of its binary form: escaped, as characters where the link has them, between its delimiters."""
+        return self._marked(self._escaped(self.link.frame(direction), parts))
+
     def _joined(self, direction: str, numbers: Values, body: bytes, is_sent: bool) -> bytes:
         """The parts of a frame as bytes, escaped where they are sent so."""
         head, tail = self.heads[direction].build(numbers), self.tails[direction].build(numbers)
-        data, shape = bytes(head + body + tail), self.link.frame(direction)
-        if shape.escape is None or not is_sent:
+        data = bytes(head + body + tail)
+        return self._escaped(self.link.frame(direction), data) if is_sent else data
+
+    @staticmethod
+    def _escaped(shape: FrameLayout, data: bytes) -> bytes:
+        """What is sent for the bytes of the parts."""
+        if shape.escape is None:
             return data
         start, stop = shape.escape_start, len(data) + (shape.escape_stop or 0)
         return data[:start] + escaped(shape.escape, data[start:stop]) + data[stop:]

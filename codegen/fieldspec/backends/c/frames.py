@@ -95,7 +95,7 @@ def part_pointer(pointer: Expression, part: PartLayout, total: Expression) -> Ex
 
 def declare_link(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[Declaration]:
     """The structs of opened frames, and the functions that open and close frames."""
-    declarations: list[Declaration] = [describe_fact(link.link, f"A frame is {_describe_form(link)}.")]
+    declarations: list[Declaration] = [describe_fact(link.link, f"Frames are {_describe_form(link)}.")]
     if is_wrapped(link):
         declarations += [*declare_unwrap(naming, link), BLANK]
     for direction in DIRECTIONS:
@@ -106,11 +106,12 @@ def declare_link(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list
 
 
 def _describe_form(link: LinkLayout) -> str:
-    text = "bytes" if link.link.encoding == "binary" else "hexadecimal characters"
-    start = [f"from {link.link.start.hex(' ').upper()}"] if link.link.start else []
-    end = [f"to {link.link.end.hex(' ').upper()}"] if link.link.end else []
+    text = "binary" if link.link.encoding == "binary" else "hexadecimal characters"
+    start = [f"begin with {link.link.start.hex(' ').upper()}"] if link.link.start else []
+    end = [f"end with {link.link.end.hex(' ').upper()}"] if link.link.end else []
+    delimiters = " and ".join([*start, *end])
     escaped = ", escaped" if link.link.escape is not None else ""
-    return " ".join([text, *start, *end]) + escaped
+    return (f"{text}; they {delimiters}" if delimiters else text) + escaped
 
 
 def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[Declaration]:
@@ -120,13 +121,13 @@ def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[De
     for part in header_parts(frame):
         inside += [describe_fact(part.part), declare_value(part_value(part), frame_member(part.name))]
     if frame.role("code") is not None:
-        inside += [comment("The code, without the flag of an error reply."), Variable(CODE_TYPE, "code")]
+        inside += [comment("The code, without the flag of an exception response."), Variable(CODE_TYPE, "code")]
     if direction == "response" and link.link.exception_response is not None:
-        about = comment("The frame refuses a request; its body is an error record.")
+        about = comment("The frame is an exception response; its body is the record of the exception.")
         inside += [about, Variable(Type("bool"), "error")]
     inside += [Variable(INPUT_BYTES, "body"), Variable(SIZE_TYPE, "body_length")]
     return [
-        comment(f"An opened {direction}: what stands before the body, and where the body is."),
+        comment(f"An opened {direction}: its header, and where its body is."),
         Struct(naming.type("link", link.name, direction, "frame"), tuple(inside)),
     ]
 
@@ -144,7 +145,7 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
     parameters = [Variable(INPUT_BYTES, "frame"), Variable(SIZE_TYPE, "size")]
     body: list[Statement] = []
     if is_wrapped(link):
-        about.append("The buffer receives the frame's bytes, and the body lies in it.")
+        about.append("`buffer` receives the bytes of the frame, and the body points into it.")
         parameters += [Variable(OUTPUT_BYTES, "buffer"), Variable(SIZE_TYPE, "capacity")]
         received = Identifier("frame"), Identifier("size"), Identifier("buffer"), CAPACITY, address_of(LENGTH)
         body += [
@@ -293,7 +294,9 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     body += [assign(dereference(LENGTH), add_size(size, delimiters)), return_ok(naming)]
     name = naming.function("link", link.name, direction, "close")
     return [
-        comment(f"Completes a frame whose body lies at out + {frame.header_size}. Length receives the frame's size."),
+        comment(
+            f"Completes a frame whose body is at out + {frame.header_size}. `length` receives the size of the frame."
+        ),
         Function(status_type(naming), name, tuple(parameters), tuple(body)),
     ]
 

@@ -16,15 +16,15 @@ def station_facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
     if stations is None:
         return
     if stations.ranges is not None:
-        yield "Stations", ((text_piece(spoken(stations.ranges.text())),),)
+        yield "Unit addresses", ((text_piece(spoken(stations.ranges.text())),),)
     if stations.broadcast is not None:
-        yield "All stations", ((text_piece(str(stations.broadcast)),),)
+        yield "Broadcast address", ((text_piece(str(stations.broadcast)),),)
     if stations.rule:
-        yield "How a station is set", ((text_piece(stations.rule),),)
+        yield "How to set the unit address", ((text_piece(stations.rule),),)
     for note in stations.notes:
-        yield "Note on the stations", ((text_piece(note),),)
+        yield "Note on unit addresses", ((text_piece(note),),)
     if stations.sources:
-        yield "Source of the stations", (cited(stations.sources),)
+        yield "Source of unit addresses", (cited(stations.sources),)
 
 
 def serial_facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:

@@ -92,7 +92,8 @@ class FrameTable:
 
     def _mark(self, name: str, place: str, mark: bytes) -> Iterator[TableRow]:
         if mark:
-            yield self._row(place, cell(name), cell((code(mark.hex(" ").upper()), text_piece(f", the {name} mark"))))
+            delimiter = code(mark.hex(" ").upper()), text_piece(f", the {name} delimiter")
+            yield self._row(place, cell(name), cell(delimiter))
 
     def _end(self, record: RecordLayout | None) -> str:
         """The place of the end mark, counted from the end where the size of the body is open."""
@@ -153,13 +154,13 @@ class FrameTable:
         added = f", {'plus' if more > 0 else 'minus'} {abs(more)}" if more else ""
         number = part.number(around + record.size) if record is not None and record.size is not None else None
         fixed = "" if number is None else f": {number}"
-        return f"the number of {unit} {self._spanned(part)}{added}{fixed}"
+        return f"the number of {unit} {self._span_text(part)}{added}{fixed}"
 
     def _covered(self, part: PartLayout) -> str:
         """Over what a check is worked out."""
-        return "before it" if (part.start, part.stop) == (0, part.offset) else self._spanned(part)
+        return "before it" if (part.start, part.stop) == (0, part.offset) else self._span_text(part)
 
-    def _spanned(self, part: PartLayout) -> str:
+    def _span_text(self, part: PartLayout) -> str:
         """`from command to crc`: what a length counts or a check covers."""
         parts = self.link.link.parts(self.direction)
         first, last = self.link.link.span(self.direction, part.part) or (0, len(parts) - 1)
@@ -306,7 +307,7 @@ def _link(context: Context, link_layout: LinkLayout) -> Section:
     link = link_layout.link
     blocks = context.opening(link)
     blocks.append(Facts(tuple(_facts(link))))
-    if _alike(link):
+    if _has_equal_parts(link):
         frame = FrameTable(context, link_layout, "request", f"{link.place.path}/frame", "links/")
         blocks.append(frame.table("Requests and responses", None))
     else:
@@ -317,11 +318,11 @@ def _link(context: Context, link_layout: LinkLayout) -> Section:
         anchor = f"{link.place.path}/refusal-frame"
         body = context.layout.records[link.exception_response.record]
         frame = FrameTable(context, link_layout, "response", anchor, "")
-        blocks.append(frame.table("Responses that refuse a request", body))
+        blocks.append(frame.table("Exception responses", body))
     return Section(link.place.path, context.section_title(link.title or link.name, link), tuple(blocks))
 
 
-def _alike(link: Link) -> bool:
+def _has_equal_parts(link: Link) -> bool:
     """Whether requests and responses have the same parts."""
 
     def facts_of(part: Part) -> tuple[object, ...]:
