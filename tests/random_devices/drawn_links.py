@@ -40,8 +40,10 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
     """The parts of one direction: those before the body in any order, the body, those behind it."""
     before: list[Spec] = []
     behind: list[Spec] = []
+    kind = code.get("type") or f"u{draft.code_bits}"
+    if coded and draft.chance(25):
+        return _usual(draft, kind)
     if coded:
-        kind = code.get("type") or f"u{draft.code_bits}"
         before.append(_part(draft, "code", type=kind))
     if draft.chance(45):
         before.append(_part(draft, "unit_address", type=draft.pick(("u8", "u8", "u16"))))
@@ -65,6 +67,15 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
         if part["role"] == "checksum" and part["algorithm"] == "crc16_modbus" and draft.chance(30):
             part["byte_order"] = draft.pick(("big", "little"))
     return [{key: v for key, v in part.items() if (key, v) != ("role", "plain")} for part in line_of_parts]
+
+
+def _usual(draft: Draft, kind: str) -> list[Spec]:
+    """What most protocols have, for which outputs have code of their own: an address, a code, the body, a CRC."""
+    head = [_part(draft, "unit_address", type="u8"), _part(draft, "code", type=kind)]
+    if draft.chance(60):
+        low, high = bounds("u8")
+        head.insert(draft.number(0, 2), {**_part(draft, "plain", type="u8"), "const": draft.edge(low, high)})
+    return [*head, _part(draft, "body"), _part(draft, "checksum", algorithm="crc16_modbus")]
 
 
 def _part(draft: Draft, role: str, **keys: object) -> Spec:

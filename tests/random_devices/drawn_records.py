@@ -53,9 +53,11 @@ def fixed_field(draft: Draft, place: str = "field") -> tuple[Spec, int]:
 
 def body(draft: Draft, place: str = "field") -> list[Spec]:
     """The fields of a request or a response."""
-    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted"))
+    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted", "short"))
     if form == "empty":
         return []
+    if form == "short":
+        return [draft.fact(type=draft.pick(("u8", "u16"))) for _ in range(draft.number(1, 3))]
     fields = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0 if form != "fixed" else 1, 4))]
     if form == "repeat":
         return [*fields, _repeated(draft, fields)]

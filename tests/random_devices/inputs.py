@@ -165,12 +165,12 @@ def spoiled(frame: bytes, dice: random.Random) -> bytes:
     return bytes(data)
 
 
-def sealed(layout: DeviceLayout, link: str, frame: FrameLayout, data: bytes) -> bytes:
-    """Bytes of all parts as a frame with the right constants, length and checksum, so that the rest is decoded."""
+def sealed(layout: DeviceLayout, link: str, frame: FrameLayout, data: bytes, dice: random.Random) -> bytes:
+    """Bytes of all parts as a frame with the right length, checksum and mostly constants: the rest is decoded."""
     parts = bytearray(data)
     if len(parts) >= frame.header_size + frame.trailer_size:
         length, checksum = frame.role("length"), frame.checksum
-        for part in frame.constants:
+        for part in frame.constants if dice.random() < 0.7 else ():
             _put_part(parts, part, (part.constant or 0) & ((1 << 8 * part.size) - 1))
         number = length.number(len(parts)) if length is not None else None
         if length is not None and number is not None:

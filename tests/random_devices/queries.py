@@ -190,7 +190,7 @@ def _frame_queries(
         head_bytes = parts[: shape.header_size].ljust(shape.header_size, b"\0")
         tail = dice.randbytes(shape.trailer_size)
         parts = bytearray(head_bytes + body + tail)
-    yield Query("frame", (link, direction, asked), sealed(layout, link, shape, bytes(parts)))
+    yield Query("frame", (link, direction, asked), sealed(layout, link, shape, bytes(parts), dice))
 
 
 def record_queries(layout: DeviceLayout, dice: random.Random, count: int) -> Iterator[Query]:
