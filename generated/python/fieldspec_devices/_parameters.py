@@ -5,9 +5,10 @@ from __future__ import annotations
 from struct import Struct
 from struct import error as StructError
 
+from ._carried import Unknown
 from ._error import CodecError
 from ._typing import TYPE_CHECKING, Generic, T
-from ._values import Unknown, Value
+from ._values import Value
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence

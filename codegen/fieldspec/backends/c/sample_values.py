@@ -171,7 +171,8 @@ def value_bytes(value: Value, order: str, swapped: bool, item: Any) -> bytes:
     if kind in (Kind.TEXT, Kind.BYTES):
         data = item.encode("ascii") if isinstance(item, str) else bytes(item)
         return data.ljust(value.size, b"\0")
-    number = int.from_bytes(struct.pack(">f", item), "big") if kind is Kind.FLOAT else int(item)
+    is_float = kind is Kind.FLOAT
+    number = int.from_bytes(struct.pack(f">{value.type.letter}", item), "big") if is_float else int(item)
     words_little = (order == "little") != swapped
     data = (number & ((1 << 8 * value.size) - 1)).to_bytes(value.size, "little" if words_little else "big")
     if swapped:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from fieldspec.backends.fact_texts import described, places
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.naming import PARAMETERS, TYPES, Scope
 from fieldspec.backends.python.registers import ACCESS, register_value, value_facts
 from fieldspec.backends.python.requests import ParameterMessageView, parameter_messages
 from fieldspec.backends.python.slots import Words, value_type
-from fieldspec.backends.python.text import described, docstring, filled, literal, places
+from fieldspec.backends.python.text import docstring, filled, literal
 from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
@@ -230,7 +231,7 @@ def _row(
 
 
 def _letters(row: Parameter, carrier: FieldLayout | None, big: bool) -> str:
-    """The Struct that turns a value into the number in a message, in the order of its own Struct; empty where none can."""
+    """The Struct that turns a value into the number in a message, in its own order; empty where there is none."""
     if carrier is None or carrier.value is None:
         return ""
     letter = carrier.value.type.letter if carrier.size == row.value.size else row.value.type.letter
@@ -256,10 +257,10 @@ def _subindex(subindex: Subindex, orders: Orders, words: Words, trigger: bool) -
 def _type(row: Parameter, words: Words) -> str:
     """The type of the values of a parameter and of all its elements."""
     every = [row.value, *(subindex.value for subindex in row.subindices)]
-    return " | ".join(dict.fromkeys(_answered(value, words, row.trigger) for value in every))
+    return " | ".join(dict.fromkeys(_answer_value(value, words, row.trigger) for value in every))
 
 
-def _answered(value: Value, words: Words, trigger: bool) -> str:
+def _answer_value(value: Value, words: Words, trigger: bool) -> str:
     """The type of a parameter that is read: of a trigger, any number beside the members of a closed enum."""
     more = " | int" if value.as_answer(trigger).enum != value.enum and not value.sentinels else ""
     return value_type(value, words) + more
