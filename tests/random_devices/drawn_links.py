@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from fieldspec.schema import schema
 from random_devices.draft import Draft, Spec, bounds, range_text
 from random_devices.drawn_values import value
 
-ALGORITHMS = ("sum8", "crc16_modbus", "lrc")
+USUAL_CHECKSUMS = ("sum8", "crc16_modbus", "lrc")
+ALGORITHMS = tuple(schema()["$defs"]["algorithm"]["enum"])
 UNSIGNED = ("u8", "u16", "u32")
 
 
@@ -54,8 +56,8 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
     if counts:
         before.append(_part(draft, "length", type=draft.pick(("u16", "u8", "u32"))))
     if draft.chance(70):
-        checksum = _part(draft, "checksum", algorithm=draft.pick(ALGORITHMS))
-        (before if draft.chance(15) else behind).append(checksum)
+        for _ in range(draft.pick((1, 1, 1, 1, 2))):
+            (before if draft.chance(15) else behind).append(_checksum(draft))
     line_of_parts = [*_shuffled(draft, before), _part(draft, "body"), *_shuffled(draft, behind)]
     names = [part["name"] for part in line_of_parts]
     middle = next(at for at, part in enumerate(line_of_parts) if part["role"] == "body")
@@ -64,8 +66,6 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
             part["counts"] = _counts(draft, names, middle)
         if part["role"] == "checksum" and (draft.chance(40) or at < middle):
             part["covers"] = _covers(draft, names, at)
-        if part["role"] == "checksum" and part["algorithm"] == "crc16_modbus" and draft.chance(30):
-            part["byte_order"] = draft.pick(("big", "little"))
     return [{key: v for key, v in part.items() if (key, v) != ("role", "plain")} for part in line_of_parts]
 
 
@@ -81,6 +81,35 @@ def _usual(draft: Draft, kind: str) -> list[Spec]:
 def _part(draft: Draft, role: str, **keys: object) -> Spec:
     fact = draft.fact()
     return {**fact, "name": f"{role[:4]}_part_{draft.names}", "role": role, **keys}
+
+
+def _checksum(draft: Draft) -> Spec:
+    """A checksum by its name, or by its parameters, as bytes or as characters."""
+    part = _part(draft, "checksum")
+    if draft.chance(80):
+        part["algorithm"] = draft.pick(USUAL_CHECKSUMS if draft.chance(60) else ALGORITHMS)
+    elif draft.chance(60):
+        width = draft.pick((8, 16, 32, 12, 5, 64))
+        parameters: Spec = {"width": width, "polynomial": draft.number(1, (1 << width) - 1) | 1}
+        for key in ("initial", "final_xor"):
+            if draft.chance(50):
+                parameters[key] = draft.number(0, (1 << width) - 1)
+        for key in ("reflect_in", "reflect_out"):
+            if draft.chance(50):
+                parameters[key] = True
+        part["checksum"] = parameters
+    else:
+        method, width = draft.pick(("sum", "xor")), draft.pick((8, 16, 32))
+        part["checksum"] = {"method": method, "width": width}
+        if draft.chance(50):
+            part["checksum"]["complement"] = draft.pick(("ones", "twos"))
+        if draft.chance(30):
+            part["checksum"]["unit_size"] = draft.pick((1, 2, 4))
+    if draft.chance(15):
+        part["digits"] = draft.pick(("upper_hex", "lower_hex", "decimal"))
+    elif part.get("algorithm") not in ("sum8", "lrc", "xor8") and draft.chance(40):
+        part["byte_order"] = draft.pick(("big", "little"))
+    return part
 
 
 def _argument(draft: Draft) -> Spec:

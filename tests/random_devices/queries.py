@@ -111,7 +111,7 @@ def flat_value(value: Value, raw: Any) -> str:
     """A value as a text, with a semicolon behind it."""
     kind = value.type.kind
     if kind is Kind.FLOAT:
-        return "nan;" if math.isnan(raw) else struct.pack(">f", raw).hex() + ";"
+        return "nan;" if math.isnan(raw) else struct.pack(">f" if value.size == 4 else ">d", raw).hex() + ";"
     if kind is Kind.TEXT:
         return raw.partition("\0")[0].encode("ascii").hex() + ";"
     if kind is Kind.BYTES:
