@@ -7,7 +7,6 @@ import string
 import struct
 from typing import Any
 
-from fieldspec.layout.checksums import checksum as checksum_of
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
