@@ -3,7 +3,8 @@
 # make test-fast   the tests that take less than a minute together: no compilers, no browser, no large inputs
 # make test-night  all tests with other random inputs each time, and twenty times as many of them
 # make fuzz    fuzz the C headers of all devices at the same time, for a minute each
-# make plants  run the examples of docs/plc.md for a million random scans each, against simulated devices
+# make plants  run the examples of docs/plc.md and the blocks for a million random scans each, against simulated devices
+# make plc-sizes  write docs/plc-sizes.md: code and data of the function blocks on a Cortex-M3
 # make accept  rewrite the tests' expectations, with RULE=code those of one rule; read the difference before you commit it
 # make soak    kill builds at random moments, and strike faults at every operation on files, for some minutes
 # make dist    build the wheel and the sdist into dist/
@@ -27,7 +28,7 @@ UV := uv==0.13.8
 
 SBOM := build/sbom
 
-.PHONY: build test test-fast test-night fuzz plants accept soak dist sbom bench pins clean
+.PHONY: build test test-fast test-night fuzz plants plc-sizes accept soak dist sbom bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -66,7 +67,11 @@ sbom: dist
 	  --output-file dist/sbom.json $(SBOM)/environment
 
 plants: $(INSTALLED)
-	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py -k whatever_happens
+	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py tests/plc_output/test_device_blocks.py -k whatever_happens
+
+# Needs matiec, gcc-arm-none-eabi and libnewlib-arm-none-eabi.
+plc-sizes: $(INSTALLED)
+	$(BIN)/python benchmarks/plc_size.py
 
 accept: $(INSTALLED)
 	$(BIN)/pytest --accept $(if $(RULE),tests/test_cases.py tests/test_changes.py tests/test_rules.py -k "$(RULE) or page_of_")
