@@ -223,8 +223,11 @@ def numbered(tree: Mapping) -> list[tuple[Way, Mapping]]:
     return [(way, node) for way, node in of(tree, "parameters", keys=("name", "number")) if way[-2] == "rows"]
 
 
-def parts(role: str) -> Callable[[Mapping], list[tuple[Way, Mapping]]]:
-    return lambda tree: [(way, node) for way, node in of(tree, "links", keys=("role",)) if text(node, "role") == role]
+def parts(role: str, *keys: str) -> Callable[[Mapping], list[tuple[Way, Mapping]]]:
+    """The parts of frames with a role that have some keys."""
+    return lambda tree: [
+        (way, node) for way, node in of(tree, "links", keys=("role", *keys)) if text(node, "role") == role
+    ]
 
 
 def top(section: str, *keys: str) -> Callable[[Mapping], list[tuple[Way, Mapping]]]:
@@ -276,7 +279,7 @@ MUTATIONS: tuple[tuple[str, Mutation], ...] = (
     ("const_changed", setting(counts, "const", lambda node, chance: chance.randint(1, 99))),
     ("byte_order_changed", turned("byte_order")),
     ("byte_order_changed", turned("word_order")),
-    ("check_changed", setting(parts("checksum"), "algorithm", other_word(ALGORITHMS, "algorithm"))),
+    ("check_changed", setting(parts("checksum", "algorithm"), "algorithm", other_word(ALGORITHMS, "algorithm"))),
     ("framing_changed", setting(top("links", "encoding"), "encoding", other_word(("binary", "hex_ascii"), "encoding"))),
     ("framing_changed", setting(top("links"), "start", lambda node, chance: f"{chance.randint(16, 99)}")),
     ("framing_changed", setting(top("links"), "end", lambda node, chance: f"{chance.randint(16, 99)}")),

@@ -26,7 +26,7 @@ from fieldspec.lists.dump import dump
 from fieldspec.lists.text_sheet import text_sheet
 from fieldspec.pipeline import checked, layouts, load, refusals
 from fieldspec.reading.project import DeviceSpec
-from fieldspec.render.text import concise
+from fieldspec.render.finding_text import concise
 from fieldspec.rules import all_rules, rule
 from fieldspec.source import SourceFile
 

@@ -17,7 +17,7 @@ from fieldspec.changes import RULES, changes
 from fieldspec.changes.change import Change, Effect
 from fieldspec.model.device import Device
 from fieldspec.reading.project import read
-from fieldspec.render.changes_text import concise
+from fieldspec.render.changes_formats import concise
 
 CASES = Path(__file__).parent / "changes"
 FOLDERS = sorted(path for path in CASES.iterdir() if path.is_dir())

@@ -33,6 +33,8 @@ TEST_SPECS = Path(__file__).parent / "specs"
 
 # Features that the made-up devices lack.
 MORE = """
+versions:
+  - {line: firmware, builds: true, members: [{id: "1", source: L1}]}
 registers:
   - group: all
     rows:
@@ -51,6 +53,12 @@ accepts:
   - {rule: range_widened, path: registers/speed, reason: It turns faster now., date: 2026-01-31}
 """
 
+OVERLAY = """
+overlay: {id: "2", line: firmware, based_on: "1"}
+changes:
+  - {fact: registers/speed, set: {range: {was: 0..9, is: 0..10}}, reason: Faster.}
+"""
+
 SAMPLES: dict[Any, Any] = {
     str: "other",
     int: 1,
@@ -66,11 +74,17 @@ IGNORED = {
     "Device.id": "only versions of one device are compared",
     "Device.version": "it is what is compared",
     "Device.accepts": "it judges changes, and is none",
+    "Device.stated_changes": "it gives changes their reasons, and is none",
+    **{
+        f"StatedChange.{name}": "it gives changes their reasons, and is none"
+        for name in ("kind", "path", "to", "reason", "sources")
+    },
     **{f"Acceptance.{name}": "it judges changes, and is none" for name in ("rule", "path", "reason", "date", "since")},
     "RegisterGroup.space": "it is that of its registers",
     "RegisterGroup.ascending": "it says how the table is checked, nothing about the device",
     "*.allowed": "it is for checks, no output shows it",
     "*.place": "a place in the spec says nothing about the device",
+    "Subindex/Value.word_order": "it is that of the parameter",
     "Message/Record.name": "it is made from the name of the message",
     "Message/Record.printed_name": "it is that of the message",
     "Message/Record.label": "it is that of the message",
@@ -98,7 +112,7 @@ def devices() -> tuple[Device, ...]:
     """The newest versions of the made-up devices, which use every feature of the language."""
     files = {path.relative_to(TEST_SPECS).as_posix(): path.read_bytes() for path in TEST_SPECS.rglob("*.yaml")}
     project = read(files)
-    specs = (*project.devices.values(), gadget(MORE))
+    specs = (*project.devices.values(), gadget(MORE, **{"gadget/versions_2": OVERLAY}))
     return tuple(spec.at(spec.versions()[-1])[0] for spec in specs)
 
 
@@ -249,7 +263,7 @@ def test_every_attribute_of_the_model_is_compared_or_listed(holder: str, noun: t
 
 def test_the_made_up_devices_have_every_class_of_the_model() -> None:
     missing = {noun.__name__ for noun in classes()} - {noun.__name__ for _, noun in positions()}
-    assert missing == {"Fact", "Operand", "Place", "Primitive", "Shape"}
+    assert missing == {"Fact", "Operand", "Place", "Primitive", "Shape", "Unit"}
 
 
 def test_every_reason_to_ignore_an_attribute_is_about_an_attribute() -> None:

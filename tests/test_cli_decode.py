@@ -11,6 +11,7 @@ import pytest
 from command_line import SPECS, TEST_SPECS, CommandLine
 from fieldspec.explain.readings import FrameOptions, read
 from fieldspec.model.texts import Example
+from fieldspec.reference import codec
 from layouts import newest
 
 EXAMPLES = newest(TEST_SPECS, "widget").device.examples
@@ -245,8 +246,9 @@ def test_json_writes_numbers_that_json_lacks_as_text(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     run = CommandLine(capsys, monkeypatch, TEST_SPECS)
-    fields = ["station=1", "word=1", "wide=1", "ratio=nan", "turned=1", "values=1"]
-    frame = run("encode", "gizmo", "mix", *fields).out
+    (link,) = codec(newest(TEST_SPECS, "gizmo")).links.values()
+    values = {"station": 1, "word": 1, "wide": 1, "ratio": float("nan"), "turned": 1, "values": [1]}
+    frame = link.encode("request", "mix", values).hex()
     assert row(run.json("decode", "gizmo", frame), "ratio")["number"] == "nan"
 
 

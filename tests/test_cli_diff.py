@@ -236,6 +236,33 @@ def test_an_overlay_accepts_the_changes_of_its_version(run: Run, tmp_path: Path)
     assert main(["check", "--specs", str(specs)]) == 1
 
 
+REASONED = """overlay: {id: "2.1", line: firmware, based_on: "2.0"}
+changes:
+  - {fact: registers/speed, set: {at: {was: 0x10, is: 0x30}}, reason: It has moved.}
+adds:
+  - {in: registers/all, item: {at: 0x40, name: torque, type: u16}, reason: It measures its torque.}
+renames:
+  - {fact: registers/speed, to: velocity, reason: The notes call it so.}
+"""
+
+
+def test_a_change_has_the_reason_of_its_version(run: Run, tmp_path: Path) -> None:
+    specs = write(tmp_path / "specs", f"registers:\n{SPEED}")
+    (specs / "gadget/versions").mkdir()
+    (specs / "gadget/versions/2.1.yaml").write_text(REASONED, "utf-8")
+    (comparison,) = run.json("gadget@2.0", "gadget@2.1", "--specs", str(specs))
+    reasons = {change["rule"]: (change["path"], change["reason"]) for change in comparison["changes"]}
+    assert reasons == {
+        "renamed": ("registers/velocity", "It has moved. The notes call it so."),
+        "register_moved": ("registers/velocity", "It has moved. The notes call it so."),
+        "fact_added": ("registers/torque", "It measures its torque."),
+    }
+    assert run("gadget@2.0", "gadget@2.1", "--specs", str(specs)) == 0
+    assert "because: It measures its torque." in run.out
+    assert run("gadget@2.1", "gadget@2.0", "--specs", str(specs)) == 0
+    assert "because" not in run.out
+
+
 def refused(run: Run, *arguments: str) -> str:
     """The one line of output that says why a comparison is not possible."""
     assert run(*arguments) == 2

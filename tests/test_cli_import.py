@@ -83,6 +83,12 @@ def test_an_imported_export_does_not_differ_from_its_device(
     assert "Nobody has compared it with the manual yet." in page
 
 
+def test_a_folder_may_have_any_name_that_a_device_may_have(run: CommandLine) -> None:
+    path = run.folder / "my_meter" / "device.yaml"
+    assert run("import", "-", "--to", str(path), stdin=TABLE.encode()).code == 0
+    assert yaml.safe_load(path.read_text("utf-8"))["device"]["id"] == "my_meter"
+
+
 def test_the_list_is_the_source_of_every_fact(run: CommandLine) -> None:
     ran = run("import", "-", "--to", "-", stdin=TABLE.encode())
     spec = yaml.safe_load(ran.out)

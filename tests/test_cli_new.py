@@ -62,7 +62,7 @@ def test_a_version_of_another_line_follows_the_last_one_of_that_line(folder: Pat
     [
         (("device", "tc100", "--protocol", "modbus"), "there is a file"),
         (("device", "x", "--protocol", "modbuss"), "there is no protocol modbuss; did you mean modbus?"),
-        (("device", "x"), "there is no protocol"),
+        (("device", "x"), "name the protocol with --protocol: "),
         (("device", "My Drive", "--protocol", "packet"), "My Drive is not a valid name of a device"),
         (("device", "../x", "--protocol", "packet"), "../x is not a valid name of a device"),
         (("device", "x", "1.0", "--protocol", "packet"), "a new device has no version yet"),
@@ -81,3 +81,28 @@ def test_what_cannot_be_written_is_wrong_use_and_nothing_is_written(
     assert run(folder, "new", *words) == 2
     assert text in capsys.readouterr().err
     assert sorted(folder.rglob("*")) == before
+
+
+@pytest.mark.parametrize("named", [False, True])
+def test_a_device_is_new_where_there_are_no_specs_yet(
+    named: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("FIELDSPEC_SPECS", raising=False)
+    option, folder = (["--specs", "mine"], "mine") if named else ([], "specs")
+    assert main(["new", "device", "my_meter", "--protocol", "modbus", *option]) == 0
+    assert f"{folder}/my_meter/device.yaml" in capsys.readouterr().out
+    assert main(["check", *option]) == 0
+    assert "yaml-language-server" not in (tmp_path / folder / "my_meter" / "device.yaml").read_text("utf-8")
+
+
+def test_a_new_file_in_a_checkout_leads_editors_to_the_schema(tmp_path: Path) -> None:
+    schema = tmp_path / "codegen" / "fieldspec" / "schema" / "spec.schema.json"
+    schema.parent.mkdir(parents=True)
+    schema.touch()
+    folder = tmp_path / "deep" / "specs"
+    folder.mkdir(parents=True)
+    assert run(folder, "new", "device", "my-drive", "--protocol", "packet") == 0
+    first, *_ = (folder / "my-drive" / "device.yaml").read_text("utf-8").splitlines()
+    path = first.partition("$schema=")[2]
+    assert (folder / "my-drive" / path).resolve() == schema.resolve()

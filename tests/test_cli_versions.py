@@ -13,6 +13,8 @@ import pytest
 from command_line import SPECS, TEST_SPECS
 from fieldspec.cli import main
 from fieldspec.diagnostics import has_errors
+from fieldspec.facts.matrix import matrix
+from fieldspec.facts.row import row
 from fieldspec.layout.device import device_layout
 from fieldspec.reading.project import read
 from layouts import layouts
@@ -115,6 +117,11 @@ def test_a_matrix_has_the_facts_that_differ(capsys: pytest.CaptureFixture[str], 
     assert cells["parameters/servo/reference_speed"][2] == "max 6000, ranges 1..6000"
     assert cells["parameters/monitor/alarm_code"][3:] == ["same", ""]
     assert "signals/speed_setpoint" not in cells
+
+
+def test_a_matrix_prints_addresses_in_hexadecimal_and_decimal() -> None:
+    rows = {version: [row("register", "registers/a", (), address=at)] for version, at in (("1", 16), ("2", 8193))}
+    assert matrix(rows, False).rows[0].cells == ("there", "address 0x2001 (8193)")
 
 
 def test_a_matrix_of_everything_has_the_facts_that_are_the_same(

@@ -15,7 +15,8 @@ from fieldspec.explain.values import decimal_text
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, codec
-from fieldspec.reference.frames import ALGORITHMS, Decoded
+from fieldspec.reference.checksums import checksum as checksum_of
+from fieldspec.reference.frames import Decoded
 from layouts import TEST_SPECS, all_layouts, newest
 
 LAYOUTS = all_layouts()
@@ -122,7 +123,7 @@ def mended(layout: DeviceLayout, example: Example, frame: bytes) -> bytes:
         return frame
     at = checksum.at(len(data))
     order: Literal["big", "little"] = "big" if checksum.order == "big" else "little"
-    number = ALGORITHMS[checksum.algorithm](data[checksum.start : checksum.stop])
+    number = checksum_of(checksum.algorithm, data[checksum.start : checksum.stop])
     data = data[:at] + number.to_bytes(checksum.size, order) + data[at + checksum.size :]
     inner = data if link.link.encoding == "binary" else data.hex().upper().encode()
     return link.link.start + inner + link.link.end

@@ -6,14 +6,14 @@ import json
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
-from importlib import import_module
 from pathlib import Path
 
 import pytest
 
 from fieldspec.cli import main
 from fieldspec.diagnostics import Diagnostic, Label
-from fieldspec.render import text
+from fieldspec.render import finding_text as text
+from fieldspec.render.finding_formats import format_findings
 from fieldspec.source import SourceFile, Span
 
 SPECS = str(Path(__file__).resolve().parent.parent / "specs")
@@ -50,13 +50,13 @@ def test_only_coloured_text_has_escape_sequences() -> None:
 
 
 def test_json_has_every_place() -> None:
-    (finding,) = json.loads(import_module("fieldspec.render.json").rendered(FINDINGS))
+    (finding,) = json.loads(format_findings(FINDINGS, "json"))
     assert (finding["code"], finding["line"], finding["column"], finding["end_column"]) == ("some_rule", 1, 18, 23)
     assert finding["labels"][0]["column"] == 8
 
 
 def test_sarif_has_a_rule_and_a_region_for_every_result() -> None:
-    run = json.loads(import_module("fieldspec.render.sarif").rendered([*FINDINGS, *BARE]))["runs"][0]
+    run = json.loads(format_findings([*FINDINGS, *BARE], "sarif"))["runs"][0]
     assert [rule["id"] for rule in run["tool"]["driver"]["rules"]] == ["other_rule", "some_rule"]
     for result in run["results"]:
         assert run["tool"]["driver"]["rules"][result["ruleIndex"]]["id"] == result["ruleId"]
@@ -65,7 +65,7 @@ def test_sarif_has_a_rule_and_a_region_for_every_result() -> None:
 
 
 def test_github_commands_are_one_line_each_and_escaped() -> None:
-    lines = import_module("fieldspec.render.github").rendered(FINDINGS).splitlines()
+    lines = format_findings(FINDINGS, "github").splitlines()
     assert len(lines) == 1
     assert lines[0].startswith("::error file=device/points.yaml,line=1,col=18,")
     assert "the name is taken%0Aby 100%25 of ::x" in lines[0]
@@ -73,7 +73,7 @@ def test_github_commands_are_one_line_each_and_escaped() -> None:
 
 @pytest.mark.parametrize("findings", [[], FINDINGS, BARE], ids=["none", "one", "hostile"])
 def test_junit_is_xml_with_a_case_for_every_finding(findings: list[Diagnostic]) -> None:
-    suite = ElementTree.fromstring(import_module("fieldspec.render.junit").rendered(findings))
+    suite = ElementTree.fromstring(format_findings(findings, "junit"))
     assert suite.get("failures") == str(len(findings))
     assert len(suite.findall("testcase")) == max(1, len(findings))
 

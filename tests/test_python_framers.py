@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from fieldspec.layout.frame import CHECKSUMS
+from fieldspec.layout.checksums import checksum as checksum_of
 from layouts import SPECS, TEST_SPECS, newest
 from python_package import link_of, module_of
 
@@ -143,7 +143,7 @@ def test_a_frame_for_a_station_that_there_is_not_is_garbage() -> None:
 
 def _with_station(frame: bytes, station: int) -> bytes:
     data = bytes([station]) + frame[1:-2]
-    return data + CHECKSUMS["crc16_modbus"](data).to_bytes(2, "little")
+    return data + checksum_of("crc16_modbus", data).to_bytes(2, "little")
 
 
 def test_a_broadcast_is_a_request_and_no_response() -> None:

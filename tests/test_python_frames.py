@@ -10,8 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from example_counts import examples
+from fieldspec.layout.checksums import checksum as checksum_of
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import CHECKSUMS, PartLayout
+from fieldspec.layout.frame import PartLayout
 from fieldspec.layout.values import body_of, raw_values
 from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, DeviceCodec, codec
@@ -233,7 +234,7 @@ def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: by
     if check is not None:
         at = check.at(len(data))
         order = "big" if check.order == "big" else "little"
-        number = CHECKSUMS[check.algorithm](bytes(data[check.start : check.stop]))
+        number = checksum_of(check.algorithm, bytes(data[check.start : check.stop]))
         data[at : at + check.size] = number.to_bytes(check.size, order)
     marks = layout.links[link].link
     inner = bytes(data).hex().upper().encode() if marks.encoding == "hex_ascii" else bytes(data)

@@ -12,8 +12,9 @@ from hypothesis import strategies as st
 
 from drive_variants import drive_variant
 from example_counts import examples
+from fieldspec.layout.checksums import checksum as checksum_of
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import CHECKSUMS
+from fieldspec.model.checksums import SIMPLE
 from fieldspec.reference import DeviceCodec, codec
 from layouts import TEST_SPECS, newest
 from python_package import built, codec_error, module_of, outcome, package
@@ -31,7 +32,7 @@ CHANGES: dict[str, tuple[tuple[str, str], ...]] = {
             WIDE,
             (BODY, BODY.replace("body}\n", f"body}}\n      - {{name: check, role: checksum, algorithm: {check}}}\n")),
         )
-        for check in CHECKSUMS
+        for check in SIMPLE
     },
 }
 
@@ -72,7 +73,7 @@ def test_a_frame_is_read_as_the_reference_reads_it(name: str, data: st.DataObjec
     check = layout.links["channel"].request.checksum
     if check is not None and data.draw(st.booleans()):
         at = len(frame) - check.size
-        frame[at:] = CHECKSUMS[check.algorithm](bytes(frame[:at])).to_bytes(check.size, "little")
+        frame[at:] = checksum_of(check.algorithm, bytes(frame[:at])).to_bytes(check.size, "little")
     expected = outcome(lambda: link.decode(bytes(frame), "request"))
     actual = outcome(lambda: module.channel.decode_request(bytes(frame)))
     assert actual[0] == expected[0]
@@ -92,7 +93,7 @@ def test_a_part_that_is_always_the_same_is_no_argument_and_is_looked_at(name: st
     frame[2] ^= 1
     check = layout.links["channel"].request.checksum
     if check is not None:
-        frame[-check.size :] = CHECKSUMS[check.algorithm](bytes(frame[: -check.size])).to_bytes(check.size, "little")
+        frame[-check.size :] = checksum_of(check.algorithm, bytes(frame[: -check.size])).to_bytes(check.size, "little")
     with pytest.raises(CodecError) as caught:
         module.channel.decode_request(bytes(frame))
     assert (caught.value.reason, caught.value.offset) == ("wrong_const", 2)

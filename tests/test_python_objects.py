@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fieldspec.backends.python.quantities import in_unit, quantity, ratio
-from fieldspec.layout.frame import CHECKSUMS
+from fieldspec.layout.checksums import checksum as checksum_of
 from layouts import SPECS, TEST_SPECS, layouts, newest
 from python_package import codec_error, module_of, package, runtime
 
@@ -346,13 +346,13 @@ def test_a_frame_may_be_in_any_kind_of_bytes(form: Any) -> None:
 def test_the_fast_crc_is_that_of_the_standard(data: bytes) -> None:
     checks = runtime("_checks")
     for name in ("crc16_modbus", "lrc", "sum8"):
-        assert getattr(checks, name)(data) == CHECKSUMS[name](data)
+        assert getattr(checks, name)(data) == checksum_of(name, data)
 
 
 def checked(text: str) -> bytes:
     """A frame with its CRC."""
     data = bytes.fromhex(text)
-    return data + CHECKSUMS["crc16_modbus"](data).to_bytes(2, "little")
+    return data + checksum_of("crc16_modbus", data).to_bytes(2, "little")
 
 
 def test_numbers_beyond_those_that_may_be_sent_are_read_as_they_came() -> None:

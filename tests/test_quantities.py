@@ -7,6 +7,7 @@ from decimal import Decimal
 import pytest
 
 from fieldspec.checks.numbers import in_counts
+from fieldspec.classes import replace
 from fieldspec.explain.parameters import nearest
 from fieldspec.layout.values import MeaningError, raw_value
 from fieldspec.model.quantity import count_of, quantity_of
@@ -57,21 +58,48 @@ def in_layout(text: str) -> object:
         ("0.07 mm", 7),
         ("007 mm", None),
         ("20  mm", None),
-        ("20 cm", None),
+        ("20 cm", 20000),
+        ("1.5 m", 150000),
+        ("1 s", None),
+        ("1 furlong", None),
         ("20", 20),
         ("far", None),
         ("", None),
     ],
 )
 def test_checks_and_layout_read_a_text_alike(text: str, count: int | None) -> None:
-    assert (in_counts(DISTANCE, text), in_layout(text)) == (count, count)
+    assert (in_counts(DEVICE, DISTANCE, text), in_layout(text)) == (count, count)
 
 
-@pytest.mark.parametrize(("text", "raw"), [("20.00 mm", 2000), ("20.004 mm", 2000), ("007 mm", None), ("20 cm", None)])
+@pytest.mark.parametrize(("text", "raw"), [("20.00 mm", 2000), ("20.004 mm", 2000), ("007 mm", None), ("20 cm", 20000)])
 def test_the_nearest_count_is_of_the_same_quantities(text: str, raw: int | None) -> None:
-    count = nearest(DISTANCE, text)
+    count = nearest(DEVICE, DISTANCE, text)
     assert (count.raw if count is not None else None) == raw
 
 
 def test_a_count_has_no_unit_and_a_quantity_needs_one() -> None:
     assert (count_of("20 mm"), quantity_of("20"), quantity_of("-1.5 V")) == (None, None, (Decimal("-1.5"), "V"))
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        ("0.5", 0.5),
+        ("-2.5e-3", -0.0025),
+        ("7", 7.0),
+        ("1_0", None),
+        ("nan", None),
+        ("inf", None),
+        ("1e999", None),
+        (" 1", None),
+        ("007", None),
+        ("٣", None),
+    ],
+)
+def test_a_floating_point_number_is_written_in_plain_digits(text: str, number: float | None) -> None:
+    value = replace(DISTANCE, type=PRIMITIVES["f32"], scale=Decimal(1), unit="")
+    if number is None:
+        with pytest.raises(MeaningError, match="is no number; write it as"):
+            raw_value(DEVICE, "ratio", value, text)
+    else:
+        assert raw_value(DEVICE, "ratio", value, text) == number

@@ -15,6 +15,7 @@ from pymodbus.pdu import DecodePDU
 
 from fieldspec.backends.vectors.backend import files
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.read_plan import read_plan
 from fieldspec.reference import CodecError, codec
 from layouts import SPECS, TEST_SPECS, layouts
 
@@ -88,7 +89,8 @@ def test_every_example_of_every_version_is_there_once(device: str) -> None:
 
 
 def test_the_format_is_documented() -> None:
-    keys = [*document("widget"), *document("widget")["vectors"][0]]
+    read = document("widget")["idle_reads"][0]
+    keys = [*document("widget"), *document("widget")["vectors"][0], *read]
     documented = re.findall(
         r"`(\w+)`",
         "\n".join(line.split("|")[1] for line in FORMAT.read_text("utf-8").splitlines() if line.startswith("| `")),
@@ -127,6 +129,41 @@ def test_another_modbus_stack_reads_the_same(device: str, vector: dict[str, Any]
         assert pdu.address == values["address"]
     if "values" in values or "value" in values:
         assert pdu.registers == values.get("values", [values.get("value")])
+
+
+READS = [
+    pytest.param(device, read, id=f"{device}-{read['address']:04X}-{read['versions'][0]}")
+    for device in VERSIONS
+    for read in document(device)["idle_reads"]
+]
+
+
+@pytest.mark.parametrize(("device", "read"), READS)
+def test_the_reference_decodes_both_frames_of_a_read(device: str, read: dict[str, Any]) -> None:
+    for version in read["versions"]:
+        link = codec(layout_at(device, version)).links[read["link"]]
+        for direction in ("request", "response"):
+            decoded = link.decode(bytes.fromhex(read[direction]["right"]), direction, read["message"])
+            assert read[direction]["values"] == as_json({**decoded.head, **decoded.values})
+
+
+@pytest.mark.parametrize(("device", "read"), [param for param in READS if param.values[0] in ("tc100", "ck10")])
+def test_another_modbus_stack_reads_the_registers_of_an_idle_device(device: str, read: dict[str, Any]) -> None:
+    framer = FramerRTU if read["link"] == "rtu" else FramerAscii
+    request = decoder(framer, "request", bytes.fromhex(read["request"]["right"]))
+    assert (request.address, request.count) == (read["address"], read["words"])
+    response = decoder(framer, "response", bytes.fromhex(read["response"]["right"]))
+    assert response.registers == read["response"]["values"]["values"]
+
+
+@pytest.mark.parametrize("device", ["tc100", "ck10", "widget"])
+def test_the_registers_of_every_block_of_the_read_plan_are_read(device: str) -> None:
+    for layout in VERSIONS[device]:
+        version = layout.device.version
+        reads = [read for read in document(device)["idle_reads"] if version in read["versions"]]
+        names = {name.partition("[")[0] for read in reads for name in read["registers"]}
+        planned = {name.partition("[")[0] for block in read_plan(layout).blocks for name in block.names}
+        assert names >= planned
 
 
 # The letters that struct gives the formats of the manual's table 4.3.5.

@@ -83,6 +83,9 @@ class _Verb(_Parser):
     late_help: tuple[str, str] | None = None
     """The module and function that write the end of the help, given the arguments; imported for help alone."""
 
+    late_arguments: tuple[str, str] | None = None
+    """The module and function that add the arguments; imported when the verb is called."""
+
     _mixing = False
 
     def __init__(self, **options: Any) -> None:
@@ -99,6 +102,9 @@ class _Verb(_Parser):
     def settle(self) -> None:
         """Adds the arguments that were noted."""
         waiting, self._waiting = self._waiting or [], None
+        if self.late_arguments:
+            module, function = self.late_arguments
+            getattr(import_module(module), function)(self)
         for names, options in waiting:
             self.add_argument(*names, **options)
 
@@ -288,6 +294,9 @@ def _parser() -> argparse.ArgumentParser:
     audit.add_argument("--by", metavar="NAME", help="with --sign: who compared it, a name or a role")
     audit.add_argument("--on", metavar="DATE", help="with --sign: when (default: today)")
     audit.add_argument("--how", metavar="TEXT", help="with --sign: how")
+
+    simulate = verb("simulate", "serve a device that is simulated from its spec")
+    simulate.late_arguments = ("fieldspec.commands.device_options", "add_simulate")
 
     versions = verb("versions", "list the versions of a device and what depends on them")
     versions.add_argument("device", metavar="DEVICE[@VERSION]")

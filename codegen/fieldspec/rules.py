@@ -7,6 +7,7 @@ import textwrap
 from collections.abc import Iterator
 
 from fieldspec.audit.rules import RULES as OF_AUDITS
+from fieldspec.behaviour.rules import RULES as OF_BEHAVIOURS
 from fieldspec.changes import RULES as OF_CHANGES
 from fieldspec.checks import CHECKS
 from fieldspec.checks.allowances_used import allowances_used
@@ -18,20 +19,21 @@ from fieldspec.reading.rules import RULES as OF_READING
 
 _PARTS = ("Why: ", "Example: ", "Cure: ")
 _TITLES = {
-    "reading": "What holds of the files",
-    "checks": "What holds of a device",
-    "proofs": "What holds of examples and errata",
-    "outputs": "What holds of a device that an output for programmable controllers can express",
-    "audits": "What holds of a spec beside its manual",
+    "reading": "Rules for files",
+    "checks": "Rules for a device",
+    "behaviours": "Rules for what a device does over time",
+    "proofs": "Rules for examples and errata",
+    "outputs": "Rules for what outputs for controllers can express",
+    "audits": "Rules for a spec compared with its manual",
 }
 _INTRODUCTION = """\
 <!-- Written by `fieldspec.rules.page`; a test keeps it fresh. -->
 
 # Rules
 
-Every finding has the code of its rule. `fieldspec rule CODE` shows one of these entries. `fieldspec check` applies
-all of them but those of a spec beside its manual, which `fieldspec audit` applies. A fact that may break a rule of the
-second part says so: `allow: {<code>: <reason>}`.
+Every finding has the code of its rule, and `fieldspec rule CODE` shows the entry of a rule. `fieldspec audit` applies
+the rules for a spec compared with its manual, `fieldspec check` all others. If a fact may break a rule for a device,
+state the reason there: `allow: {<code>: <reason>}`.
 """
 
 _CHANGES = """\
@@ -39,21 +41,21 @@ _CHANGES = """\
 
 # Changes
 
-`fieldspec diff A B` names every difference between two versions of a device by one of these rules; `fieldspec rule
-CODE` shows one of them. A and B are versions (`drive@1.5`), folders of specs, or git revisions (`HEAD~3`,
-`main:specs/drive`). Folders and revisions are compared version by version, and a version that is new in B with the one
-that it is based on. A change has a class, by who is hurt:
+`fieldspec diff A B` assigns every difference between two versions of a device to one of these rules, and `fieldspec
+rule CODE` shows the entry of a rule. A and B are versions (`drive@1.5`), folders of specs, or git revisions (`HEAD~3`,
+`main:specs/drive`). Folders and revisions are compared version by version. A version that only B has is compared with
+the one that it is based on. The class of a change says whom it affects:
 
 - `wire`: bytes mean something else. Programs read and write wrong values without noticing.
 - `source`: generated names or types change. Programs must be changed.
-- `behaviour`: limits, defaults or access change, or there is more than there was.
-- `docs`: people read something else.
+- `behaviour`: limits, defaults or access change, or something is new.
+- `docs`: only the documentation changes.
 
-`wire` and `source` are breaking. Where a rule has several classes, a change has the gravest that applies to it.
+`wire` and `source` are breaking. If a rule has several classes, a change has the most serious one that applies.
 
-The exit code is 1 with `--fail-on breaking`, `behaviour` or `any` where such a change is found that no
-[`accepts`](language.md#acceptance) of B names, and where an `accepts` names none that is found. It is 2 where A or B
-cannot be read. The forms `sarif` and `github` leave out the class `docs`.
+With `--fail-on breaking`, `behaviour` or `any`, the exit code is 1 if there is such a change and B does not accept
+it with [`accepts`](language.md#acceptance). It is also 1 if an entry of `accepts` matches no change, and 2 if A or B
+cannot be read. The formats `sarif` and `github` omit the class `docs`.
 """
 
 
@@ -128,6 +130,8 @@ def _rules() -> Iterator[Rule]:
         yield _parsed(code, "reading", text)
     for code, check in (*CHECKS, ("allowances_used", allowances_used)):
         yield check_rule(code, check)
+    for code, text in OF_BEHAVIOURS.items():
+        yield _parsed(code, "behaviours", text)
     for code, text in OF_PROOFS.items():
         yield _parsed(code, "proofs", text)
     for code, text in OF_CONTROLLERS.items():

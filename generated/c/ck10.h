@@ -1,12 +1,12 @@
 /*
  * CK10 (unknown), in any of its versions
  *
- * Define CK10_SELECT before this header is included, or for the compiler, to say which version is meant:
+ * Includes the header of the only version. You may define CK10_SELECT to rely on that version:
  *
  *     -DCK10_SELECT=CK10_SELECT_V1
  *
- * It takes the header of that version, which may as well be included by itself. CK10_SELECT_LATEST is the newest
- * version that was known when this was generated.
+ * You can also include the header of a version directly. CK10_SELECT_LATEST is the newest version that was known when
+ * this header was generated.
  *
  * CK10_SELECT_V1: ck10_v1.h, identity 4332a6ea93cee82e
  *
@@ -16,9 +16,9 @@
 #define CK10_SELECT_LATEST CK10_SELECT_V1
 
 #ifndef CK10_SELECT
-#error "define CK10_SELECT as one of CK10_SELECT_V1 or CK10_SELECT_LATEST"
+#include "ck10_v1.h"
 #elif CK10_SELECT + 0 == CK10_SELECT_V1
 #include "ck10_v1.h"
 #else
-#error "CK10_SELECT is no known version; define it as one of CK10_SELECT_V1 or CK10_SELECT_LATEST"
+#error "CK10_SELECT is not a known version; define it as one of CK10_SELECT_V1 or CK10_SELECT_LATEST"
 #endif

@@ -3,17 +3,18 @@
  * From: CK10 series, Modbus communication, user manual
  * Identity: 4332a6ea93cee82e
  *
- * Generated; do not edit. For C99 and later and C++98 to C++20, freestanding too: any order of bytes, any alignment, an int of
- * 16 bits or more. Headers from this generator are checked by gcc, clang and cppcheck; their self-tests run on x86-64, AArch64,
- * m68k (big-endian; int of 32 and 16 bits) and as code for Cortex-M0, and under sanitizers; their fuzz targets find nothing.
+ * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
+ * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
+ * self-tests pass on x86-64, AArch64, m68k (big-endian; int of 32 and 16 bits) and Cortex-M0, and under sanitizers; their fuzz
+ * targets find nothing.
  *
- * Before it is included there may be defined:
- *   CK10_WITH_TEXTS for the texts of codes, which take memory
- *   CK10_WIDE_CRC_TABLE for a faster check with a table of 512 bytes
+ * Define before you include it:
+ *   CK10_WITH_TEXTS adds the texts of codes, which take memory
+ *   CK10_WIDE_CRC_TABLE takes a table of 512 bytes for a faster CRC
  */
 #ifdef CK10_INCLUDED
 #ifndef CK10_VERSION_IS_1
-#error "another version of this device is included already"
+#error "another version of this device is already included"
 #endif
 #else
 #define CK10_INCLUDED
@@ -35,18 +36,19 @@
 /* ---- Compilers and machines ---- */
 
 #ifdef __GNUC__
-/** A call of these functions would take more than what they do, even where size counts. */
+/** A call would take more code than the function itself, even with -Os. */
 #define CK10_INLINE static inline __attribute__((always_inline))
 #define CK10_LIKELY(test) __builtin_expect(!!(test), 1)
-/** Built in: without string.h, and without a call for a few bytes, where the compiler is a freestanding one. */
+/** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */
+#define CK10_ENUM_16 __attribute__((__mode__(__HI__)))
+/** Built-in functions need no string.h, and no call for a few bytes, also in freestanding code. */
 #define CK10_COPY(to, from, size) __builtin_memcpy((to), (from), (size))
 #define CK10_CLEAR(to, size) __builtin_memset((to), 0, (size))
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && \
     (defined(__x86_64__) || defined(__i386__) || defined(__aarch64__) || defined(__ARM_FEATURE_UNALIGNED))
 /**
- * Numbers are stored at once. The compiler turns loads byte by byte into one by itself, and stores too, but
- * not where it knows that it may change their order: then it makes vectors, which take up to four times as
- * long.
+ * Store a number with one instruction. Compilers merge loads of single bytes by themselves, and mostly stores
+ * too. Where they may reorder stores, they build vectors instead, which take up to four times as long.
  */
 #define CK10_STORES_AT_ONCE
 #endif
@@ -54,29 +56,30 @@
 #include <string.h>
 #define CK10_INLINE static inline
 #define CK10_LIKELY(test) (test)
+#define CK10_ENUM_16
 #define CK10_COPY(to, from, size) memcpy((to), (from), (size))
 #define CK10_CLEAR(to, size) memset((to), 0, (size))
 #endif
 
-/* ---- What functions return ---- */
+/* ---- Results of codec calls ---- */
 
-/** What a function has to say. */
+/** The result of a codec call. */
 typedef enum ck10_codec_status {
-    CK10_OK = 0, /**< It is done. */
+    CK10_OK = 0, /**< No error. */
     CK10_ERR_INCOMPLETE = 1, /**< There are too few bytes. */
-    CK10_ERR_WRONG_LENGTH = 2, /**< The bytes, or elements, are not as many as they must be. */
-    CK10_ERR_WRONG_MARK = 3, /**< The frame does not start or end with its mark. */
-    CK10_ERR_NOT_HEX = 4, /**< A character is no hexadecimal digit. */
-    CK10_ERR_WRONG_CHECK = 5, /**< The check does not fit the bytes. */
+    CK10_ERR_WRONG_LENGTH = 2, /**< The number of bytes or elements is wrong. */
+    CK10_ERR_WRONG_MARK = 3, /**< A delimiter of the frame is missing or wrong. */
+    CK10_ERR_NOT_HEX = 4, /**< A character is not a hexadecimal digit. */
+    CK10_ERR_WRONG_CHECK = 5, /**< The checksum does not match. */
     CK10_ERR_UNKNOWN_CODE = 6, /**< No message has this code. */
-    CK10_ERR_UNKNOWN_VALUE = 7, /**< The value is none of those that there are. */
-    CK10_ERR_WRONG_CONST = 8, /**< A constant has another value. */
-    CK10_ERR_WRONG_MEASURE = 9, /**< A field that holds a size does not fit what it measures. */
-    CK10_ERR_OUT_OF_RANGE = 10, /**< A value is out of its range. */
+    CK10_ERR_UNKNOWN_VALUE = 7, /**< The value is not a member of its enum, or the text is not ASCII. */
+    CK10_ERR_WRONG_CONST = 8, /**< A constant field has another value. */
+    CK10_ERR_WRONG_MEASURE = 9, /**< A length or count field does not match the data. */
+    CK10_ERR_OUT_OF_RANGE = 10, /**< A value is out of range. */
     CK10_ERR_CAPACITY = 11 /**< The buffer is too small. */
 } ck10_codec_status;
 
-/* ---- Numbers and characters, independent of the machine ---- */
+/* ---- Numbers and characters ---- */
 
 CK10_INLINE uint8_t ck10_load_u8(const uint8_t *in)
 {
@@ -203,7 +206,7 @@ static inline uint8_t ck10_hex_digit(uint8_t value)
     return (uint8_t)(value < 10u ? value + 0x30u : value + 0x37u);
 }
 
-/* ---- Checks ---- */
+/* ---- Checksums ---- */
 
 /**
  * CRC-16, polynomial 0xA001 reflected, start value 0xFFFF.
@@ -292,7 +295,7 @@ typedef enum ck10_exception_code {
     CK10_EXCEPTION_CODE_ILLEGAL_DATA_ADDRESS = 2, /**< 無效資料位置 The address is not allowed. */
     CK10_EXCEPTION_CODE_ILLEGAL_DATA_VALUE = 3, /**< 無效資料值 The value is not allowed. */
     CK10_EXCEPTION_CODE_DEVICE_FAILURE = 4 /**< 從站裝置錯誤 An error came up while the controller carried out the command. */
-} ck10_exception_code;
+} CK10_ENUM_16 ck10_exception_code;
 
 /** Source: 2.1 L263 */
 typedef enum ck10_push_status {
@@ -300,7 +303,7 @@ typedef enum ck10_push_status {
     CK10_PUSH_STATUS_PUSHING = 1, /**< 推力運動中，但未偵測到工件 It pushes, and has not met the workpiece. */
     CK10_PUSH_STATUS_HOLDING = 2, /**< 偵測到工件並保持推力 It has met the workpiece, and goes on pushing. */
     CK10_PUSH_STATUS_MISSED = 3 /**< 推力過程中未偵測到工件 It has not met the workpiece. */
-} ck10_push_status;
+} CK10_ENUM_16 ck10_push_status;
 
 /** Whether a value is one of ck10_push_status. */
 static inline bool ck10_push_status_known(int64_t value)
@@ -316,7 +319,7 @@ static inline bool ck10_push_status_known(int64_t value)
 typedef enum ck10_output_switch {
     CK10_OUTPUT_SWITCH_OFF = 0, /**< 停用 */
     CK10_OUTPUT_SWITCH_ON = 1 /**< 啟用 */
-} ck10_output_switch;
+} CK10_ENUM_16 ck10_output_switch;
 
 /**
  * Printed as 報警形式.
@@ -339,7 +342,7 @@ typedef enum ck10_alarm_code {
     CK10_ALARM_CODE_IN_POSITION_ERROR = 10, /**< 定位 */
     CK10_ALARM_CODE_MEMORY = 12, /**< 記憶體裝置 */
     CK10_ALARM_CODE_POSITION_OVERFLOW = 15 /**< 位置溢出 */
-} ck10_alarm_code;
+} CK10_ENUM_16 ck10_alarm_code;
 
 /**
  * Note: The commands of a point count otherwise: the absolute ones come first.
@@ -348,7 +351,7 @@ typedef enum ck10_alarm_code {
 typedef enum ck10_move_kind {
     CK10_MOVE_KIND_RELATIVE = 1, /**< 運動至指定的相對位置 By a distance. */
     CK10_MOVE_KIND_ABSOLUTE = 2 /**< 運動至指定的絕對位置 To a position. */
-} ck10_move_kind;
+} CK10_ENUM_16 ck10_move_kind;
 
 /** Whether a value is one of ck10_move_kind. */
 static inline bool ck10_move_kind_known(int64_t value)
@@ -363,7 +366,7 @@ static inline bool ck10_move_kind_known(int64_t value)
 typedef enum ck10_jog_direction {
     CK10_JOG_DIRECTION_COUNTERCLOCKWISE = 0, /**< CCW */
     CK10_JOG_DIRECTION_CLOCKWISE = 1 /**< CW */
-} ck10_jog_direction;
+} CK10_ENUM_16 ck10_jog_direction;
 
 /** Whether a value is one of ck10_jog_direction. */
 static inline bool ck10_jog_direction_known(int64_t value)
@@ -375,7 +378,7 @@ static inline bool ck10_jog_direction_known(int64_t value)
 typedef enum ck10_push_mode {
     CK10_PUSH_MODE_STOP = 0, /**< 停止模式 It stops when it meets the workpiece. */
     CK10_PUSH_MODE_GO_ON = 1 /**< 不停止模式 It does not stop. */
-} ck10_push_mode;
+} CK10_ENUM_16 ck10_push_mode;
 
 /** Whether a value is one of ck10_push_mode. */
 static inline bool ck10_push_mode_known(int64_t value)
@@ -387,7 +390,7 @@ static inline bool ck10_push_mode_known(int64_t value)
 typedef enum ck10_stop_kind {
     CK10_STOP_KIND_IMMEDIATE = 0, /**< 立即停止 */
     CK10_STOP_KIND_DECELERATED = 1 /**< 緩停止 */
-} ck10_stop_kind;
+} CK10_ENUM_16 ck10_stop_kind;
 
 /** Whether a value is one of ck10_stop_kind. */
 static inline bool ck10_stop_kind_known(int64_t value)
@@ -403,14 +406,14 @@ static inline bool ck10_stop_kind_known(int64_t value)
 typedef enum ck10_servo_switch {
     CK10_SERVO_SWITCH_OFF = 0, /**< 驅動停用 */
     CK10_SERVO_SWITCH_ON = 1 /**< 驅動啟用 */
-} ck10_servo_switch;
+} CK10_ENUM_16 ck10_servo_switch;
 
 /** Source: 2.4 L338 */
 typedef enum ck10_point_table_command {
     CK10_POINT_TABLE_COMMAND_START = 1, /**< 執行 "位置表開始行號" 指定值 Starts at the point that the register before it names. */
     CK10_POINT_TABLE_COMMAND_START_SINGLE = 2, /**< 僅執行 "位置表開始行號" 指定值 Carries out that point alone. */
     CK10_POINT_TABLE_COMMAND_NEXT = 3 /**< 執行當前位置表下一步 Goes on with the next step of the point table. */
-} ck10_point_table_command;
+} CK10_ENUM_16 ck10_point_table_command;
 
 /** Whether a value is one of ck10_point_table_command. */
 static inline bool ck10_point_table_command_known(int64_t value)
@@ -442,14 +445,14 @@ typedef enum ck10_pulses_per_turn {
     CK10_PULSES_PER_TURN_PULSES_10000 = 13, /**< 10,000 */
     CK10_PULSES_PER_TURN_PULSES_16000 = 14, /**< 16,000 */
     CK10_PULSES_PER_TURN_PULSES_20000 = 15 /**< 20,000 */
-} ck10_pulses_per_turn;
+} CK10_ENUM_16 ck10_pulses_per_turn;
 
 /** Source: 3.4 L735 */
 typedef enum ck10_soft_limit_stop {
     CK10_SOFT_LIMIT_STOP_IMMEDIATE = 0, /**< 以緊急停止方式停下馬達 */
     CK10_SOFT_LIMIT_STOP_DECELERATED = 1, /**< 以緩停止方式停下馬達 */
     CK10_SOFT_LIMIT_STOP_NONE = 2 /**< 不使用軟體極限 The soft limits are not used. */
-} ck10_soft_limit_stop;
+} CK10_ENUM_16 ck10_soft_limit_stop;
 
 /** Whether a value is one of ck10_soft_limit_stop. */
 static inline bool ck10_soft_limit_stop_known(int64_t value)
@@ -461,7 +464,7 @@ static inline bool ck10_soft_limit_stop_known(int64_t value)
 typedef enum ck10_hard_limit_stop {
     CK10_HARD_LIMIT_STOP_IMMEDIATE = 0, /**< 以緊急停止方式停下馬達 */
     CK10_HARD_LIMIT_STOP_DECELERATED = 1 /**< 以緩停止方式停下馬達 */
-} ck10_hard_limit_stop;
+} CK10_ENUM_16 ck10_hard_limit_stop;
 
 /** Whether a value is one of ck10_hard_limit_stop. */
 static inline bool ck10_hard_limit_stop_known(int64_t value)
@@ -479,7 +482,7 @@ typedef enum ck10_homing_method {
     CK10_HOMING_METHOD_Z_PHASE = 5, /**< Slowly to the Z phase. */
     CK10_HOMING_METHOD_HARD_STOP = 6, /**< With limited torque against a hard stop, which becomes the origin. */
     CK10_HOMING_METHOD_HARD_STOP_AND_Z_PHASE = 7 /**< With limited torque against a hard stop, then slowly to the Z phase. */
-} ck10_homing_method;
+} CK10_ENUM_16 ck10_homing_method;
 
 /** Whether a value is one of ck10_homing_method. */
 static inline bool ck10_homing_method_known(int64_t value)
@@ -494,7 +497,7 @@ static inline bool ck10_homing_method_known(int64_t value)
 typedef enum ck10_rotation {
     CK10_ROTATION_CLOCKWISE = 0, /**< CW */
     CK10_ROTATION_COUNTERCLOCKWISE = 1 /**< CCW */
-} ck10_rotation;
+} CK10_ENUM_16 ck10_rotation;
 
 /** Whether a value is one of ck10_rotation. */
 static inline bool ck10_rotation_known(int64_t value)
@@ -509,7 +512,7 @@ typedef enum ck10_emergency_stop_mode {
     CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP = 2, /**< 減速停止 */
     CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP_SERVO_OFF = 3, /**< 減速停止，Servo OFF */
     CK10_EMERGENCY_STOP_MODE_SERVO_OFF = 4 /**< Servo OFF */
-} ck10_emergency_stop_mode;
+} CK10_ENUM_16 ck10_emergency_stop_mode;
 
 /** Whether a value is one of ck10_emergency_stop_mode. */
 static inline bool ck10_emergency_stop_mode_known(int64_t value)
@@ -521,7 +524,7 @@ static inline bool ck10_emergency_stop_mode_known(int64_t value)
 typedef enum ck10_emergency_brake_mode {
     CK10_EMERGENCY_BRAKE_MODE_LOCKED = 0, /**< 鎖定煞車 */
     CK10_EMERGENCY_BRAKE_MODE_RELEASED = 1 /**< 解鎖煞車 The brake is energised. */
-} ck10_emergency_brake_mode;
+} CK10_ENUM_16 ck10_emergency_brake_mode;
 
 /** Whether a value is one of ck10_emergency_brake_mode. */
 static inline bool ck10_emergency_brake_mode_known(int64_t value)
@@ -537,7 +540,7 @@ typedef enum ck10_operation_mode {
     CK10_OPERATION_MODE_PLUS_R = 3, /**< Plus-R 模式 */
     CK10_OPERATION_MODE_MODBUS_RTU = 4, /**< MODBUS RTU 模式 */
     CK10_OPERATION_MODE_MODBUS_ASCII = 5 /**< MODBUS ASC 模式 */
-} ck10_operation_mode;
+} CK10_ENUM_16 ck10_operation_mode;
 
 /** Whether a value is one of ck10_operation_mode. */
 static inline bool ck10_operation_mode_known(int64_t value)
@@ -549,7 +552,7 @@ static inline bool ck10_operation_mode_known(int64_t value)
 typedef enum ck10_switch_function {
     CK10_SWITCH_FUNCTION_NONE = 0, /**< 不使用 */
     CK10_SWITCH_FUNCTION_RESET_ALARM = 1 /**< 警報重置 */
-} ck10_switch_function;
+} CK10_ENUM_16 ck10_switch_function;
 
 /** Whether a value is one of ck10_switch_function. */
 static inline bool ck10_switch_function_known(int64_t value)
@@ -564,7 +567,7 @@ typedef enum ck10_baud_rate {
     CK10_BAUD_RATE_BAUD_38400 = 2, /**< 38,400 */
     CK10_BAUD_RATE_BAUD_57600 = 3, /**< 57,600 */
     CK10_BAUD_RATE_BAUD_115200 = 4 /**< 115,200 */
-} ck10_baud_rate;
+} CK10_ENUM_16 ck10_baud_rate;
 
 /** Whether a value is one of ck10_baud_rate. */
 static inline bool ck10_baud_rate_known(int64_t value)
@@ -576,7 +579,7 @@ static inline bool ck10_baud_rate_known(int64_t value)
 typedef enum ck10_enabled {
     CK10_ENABLED_DISABLED = 0, /**< 停用 */
     CK10_ENABLED_ENABLED = 1 /**< 啟用 */
-} ck10_enabled;
+} CK10_ENUM_16 ck10_enabled;
 
 /** Whether a value is one of ck10_enabled. */
 static inline bool ck10_enabled_known(int64_t value)
@@ -588,7 +591,7 @@ static inline bool ck10_enabled_known(int64_t value)
 typedef enum ck10_polarity {
     CK10_POLARITY_NORMAL = 0, /**< On is 1. */
     CK10_POLARITY_INVERTED = 1 /**< On is 0. */
-} ck10_polarity;
+} CK10_ENUM_16 ck10_polarity;
 
 /** Whether a value is one of ck10_polarity. */
 static inline bool ck10_polarity_known(int64_t value)
@@ -610,7 +613,7 @@ typedef enum ck10_point_command {
     CK10_POINT_COMMAND_CLEAR_POSITION = 9, /**< Clear Position */
     CK10_POINT_COMMAND_PUSH_ABSOLUTE = 10, /**< Push Abs Move */
     CK10_POINT_COMMAND_STOP = 11 /**< Stop */
-} ck10_point_command;
+} CK10_ENUM_16 ck10_point_command;
 
 /** Whether a value is one of ck10_point_command. */
 static inline bool ck10_point_command_known(int64_t value)
@@ -626,7 +629,7 @@ typedef enum ck10_output_moment {
     CK10_OUTPUT_MOMENT_START = 0, /**< 開始動作時發出訊號 */
     CK10_OUTPUT_MOMENT_END = 1, /**< 完成動作時發出訊號 */
     CK10_OUTPUT_MOMENT_TRIGGER_POSITION = 2 /**< 到達 "觸發位置" 時發出訊號 */
-} ck10_output_moment;
+} CK10_ENUM_16 ck10_output_moment;
 
 /** Whether a value is one of ck10_output_moment. */
 static inline bool ck10_output_moment_known(int64_t value)
@@ -638,7 +641,7 @@ static inline bool ck10_output_moment_known(int64_t value)
 typedef enum ck10_check_in_position {
     CK10_CHECK_IN_POSITION_IGNORE = 0, /**< 忽略到位訊號 */
     CK10_CHECK_IN_POSITION_WAIT = 1 /**< 等待到位訊號 */
-} ck10_check_in_position;
+} CK10_ENUM_16 ck10_check_in_position;
 
 /** Whether a value is one of ck10_check_in_position. */
 static inline bool ck10_check_in_position_known(int64_t value)
@@ -716,7 +719,7 @@ typedef uint32_t ck10_output_function;
 #define CK10_OUTPUT_FUNCTION_USER_7 0x00400000u /**< User Out 7 */
 #define CK10_OUTPUT_FUNCTION_USER_8 0x00800000u /**< User Out 8 */
 
-/* ---- Words of flags ---- */
+/* ---- Bit fields ---- */
 
 /**
  * The flags of 03E8h. The manual prints each as a mask.
@@ -1886,21 +1889,21 @@ typedef struct ck10_exception {
     uint8_t exception_code;
 } ck10_exception;
 
-/** Writes ck10_exception to 1 bytes without any check. */
+/** Writes ck10_exception to 1 byte without checks. */
 static inline void ck10_exception_pack(const ck10_exception *in, uint8_t *out)
 {
     ck10_store_u8(out + 0, in->exception_code);
 }
 
-/** Reads ck10_exception from 1 bytes without any check. */
+/** Reads ck10_exception from 1 byte without checks. */
 static inline void ck10_exception_unpack(const uint8_t *in, ck10_exception *out)
 {
     out->exception_code = ck10_load_u8(in + 0);
 }
 
 /**
- * Writes ck10_exception: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes ck10_exception: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_exception_encode(const ck10_exception *in, uint8_t *out, size_t capacity,
         size_t *length)
@@ -1913,7 +1916,7 @@ static inline ck10_codec_status ck10_exception_encode(const ck10_exception *in, 
     return CK10_OK;
 }
 
-/** Reads ck10_exception from exactly 1 bytes. */
+/** Reads ck10_exception from exactly 1 byte. */
 static inline ck10_codec_status ck10_exception_decode(const uint8_t *in, size_t length, ck10_exception *out)
 {
     if (length != 1u) {
@@ -1970,7 +1973,7 @@ typedef struct ck10_point {
     /**
      * What the point does.
      * Printed as 命令.
-     * Range: 0..11. See point_command. 65535 is ignored.
+     * Range: 0..11. See point_command. 65535 means ignored.
      * Source: 2.7 L580; 3.5 L819
      */
     uint16_t command;
@@ -1986,7 +1989,7 @@ typedef struct ck10_point {
      * The point that follows when this one is done: 0 to 127. 10000 plus its number: the jump is made at once when
      * the input that starts jumps comes on.
      * Printed as 跳轉編號.
-     * Range: 0..127, 10000..10127. 65535 is ignored.
+     * Range: 0..127, 10000..10127. 65535 means ignored.
      * Note: 2.7 calls it JP Table No and Jump Table No as well; 3.5 calls the empty field that ends the table
      * blank.
      * Source: 2.7 L583; 3.5 L844-845
@@ -1995,7 +1998,7 @@ typedef struct ck10_point {
     /**
      * The point that follows instead of the jump point if jump input 0 is on.
      * Printed as JPT0.
-     * Range: 0..127, 10000..10127. 65535 is ignored.
+     * Range: 0..127, 10000..10127. 65535 means ignored.
      * Note: In the text of 3.5, the second interval of each of the three fields stands on the row of the next one.
      * Source: 2.7 L584; 3.5 L846-847
      */
@@ -2003,14 +2006,14 @@ typedef struct ck10_point {
     /**
      * The point that follows instead of the jump point if jump input 1 is on.
      * Printed as JPT1.
-     * Range: 0..127, 10000..10127. 65535 is ignored.
+     * Range: 0..127, 10000..10127. 65535 means ignored.
      * Source: 2.7 L585; 3.5 L847-849
      */
     uint16_t jump_point_of_input_1;
     /**
      * The point that follows instead of the jump point if jump input 2 is on.
      * Printed as JPT2.
-     * Range: 0..127, 10000..10127. 65535 is ignored.
+     * Range: 0..127, 10000..10127. 65535 means ignored.
      * Source: 2.7 L586; 3.5 L849-851
      */
     uint16_t jump_point_of_input_2;
@@ -2038,7 +2041,7 @@ typedef struct ck10_point {
     /**
      * The point whose loop counter is cleared.
      * Printed as 循環計數清除.
-     * Range: 0..127. 65535 is ignored.
+     * Range: 0..127. 65535 means ignored.
      * Source: 2.7 L592; 3.5 L861
      */
     uint16_t clear_loop_counter_of;
@@ -2089,14 +2092,14 @@ typedef struct ck10_point {
     /**
      * 0 stops at the workpiece; 1 to 10000 do not stop.
      * Printed as 推力模式.
-     * One count is 1 pulse. Range: 0..10000. 0 is stop_mode.
+     * One count is 1 pulse. Range: 0..10000. 0 means stop_mode.
      * Note: The register 07E6h of the same name knows 0 and 1 only. What the pulses count is not printed.
      * Source: 2.7 L599; 3.5 L868
      */
     uint16_t push_mode;
 } ck10_point;
 
-/** Whether the values of ck10_point are such as may be written. */
+/** Whether the values of ck10_point may be written. */
 static inline ck10_codec_status ck10_point_check(const ck10_point *in)
 {
     if (!(in->low_speed >= 1u && in->low_speed <= 35000u)) {
@@ -2163,7 +2166,7 @@ static inline ck10_codec_status ck10_point_check(const ck10_point *in)
     return CK10_OK;
 }
 
-/** Writes ck10_point to 64 bytes without any check. */
+/** Writes ck10_point to 64 bytes without checks. */
 static inline void ck10_point_pack(const ck10_point *in, uint8_t *out)
 {
     size_t at;
@@ -2195,7 +2198,7 @@ static inline void ck10_point_pack(const ck10_point *in, uint8_t *out)
     }
 }
 
-/** Reads ck10_point from 64 bytes without any check. */
+/** Reads ck10_point from 64 bytes without checks. */
 static inline void ck10_point_unpack(const uint8_t *in, ck10_point *out)
 {
     out->position = ck10_signed_32(ck10_load_u32_be(in + 0));
@@ -2224,7 +2227,7 @@ static inline void ck10_point_unpack(const uint8_t *in, ck10_point *out)
 
 /**
  * Writes ck10_point: 64 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_point_encode(const ck10_point *in, uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2283,7 +2286,7 @@ typedef struct ck10_read_registers_request {
     uint16_t word_count;
 } ck10_read_registers_request;
 
-/** Whether the values of ck10_read_registers_request are such as may be written. */
+/** Whether the values of ck10_read_registers_request may be written. */
 static inline ck10_codec_status ck10_read_registers_request_check(const ck10_read_registers_request *in)
 {
     if (!(in->word_count >= 1u && in->word_count <= 125u)) {
@@ -2292,14 +2295,14 @@ static inline ck10_codec_status ck10_read_registers_request_check(const ck10_rea
     return CK10_OK;
 }
 
-/** Writes ck10_read_registers_request to 4 bytes without any check. */
+/** Writes ck10_read_registers_request to 4 bytes without checks. */
 static inline void ck10_read_registers_request_pack(const ck10_read_registers_request *in, uint8_t *out)
 {
     ck10_store_u16_be(out + 0, in->address);
     ck10_store_u16_be(out + 2, in->word_count);
 }
 
-/** Reads ck10_read_registers_request from 4 bytes without any check. */
+/** Reads ck10_read_registers_request from 4 bytes without checks. */
 static inline void ck10_read_registers_request_unpack(const uint8_t *in, ck10_read_registers_request *out)
 {
     out->address = ck10_load_u16_be(in + 0);
@@ -2308,7 +2311,7 @@ static inline void ck10_read_registers_request_unpack(const uint8_t *in, ck10_re
 
 /**
  * Writes ck10_read_registers_request: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_read_registers_request_encode(const ck10_read_registers_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -2349,7 +2352,7 @@ typedef struct ck10_read_registers_response {
 
 /**
  * Writes ck10_read_registers_response: 3 to 251 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_read_registers_response_encode(const ck10_read_registers_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -2415,14 +2418,14 @@ typedef struct ck10_write_register_request {
     uint16_t value;
 } ck10_write_register_request;
 
-/** Writes ck10_write_register_request to 4 bytes without any check. */
+/** Writes ck10_write_register_request to 4 bytes without checks. */
 static inline void ck10_write_register_request_pack(const ck10_write_register_request *in, uint8_t *out)
 {
     ck10_store_u16_be(out + 0, in->address);
     ck10_store_u16_be(out + 2, in->value);
 }
 
-/** Reads ck10_write_register_request from 4 bytes without any check. */
+/** Reads ck10_write_register_request from 4 bytes without checks. */
 static inline void ck10_write_register_request_unpack(const uint8_t *in, ck10_write_register_request *out)
 {
     out->address = ck10_load_u16_be(in + 0);
@@ -2431,7 +2434,7 @@ static inline void ck10_write_register_request_unpack(const uint8_t *in, ck10_wr
 
 /**
  * Writes ck10_write_register_request: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_write_register_request_encode(const ck10_write_register_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -2469,14 +2472,14 @@ typedef struct ck10_write_register_response {
     uint16_t value;
 } ck10_write_register_response;
 
-/** Writes ck10_write_register_response to 4 bytes without any check. */
+/** Writes ck10_write_register_response to 4 bytes without checks. */
 static inline void ck10_write_register_response_pack(const ck10_write_register_response *in, uint8_t *out)
 {
     ck10_store_u16_be(out + 0, in->address);
     ck10_store_u16_be(out + 2, in->value);
 }
 
-/** Reads ck10_write_register_response from 4 bytes without any check. */
+/** Reads ck10_write_register_response from 4 bytes without checks. */
 static inline void ck10_write_register_response_unpack(const uint8_t *in, ck10_write_register_response *out)
 {
     out->address = ck10_load_u16_be(in + 0);
@@ -2485,7 +2488,7 @@ static inline void ck10_write_register_response_unpack(const uint8_t *in, ck10_w
 
 /**
  * Writes ck10_write_register_response: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_write_register_response_encode(const ck10_write_register_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -2535,7 +2538,7 @@ typedef struct ck10_write_registers_request {
 
 /**
  * Writes ck10_write_registers_request: 7 to 251 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_write_registers_request_encode(const ck10_write_registers_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -2599,14 +2602,14 @@ typedef struct ck10_write_registers_response {
     uint16_t word_count;
 } ck10_write_registers_response;
 
-/** Writes ck10_write_registers_response to 4 bytes without any check. */
+/** Writes ck10_write_registers_response to 4 bytes without checks. */
 static inline void ck10_write_registers_response_pack(const ck10_write_registers_response *in, uint8_t *out)
 {
     ck10_store_u16_be(out + 0, in->address);
     ck10_store_u16_be(out + 2, in->word_count);
 }
 
-/** Reads ck10_write_registers_response from 4 bytes without any check. */
+/** Reads ck10_write_registers_response from 4 bytes without checks. */
 static inline void ck10_write_registers_response_unpack(const uint8_t *in, ck10_write_registers_response *out)
 {
     out->address = ck10_load_u16_be(in + 0);
@@ -2615,7 +2618,7 @@ static inline void ck10_write_registers_response_unpack(const uint8_t *in, ck10_
 
 /**
  * Writes ck10_write_registers_response: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_write_registers_response_encode(const ck10_write_registers_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -2648,11 +2651,11 @@ static inline ck10_codec_status ck10_write_registers_response_decode(const uint8
 #define CK10_REPORT_SERVER_ID_CODE 17u
 
 #define CK10_REPORT_SERVER_ID_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes ck10_report_server_id_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_report_server_id_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2673,11 +2676,11 @@ static inline ck10_codec_status ck10_report_server_id_request_decode(const uint8
 }
 
 #define CK10_REPORT_SERVER_ID_RESPONSE_SIZE 3u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes ck10_report_server_id_response: 3 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline ck10_codec_status ck10_report_server_id_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2720,14 +2723,14 @@ static inline ck10_codec_status ck10_report_server_id_response_decode(const uint
 #define CK10_REG_AXIS_START_SPEED_ADDRESS 0x07D0u
 #define CK10_REG_AXIS_START_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_start_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -2744,14 +2747,14 @@ static inline ck10_codec_status ck10_reg_axis_start_speed_encode(uint32_t value,
 #define CK10_REG_AXIS_ACCELERATION_TIME_ADDRESS 0x07D2u
 #define CK10_REG_AXIS_ACCELERATION_TIME_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_acceleration_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_acceleration_time_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -2768,14 +2771,14 @@ static inline ck10_codec_status ck10_reg_axis_acceleration_time_encode(uint16_t 
 #define CK10_REG_AXIS_DECELERATION_TIME_ADDRESS 0x07D3u
 #define CK10_REG_AXIS_DECELERATION_TIME_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_deceleration_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_deceleration_time_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -2792,14 +2795,14 @@ static inline ck10_codec_status ck10_reg_axis_deceleration_time_encode(uint16_t 
 #define CK10_REG_AXIS_MOVE_SPEED_ADDRESS 0x07D4u
 #define CK10_REG_AXIS_MOVE_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_move_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_move_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -2816,14 +2819,14 @@ static inline ck10_codec_status ck10_reg_axis_move_speed_encode(uint32_t value, 
 #define CK10_REG_TARGET_POSITION_OR_DISTANCE_ADDRESS 0x07D6u
 #define CK10_REG_TARGET_POSITION_OR_DISTANCE_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_target_position_or_distance_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_target_position_or_distance_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -2841,20 +2844,23 @@ static inline ck10_codec_status ck10_reg_target_position_or_distance_encode(int3
 #define CK10_REG_START_MOVE_ADDRESS 0x07D8u
 #define CK10_REG_START_MOVE_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/**
+ * Decodes the value from the 2 bytes of its words.
+ * An integer, as the device may answer what move_kind does not have.
+ */
 static inline ck10_codec_status ck10_reg_start_move_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_start_move_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_move_encode(ck10_move_kind value, uint8_t *out)
 {
     if (!ck10_move_kind_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u16_be(out, value);
+    ck10_store_u16_be(out, (uint16_t)value);
     return CK10_OK;
 }
 
@@ -2868,14 +2874,14 @@ static inline ck10_codec_status ck10_reg_start_move_encode(uint16_t value, uint8
 #define CK10_REG_AXIS_JOG_ACCELERATION_TIME_ADDRESS 0x07D9u
 #define CK10_REG_AXIS_JOG_ACCELERATION_TIME_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_jog_acceleration_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_jog_acceleration_time_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -2891,14 +2897,14 @@ static inline ck10_codec_status ck10_reg_axis_jog_acceleration_time_encode(uint1
 #define CK10_REG_AXIS_JOG_START_SPEED_ADDRESS 0x07DAu
 #define CK10_REG_AXIS_JOG_START_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_jog_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_jog_start_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -2914,14 +2920,14 @@ static inline ck10_codec_status ck10_reg_axis_jog_start_speed_encode(uint32_t va
 #define CK10_REG_AXIS_JOG_SPEED_ADDRESS 0x07DCu
 #define CK10_REG_AXIS_JOG_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_jog_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_axis_jog_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -2938,23 +2944,24 @@ static inline ck10_codec_status ck10_reg_axis_jog_speed_encode(uint32_t value, u
 #define CK10_REG_JOG_DIRECTION_ADDRESS 0x07DEu
 #define CK10_REG_JOG_DIRECTION_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_jog_direction_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_jog_direction_decode(const uint8_t *in, ck10_jog_direction *out)
 {
-    *out = ck10_load_u16_be(in);
-    if (!ck10_jog_direction_known((int64_t)*out)) {
+    const uint16_t number = ck10_load_u16_be(in);
+    if (!ck10_jog_direction_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_jog_direction)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_jog_direction_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_jog_direction_encode(ck10_jog_direction value, uint8_t *out)
 {
     if (!ck10_jog_direction_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u16_be(out, value);
+    ck10_store_u16_be(out, (uint16_t)value);
     return CK10_OK;
 }
 
@@ -2968,14 +2975,14 @@ static inline ck10_codec_status ck10_reg_jog_direction_encode(uint16_t value, ui
 #define CK10_REG_START_JOG_WORDS 1u
 #define CK10_REG_START_JOG_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_jog_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_jog_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -2992,14 +2999,14 @@ static inline ck10_codec_status ck10_reg_start_jog_encode(uint8_t *out)
 #define CK10_REG_PUSH_START_SPEED_ADDRESS 0x07E0u
 #define CK10_REG_PUSH_START_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_start_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -3016,14 +3023,14 @@ static inline ck10_codec_status ck10_reg_push_start_speed_encode(uint32_t value,
 #define CK10_REG_PUSH_MOVE_SPEED_ADDRESS 0x07E2u
 #define CK10_REG_PUSH_MOVE_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_move_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_move_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -3039,14 +3046,14 @@ static inline ck10_codec_status ck10_reg_push_move_speed_encode(uint32_t value, 
 #define CK10_REG_PUSH_ACCELERATION_TIME_ADDRESS 0x07E4u
 #define CK10_REG_PUSH_ACCELERATION_TIME_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_acceleration_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_acceleration_time_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -3062,14 +3069,14 @@ static inline ck10_codec_status ck10_reg_push_acceleration_time_encode(uint16_t 
 #define CK10_REG_PUSH_DECELERATION_TIME_ADDRESS 0x07E5u
 #define CK10_REG_PUSH_DECELERATION_TIME_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_deceleration_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_deceleration_time_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -3086,23 +3093,24 @@ static inline ck10_codec_status ck10_reg_push_deceleration_time_encode(uint16_t 
 #define CK10_REG_PUSH_MODE_ADDRESS 0x07E6u
 #define CK10_REG_PUSH_MODE_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_push_mode_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_mode_decode(const uint8_t *in, ck10_push_mode *out)
 {
-    *out = ck10_load_u16_be(in);
-    if (!ck10_push_mode_known((int64_t)*out)) {
+    const uint16_t number = ck10_load_u16_be(in);
+    if (!ck10_push_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_push_mode)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_push_mode_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_mode_encode(ck10_push_mode value, uint8_t *out)
 {
     if (!ck10_push_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u16_be(out, value);
+    ck10_store_u16_be(out, (uint16_t)value);
     return CK10_OK;
 }
 
@@ -3115,14 +3123,14 @@ static inline ck10_codec_status ck10_reg_push_mode_encode(uint16_t value, uint8_
 #define CK10_REG_PUSH_TORQUE_RATIO_ADDRESS 0x07E7u
 #define CK10_REG_PUSH_TORQUE_RATIO_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_torque_ratio_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_torque_ratio_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -3138,14 +3146,14 @@ static inline ck10_codec_status ck10_reg_push_torque_ratio_encode(uint16_t value
 #define CK10_REG_PUSH_SPEED_ADDRESS 0x07E8u
 #define CK10_REG_PUSH_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_speed_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -3162,14 +3170,14 @@ static inline ck10_codec_status ck10_reg_push_speed_encode(uint32_t value, uint8
 #define CK10_REG_PUSH_START_POSITION_ADDRESS 0x07EAu
 #define CK10_REG_PUSH_START_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_start_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_start_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -3177,7 +3185,7 @@ static inline ck10_codec_status ck10_reg_push_start_position_encode(int32_t valu
 }
 
 /**
- * Where the push ends at the latest.
+ * Where the push ends.
  * Printed as PushEndPos 推力運動結束座標.
  * Read and write. 2 words must be accessed in one request.
  * Note: Neither unit nor range is printed; the push position of a point is in pulses (3.5 L867).
@@ -3186,14 +3194,14 @@ static inline ck10_codec_status ck10_reg_push_start_position_encode(int32_t valu
 #define CK10_REG_PUSH_END_POSITION_ADDRESS 0x07ECu
 #define CK10_REG_PUSH_END_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_end_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_push_end_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -3210,14 +3218,14 @@ static inline ck10_codec_status ck10_reg_push_end_position_encode(int32_t value,
 #define CK10_REG_START_PUSH_MOTION_WORDS 1u
 #define CK10_REG_START_PUSH_MOTION_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_push_motion_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_push_motion_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -3225,7 +3233,7 @@ static inline ck10_codec_status ck10_reg_start_push_motion_encode(uint8_t *out)
 }
 
 /**
- * Writing 1 starts homing in the way that the parameters 13A4h to 13B0h define. Reading gives 0.
+ * Writing 1 starts homing. The parameters define the method. Reading gives 0.
  * Printed as MoveOrigin 開始回原點.
  * Read and write. Writing starts an action.
  * Source: 2.4 L331
@@ -3234,14 +3242,14 @@ static inline ck10_codec_status ck10_reg_start_push_motion_encode(uint8_t *out)
 #define CK10_REG_START_HOMING_WORDS 1u
 #define CK10_REG_START_HOMING_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_homing_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_homing_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -3259,20 +3267,23 @@ static inline ck10_codec_status ck10_reg_start_homing_encode(uint8_t *out)
 #define CK10_REG_STOP_ADDRESS 0x07F0u
 #define CK10_REG_STOP_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/**
+ * Decodes the value from the 2 bytes of its words.
+ * An integer, as the device may answer what stop_kind does not have.
+ */
 static inline ck10_codec_status ck10_reg_stop_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_stop_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_stop_encode(ck10_stop_kind value, uint8_t *out)
 {
     if (!ck10_stop_kind_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u16_be(out, value);
+    ck10_store_u16_be(out, (uint16_t)value);
     return CK10_OK;
 }
 
@@ -3286,14 +3297,14 @@ static inline ck10_codec_status ck10_reg_stop_encode(uint16_t value, uint8_t *ou
 #define CK10_REG_SERVO_ADDRESS 0x07F1u
 #define CK10_REG_SERVO_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_servo_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_servo_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -3310,14 +3321,14 @@ static inline ck10_codec_status ck10_reg_servo_encode(uint16_t value, uint8_t *o
 #define CK10_REG_CLEAR_POSITION_WORDS 1u
 #define CK10_REG_CLEAR_POSITION_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_clear_position_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_clear_position_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -3334,14 +3345,14 @@ static inline ck10_codec_status ck10_reg_clear_position_encode(uint8_t *out)
 #define CK10_REG_RESET_ALARM_WORDS 1u
 #define CK10_REG_RESET_ALARM_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reset_alarm_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reset_alarm_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -3359,14 +3370,14 @@ static inline ck10_codec_status ck10_reg_reset_alarm_encode(uint8_t *out)
 #define CK10_REG_SAVE_POINT_TABLE_WORDS 1u
 #define CK10_REG_SAVE_POINT_TABLE_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_save_point_table_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_save_point_table_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -3383,14 +3394,14 @@ static inline ck10_codec_status ck10_reg_save_point_table_encode(uint8_t *out)
 #define CK10_REG_START_POINT_ADDRESS 0x07F6u
 #define CK10_REG_START_POINT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_point_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_point_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -3408,20 +3419,23 @@ static inline ck10_codec_status ck10_reg_start_point_encode(uint16_t value, uint
 #define CK10_REG_RUN_POINT_TABLE_ADDRESS 0x07F7u
 #define CK10_REG_RUN_POINT_TABLE_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/**
+ * Decodes the value from the 2 bytes of its words.
+ * An integer, as the device may answer what point_table_command does not have.
+ */
 static inline ck10_codec_status ck10_reg_run_point_table_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_run_point_table_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_run_point_table_encode(ck10_point_table_command value, uint8_t *out)
 {
     if (!ck10_point_table_command_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u16_be(out, value);
+    ck10_store_u16_be(out, (uint16_t)value);
     return CK10_OK;
 }
 
@@ -3435,14 +3449,14 @@ static inline ck10_codec_status ck10_reg_run_point_table_encode(uint16_t value, 
 #define CK10_REG_SAVE_ALL_PARAMETERS_WORDS 1u
 #define CK10_REG_SAVE_ALL_PARAMETERS_VALUE 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_save_all_parameters_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_save_all_parameters_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 1u);
@@ -3459,14 +3473,14 @@ static inline ck10_codec_status ck10_reg_save_all_parameters_encode(uint8_t *out
 #define CK10_REG_COMPARE_START_POSITION_ADDRESS 0x07F8u
 #define CK10_REG_COMPARE_START_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_start_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_start_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -3483,14 +3497,14 @@ static inline ck10_codec_status ck10_reg_compare_start_position_encode(int32_t v
 #define CK10_REG_COMPARE_PERIOD_ADDRESS 0x07FAu
 #define CK10_REG_COMPARE_PERIOD_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_period_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_period_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -3509,14 +3523,14 @@ static inline ck10_codec_status ck10_reg_compare_period_encode(uint32_t value, u
 #define CK10_REG_COMPARE_PULSE_WIDTH_MIN 1u
 #define CK10_REG_COMPARE_PULSE_WIDTH_MAX 1000u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_pulse_width_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_pulse_width_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 1000u)) {
@@ -3527,7 +3541,7 @@ static inline ck10_codec_status ck10_reg_compare_pulse_width_encode(uint16_t val
 }
 
 /**
- * The compare output is in use.
+ * Enables the compare output.
  * Printed as CmpEnable.
  * Read and write.
  * Source: 2.5 L348
@@ -3535,7 +3549,7 @@ static inline ck10_codec_status ck10_reg_compare_pulse_width_encode(uint16_t val
 #define CK10_REG_COMPARE_ENABLE_ADDRESS 0x07FDu
 #define CK10_REG_COMPARE_ENABLE_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_enable_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -3545,7 +3559,7 @@ static inline ck10_codec_status ck10_reg_compare_enable_decode(const uint8_t *in
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_enable_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -3553,7 +3567,7 @@ static inline ck10_codec_status ck10_reg_compare_enable_encode(bool value, uint8
 }
 
 /**
- * Whether it really is.
+ * Whether the compare output is enabled.
  * Printed as CmpStat.
  * Read only.
  * Source: 2.5 L349
@@ -3561,7 +3575,7 @@ static inline ck10_codec_status ck10_reg_compare_enable_encode(bool value, uint8
 #define CK10_REG_COMPARE_ACTIVE_ADDRESS 0x07FEu
 #define CK10_REG_COMPARE_ACTIVE_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_active_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -3571,7 +3585,7 @@ static inline ck10_codec_status ck10_reg_compare_active_decode(const uint8_t *in
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_compare_active_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -3588,14 +3602,14 @@ static inline ck10_codec_status ck10_reg_compare_active_encode(bool value, uint8
 #define CK10_REG_MODEL_ID_WORDS 2u
 #define CK10_REG_MODEL_ID_VALUE 104u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_model_id_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_model_id_encode(uint8_t *out)
 {
     ck10_store_u32_be(out, 104u);
@@ -3612,14 +3626,14 @@ static inline ck10_codec_status ck10_reg_model_id_encode(uint8_t *out)
 #define CK10_REG_HARDWARE_TYPE_WORDS 1u
 #define CK10_REG_HARDWARE_TYPE_VALUE 31u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_hardware_type_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_hardware_type_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 31u);
@@ -3635,14 +3649,14 @@ static inline ck10_codec_status ck10_reg_hardware_type_encode(uint8_t *out)
 #define CK10_REG_FIRMWARE_VERSION_ADDRESS 0x0837u
 #define CK10_REG_FIRMWARE_VERSION_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_firmware_version_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_firmware_version_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -3658,14 +3672,14 @@ static inline ck10_codec_status ck10_reg_firmware_version_encode(uint16_t value,
 #define CK10_REG_POWER_CYCLES_ADDRESS 0x0838u
 #define CK10_REG_POWER_CYCLES_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_power_cycles_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_power_cycles_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -3682,14 +3696,14 @@ static inline ck10_codec_status ck10_reg_power_cycles_encode(uint32_t value, uin
 #define CK10_REG_TURNS_TOTAL_ADDRESS 0x083Au
 #define CK10_REG_TURNS_TOTAL_WORDS 4u
 
-/** Reads its value from the 8 bytes of its words. */
+/** Decodes the value from the 8 bytes of its words. */
 static inline ck10_codec_status ck10_reg_turns_total_decode(const uint8_t *in, uint64_t *out)
 {
     *out = ck10_load_u64_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 8 bytes of its words. */
+/** Encodes the value into the 8 bytes of its words. */
 static inline ck10_codec_status ck10_reg_turns_total_encode(uint64_t value, uint8_t *out)
 {
     ck10_store_u64_be(out, value);
@@ -3706,14 +3720,14 @@ static inline ck10_codec_status ck10_reg_turns_total_encode(uint64_t value, uint
 #define CK10_REG_TURNS_SINCE_POWER_ON_ADDRESS 0x083Eu
 #define CK10_REG_TURNS_SINCE_POWER_ON_WORDS 4u
 
-/** Reads its value from the 8 bytes of its words. */
+/** Decodes the value from the 8 bytes of its words. */
 static inline ck10_codec_status ck10_reg_turns_since_power_on_decode(const uint8_t *in, uint64_t *out)
 {
     *out = ck10_load_u64_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 8 bytes of its words. */
+/** Encodes the value into the 8 bytes of its words. */
 static inline ck10_codec_status ck10_reg_turns_since_power_on_encode(uint64_t value, uint8_t *out)
 {
     ck10_store_u64_be(out, value);
@@ -3734,14 +3748,14 @@ static inline ck10_codec_status ck10_reg_turns_since_power_on_encode(uint64_t va
 #define CK10_REG_RESOLUTION_MAX 50000u
 #define CK10_REG_RESOLUTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_resolution_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_resolution_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 50000u)) {
@@ -3767,14 +3781,14 @@ static inline ck10_codec_status ck10_reg_resolution_encode(uint32_t value, uint8
 #define CK10_REG_MAXIMUM_SPEED_MAX 800000u
 #define CK10_REG_MAXIMUM_SPEED_DEFAULT 500000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_maximum_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_maximum_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 800000u)) {
@@ -3798,14 +3812,14 @@ static inline ck10_codec_status ck10_reg_maximum_speed_encode(uint32_t value, ui
 #define CK10_REG_START_SPEED_MAX 35000u
 #define CK10_REG_START_SPEED_DEFAULT 1u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_start_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 35000u)) {
@@ -3829,14 +3843,14 @@ static inline ck10_codec_status ck10_reg_start_speed_encode(uint32_t value, uint
 #define CK10_REG_ACCELERATION_TIME_MAX 9999u
 #define CK10_REG_ACCELERATION_TIME_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_acceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_acceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -3860,14 +3874,14 @@ static inline ck10_codec_status ck10_reg_acceleration_time_encode(uint32_t value
 #define CK10_REG_DECELERATION_TIME_MAX 9999u
 #define CK10_REG_DECELERATION_TIME_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_deceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_deceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -3890,14 +3904,14 @@ static inline ck10_codec_status ck10_reg_deceleration_time_encode(uint32_t value
 #define CK10_REG_RESERVED_5_MAX 100u
 #define CK10_REG_RESERVED_5_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_5_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_5_encode(uint32_t value, uint8_t *out)
 {
     if (!(value == 100u)) {
@@ -3921,14 +3935,14 @@ static inline ck10_codec_status ck10_reg_reserved_5_encode(uint32_t value, uint8
 #define CK10_REG_JOG_SPEED_MAX 800000u
 #define CK10_REG_JOG_SPEED_DEFAULT 5000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 800000u)) {
@@ -3952,14 +3966,14 @@ static inline ck10_codec_status ck10_reg_jog_speed_encode(uint32_t value, uint8_
 #define CK10_REG_JOG_START_SPEED_MAX 35000u
 #define CK10_REG_JOG_START_SPEED_DEFAULT 1u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_start_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 35000u)) {
@@ -3983,14 +3997,14 @@ static inline ck10_codec_status ck10_reg_jog_start_speed_encode(uint32_t value, 
 #define CK10_REG_JOG_ACCELERATION_TIME_MAX 9999u
 #define CK10_REG_JOG_ACCELERATION_TIME_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_acceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_jog_acceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -4014,14 +4028,14 @@ static inline ck10_codec_status ck10_reg_jog_acceleration_time_encode(uint32_t v
 #define CK10_REG_POSITIVE_SOFT_LIMIT_MAX 2147483647
 #define CK10_REG_POSITIVE_SOFT_LIMIT_DEFAULT 2147483647
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_positive_soft_limit_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_positive_soft_limit_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -4042,14 +4056,14 @@ static inline ck10_codec_status ck10_reg_positive_soft_limit_encode(int32_t valu
 #define CK10_REG_NEGATIVE_SOFT_LIMIT_MAX 2147483647
 #define CK10_REG_NEGATIVE_SOFT_LIMIT_DEFAULT (-2147483647 - 1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_negative_soft_limit_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_negative_soft_limit_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -4070,23 +4084,24 @@ static inline ck10_codec_status ck10_reg_negative_soft_limit_encode(int32_t valu
 #define CK10_REG_SOFT_LIMIT_STOP_MAX 2u
 #define CK10_REG_SOFT_LIMIT_STOP_DEFAULT 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_soft_limit_stop_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_soft_limit_stop_decode(const uint8_t *in, ck10_soft_limit_stop *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_soft_limit_stop_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_soft_limit_stop_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_soft_limit_stop)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_soft_limit_stop_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_soft_limit_stop_encode(ck10_soft_limit_stop value, uint8_t *out)
 {
     if (!ck10_soft_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4104,23 +4119,24 @@ static inline ck10_codec_status ck10_reg_soft_limit_stop_encode(uint32_t value, 
 #define CK10_REG_HARD_LIMIT_STOP_MAX 1u
 #define CK10_REG_HARD_LIMIT_STOP_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_hard_limit_stop_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_hard_limit_stop_decode(const uint8_t *in, ck10_hard_limit_stop *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_hard_limit_stop_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_hard_limit_stop_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_hard_limit_stop)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_hard_limit_stop_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_hard_limit_stop_encode(ck10_hard_limit_stop value, uint8_t *out)
 {
     if (!ck10_hard_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4137,14 +4153,14 @@ static inline ck10_codec_status ck10_reg_hard_limit_stop_encode(uint32_t value, 
 #define CK10_REG_RESERVED_13_MAX 1u
 #define CK10_REG_RESERVED_13_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_13_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_13_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 1u)) {
@@ -4168,14 +4184,14 @@ static inline ck10_codec_status ck10_reg_reserved_13_encode(uint32_t value, uint
 #define CK10_REG_HOMING_SPEED_MAX 800000u
 #define CK10_REG_HOMING_SPEED_DEFAULT 5000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 800000u)) {
@@ -4200,14 +4216,14 @@ static inline ck10_codec_status ck10_reg_homing_speed_encode(uint32_t value, uin
 #define CK10_REG_HOMING_SEARCH_SPEED_MAX 80000u
 #define CK10_REG_HOMING_SEARCH_SPEED_DEFAULT 1000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_search_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_search_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 80000u)) {
@@ -4231,14 +4247,14 @@ static inline ck10_codec_status ck10_reg_homing_search_speed_encode(uint32_t val
 #define CK10_REG_HOMING_ACCELERATION_TIME_MAX 9999u
 #define CK10_REG_HOMING_ACCELERATION_TIME_DEFAULT 50u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_acceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_acceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -4262,23 +4278,24 @@ static inline ck10_codec_status ck10_reg_homing_acceleration_time_encode(uint32_
 #define CK10_REG_HOMING_METHOD_MAX 7u
 #define CK10_REG_HOMING_METHOD_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_homing_method_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_method_decode(const uint8_t *in, ck10_homing_method *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_homing_method_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_homing_method_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_homing_method)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_homing_method_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_method_encode(ck10_homing_method value, uint8_t *out)
 {
     if (!ck10_homing_method_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4296,23 +4313,24 @@ static inline ck10_codec_status ck10_reg_homing_method_encode(uint32_t value, ui
 #define CK10_REG_HOMING_DIRECTION_MAX 1u
 #define CK10_REG_HOMING_DIRECTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_homing_direction_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_direction_decode(const uint8_t *in, ck10_rotation *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_rotation_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_rotation_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_rotation)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_homing_direction_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_direction_encode(ck10_rotation value, uint8_t *out)
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4330,14 +4348,14 @@ static inline ck10_codec_status ck10_reg_homing_direction_encode(uint32_t value,
 #define CK10_REG_HOMING_OFFSET_MAX 2147483647
 #define CK10_REG_HOMING_OFFSET_DEFAULT 0
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_offset_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_offset_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -4358,14 +4376,14 @@ static inline ck10_codec_status ck10_reg_homing_offset_encode(int32_t value, uin
 #define CK10_REG_ORIGIN_POSITION_MAX 2147483647
 #define CK10_REG_ORIGIN_POSITION_DEFAULT 0
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_origin_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_origin_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -4385,14 +4403,14 @@ static inline ck10_codec_status ck10_reg_origin_position_encode(int32_t value, u
 #define CK10_REG_RESERVED_21_MAX 1u
 #define CK10_REG_RESERVED_21_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_21_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_21_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 1u)) {
@@ -4419,14 +4437,14 @@ static inline ck10_codec_status ck10_reg_reserved_21_encode(uint32_t value, uint
 #define CK10_REG_POSITION_LOOP_GAIN_MAX 63u
 #define CK10_REG_POSITION_LOOP_GAIN_DEFAULT 4u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_position_loop_gain_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_position_loop_gain_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 63u)) {
@@ -4451,14 +4469,14 @@ static inline ck10_codec_status ck10_reg_position_loop_gain_encode(uint32_t valu
 #define CK10_REG_IN_POSITION_RANGE_MAX 127u
 #define CK10_REG_IN_POSITION_RANGE_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_in_position_range_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_in_position_range_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 127u)) {
@@ -4482,14 +4500,14 @@ static inline ck10_codec_status ck10_reg_in_position_range_encode(uint32_t value
 #define CK10_REG_TRACKING_LIMIT_MAX 134217727u
 #define CK10_REG_TRACKING_LIMIT_DEFAULT 2500u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_tracking_limit_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_tracking_limit_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 134217727u)) {
@@ -4514,23 +4532,24 @@ static inline ck10_codec_status ck10_reg_tracking_limit_encode(uint32_t value, u
 #define CK10_REG_MOTOR_DIRECTION_MAX 1u
 #define CK10_REG_MOTOR_DIRECTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_motor_direction_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_motor_direction_decode(const uint8_t *in, ck10_rotation *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_rotation_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_rotation_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_rotation)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_motor_direction_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_motor_direction_encode(ck10_rotation value, uint8_t *out)
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4547,14 +4566,14 @@ static inline ck10_codec_status ck10_reg_motor_direction_encode(uint32_t value, 
 #define CK10_REG_RESERVED_26_MAX 1u
 #define CK10_REG_RESERVED_26_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_26_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_26_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 1u)) {
@@ -4578,14 +4597,14 @@ static inline ck10_codec_status ck10_reg_reserved_26_encode(uint32_t value, uint
 #define CK10_REG_HOMING_TORQUE_RATIO_MAX 90u
 #define CK10_REG_HOMING_TORQUE_RATIO_DEFAULT 50u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_torque_ratio_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_homing_torque_ratio_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 20u && value <= 90u)) {
@@ -4609,14 +4628,14 @@ static inline ck10_codec_status ck10_reg_homing_torque_ratio_encode(uint32_t val
 #define CK10_REG_POSITION_OVERFLOW_LIMIT_MAX 134217727u
 #define CK10_REG_POSITION_OVERFLOW_LIMIT_DEFAULT 2500u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_position_overflow_limit_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_position_overflow_limit_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 134217727u)) {
@@ -4639,14 +4658,14 @@ static inline ck10_codec_status ck10_reg_position_overflow_limit_encode(uint32_t
 #define CK10_REG_RESERVED_29_MAX 5000u
 #define CK10_REG_RESERVED_29_DEFAULT 200u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_29_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_reserved_29_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 10u && value <= 5000u)) {
@@ -4673,14 +4692,14 @@ static inline ck10_codec_status ck10_reg_reserved_29_encode(uint32_t value, uint
 #define CK10_REG_RUN_CURRENT_SCALE_NUMERATOR INT64_C(10)
 #define CK10_REG_RUN_CURRENT_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_run_current_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_run_current_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 5u && value <= 15u)) {
@@ -4708,14 +4727,14 @@ static inline ck10_codec_status ck10_reg_run_current_encode(uint32_t value, uint
 #define CK10_REG_BOOST_CURRENT_SCALE_NUMERATOR INT64_C(50)
 #define CK10_REG_BOOST_CURRENT_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_boost_current_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_boost_current_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 7u)) {
@@ -4742,14 +4761,14 @@ static inline ck10_codec_status ck10_reg_boost_current_encode(uint32_t value, ui
 #define CK10_REG_STOP_CURRENT_SCALE_NUMERATOR INT64_C(10)
 #define CK10_REG_STOP_CURRENT_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_stop_current_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_stop_current_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 2u && value <= 10u)) {
@@ -4773,23 +4792,24 @@ static inline ck10_codec_status ck10_reg_stop_current_encode(uint32_t value, uin
 #define CK10_REG_EMERGENCY_STOP_MODE_MAX 4u
 #define CK10_REG_EMERGENCY_STOP_MODE_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_emergency_stop_mode_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_emergency_stop_mode_decode(const uint8_t *in, ck10_emergency_stop_mode *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_emergency_stop_mode_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_emergency_stop_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_emergency_stop_mode)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_emergency_stop_mode_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_emergency_stop_mode_encode(ck10_emergency_stop_mode value, uint8_t *out)
 {
     if (!ck10_emergency_stop_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4807,23 +4827,24 @@ static inline ck10_codec_status ck10_reg_emergency_stop_mode_encode(uint32_t val
 #define CK10_REG_EMERGENCY_BRAKE_MODE_MAX 1u
 #define CK10_REG_EMERGENCY_BRAKE_MODE_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_emergency_brake_mode_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_emergency_brake_mode_decode(const uint8_t *in, ck10_emergency_brake_mode *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_emergency_brake_mode_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_emergency_brake_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_emergency_brake_mode)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_emergency_brake_mode_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_emergency_brake_mode_encode(ck10_emergency_brake_mode value, uint8_t *out)
 {
     if (!ck10_emergency_brake_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4842,23 +4863,24 @@ static inline ck10_codec_status ck10_reg_emergency_brake_mode_encode(uint32_t va
 #define CK10_REG_OPERATION_MODE_MAX 5u
 #define CK10_REG_OPERATION_MODE_DEFAULT 3u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_operation_mode_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_operation_mode_decode(const uint8_t *in, ck10_operation_mode *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_operation_mode_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_operation_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_operation_mode)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_operation_mode_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_operation_mode_encode(ck10_operation_mode value, uint8_t *out)
 {
     if (!ck10_operation_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4876,23 +4898,24 @@ static inline ck10_codec_status ck10_reg_operation_mode_encode(uint32_t value, u
 #define CK10_REG_SWITCH_FUNCTION_MAX 1u
 #define CK10_REG_SWITCH_FUNCTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_switch_function_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_switch_function_decode(const uint8_t *in, ck10_switch_function *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_switch_function_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_switch_function_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_switch_function)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_switch_function_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_switch_function_encode(ck10_switch_function value, uint8_t *out)
 {
     if (!ck10_switch_function_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4910,23 +4933,24 @@ static inline ck10_codec_status ck10_reg_switch_function_encode(uint32_t value, 
 #define CK10_REG_BAUD_RATE_MAX 4u
 #define CK10_REG_BAUD_RATE_DEFAULT 4u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_baud_rate_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_baud_rate_decode(const uint8_t *in, ck10_baud_rate *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_baud_rate_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_baud_rate_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_baud_rate)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_baud_rate_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_baud_rate_encode(ck10_baud_rate value, uint8_t *out)
 {
     if (!ck10_baud_rate_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4946,23 +4970,24 @@ static inline ck10_codec_status ck10_reg_baud_rate_encode(uint32_t value, uint8_
 #define CK10_REG_SAVE_POSITION_MAX 1u
 #define CK10_REG_SAVE_POSITION_DEFAULT 1u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_save_position_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_save_position_decode(const uint8_t *in, ck10_enabled *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_enabled_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_enabled_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_enabled)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_save_position_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_save_position_encode(ck10_enabled value, uint8_t *out)
 {
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -4980,23 +5005,24 @@ static inline ck10_codec_status ck10_reg_save_position_encode(uint32_t value, ui
 #define CK10_REG_SHOW_MOTOR_NUMBER_MAX 1u
 #define CK10_REG_SHOW_MOTOR_NUMBER_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_show_motor_number_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_show_motor_number_decode(const uint8_t *in, ck10_enabled *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_enabled_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_enabled_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_enabled)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_show_motor_number_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_show_motor_number_encode(ck10_enabled value, uint8_t *out)
 {
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5009,14 +5035,14 @@ static inline ck10_codec_status ck10_reg_show_motor_number_encode(uint32_t value
 #define CK10_REG_ASSIGNMENT_FLAGS_ADDRESS 0x13D8u
 #define CK10_REG_ASSIGNMENT_FLAGS_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_assignment_flags_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_assignment_flags_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5033,14 +5059,14 @@ static inline ck10_codec_status ck10_reg_assignment_flags_encode(uint32_t value,
 #define CK10_REG_INPUT_1_FUNCTION_ADDRESS 0x13DAu
 #define CK10_REG_INPUT_1_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_1_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_1_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5057,14 +5083,14 @@ static inline ck10_codec_status ck10_reg_input_1_function_encode(uint32_t value,
 #define CK10_REG_INPUT_2_FUNCTION_ADDRESS 0x13DCu
 #define CK10_REG_INPUT_2_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_2_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_2_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5081,14 +5107,14 @@ static inline ck10_codec_status ck10_reg_input_2_function_encode(uint32_t value,
 #define CK10_REG_INPUT_3_FUNCTION_ADDRESS 0x13DEu
 #define CK10_REG_INPUT_3_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_3_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_3_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5105,14 +5131,14 @@ static inline ck10_codec_status ck10_reg_input_3_function_encode(uint32_t value,
 #define CK10_REG_INPUT_4_FUNCTION_ADDRESS 0x13E0u
 #define CK10_REG_INPUT_4_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_4_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_4_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5129,14 +5155,14 @@ static inline ck10_codec_status ck10_reg_input_4_function_encode(uint32_t value,
 #define CK10_REG_INPUT_5_FUNCTION_ADDRESS 0x13E2u
 #define CK10_REG_INPUT_5_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_5_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_5_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5153,14 +5179,14 @@ static inline ck10_codec_status ck10_reg_input_5_function_encode(uint32_t value,
 #define CK10_REG_INPUT_6_FUNCTION_ADDRESS 0x13E4u
 #define CK10_REG_INPUT_6_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_6_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_6_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5177,14 +5203,14 @@ static inline ck10_codec_status ck10_reg_input_6_function_encode(uint32_t value,
 #define CK10_REG_INPUT_7_FUNCTION_ADDRESS 0x13E6u
 #define CK10_REG_INPUT_7_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_7_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_7_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5201,14 +5227,14 @@ static inline ck10_codec_status ck10_reg_input_7_function_encode(uint32_t value,
 #define CK10_REG_INPUT_8_FUNCTION_ADDRESS 0x13E8u
 #define CK10_REG_INPUT_8_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_8_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_8_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5225,14 +5251,14 @@ static inline ck10_codec_status ck10_reg_input_8_function_encode(uint32_t value,
 #define CK10_REG_INPUT_9_FUNCTION_ADDRESS 0x13EAu
 #define CK10_REG_INPUT_9_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_9_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_9_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5249,14 +5275,14 @@ static inline ck10_codec_status ck10_reg_input_9_function_encode(uint32_t value,
 #define CK10_REG_INPUT_10_FUNCTION_ADDRESS 0x13ECu
 #define CK10_REG_INPUT_10_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_10_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_10_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5273,14 +5299,14 @@ static inline ck10_codec_status ck10_reg_input_10_function_encode(uint32_t value
 #define CK10_REG_INPUT_11_FUNCTION_ADDRESS 0x13EEu
 #define CK10_REG_INPUT_11_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_11_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_11_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5297,14 +5323,14 @@ static inline ck10_codec_status ck10_reg_input_11_function_encode(uint32_t value
 #define CK10_REG_INPUT_12_FUNCTION_ADDRESS 0x13F0u
 #define CK10_REG_INPUT_12_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_12_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_input_12_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5321,14 +5347,14 @@ static inline ck10_codec_status ck10_reg_input_12_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_1_FUNCTION_ADDRESS 0x13F2u
 #define CK10_REG_OUTPUT_1_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_1_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_1_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5345,14 +5371,14 @@ static inline ck10_codec_status ck10_reg_output_1_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_2_FUNCTION_ADDRESS 0x13F4u
 #define CK10_REG_OUTPUT_2_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_2_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_2_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5369,14 +5395,14 @@ static inline ck10_codec_status ck10_reg_output_2_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_3_FUNCTION_ADDRESS 0x13F6u
 #define CK10_REG_OUTPUT_3_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_3_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_3_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5393,14 +5419,14 @@ static inline ck10_codec_status ck10_reg_output_3_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_4_FUNCTION_ADDRESS 0x13F8u
 #define CK10_REG_OUTPUT_4_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_4_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_4_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5417,14 +5443,14 @@ static inline ck10_codec_status ck10_reg_output_4_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_5_FUNCTION_ADDRESS 0x13FAu
 #define CK10_REG_OUTPUT_5_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_5_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_5_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5441,14 +5467,14 @@ static inline ck10_codec_status ck10_reg_output_5_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_6_FUNCTION_ADDRESS 0x13FCu
 #define CK10_REG_OUTPUT_6_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_6_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_6_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5465,14 +5491,14 @@ static inline ck10_codec_status ck10_reg_output_6_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_7_FUNCTION_ADDRESS 0x13FEu
 #define CK10_REG_OUTPUT_7_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_7_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_7_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5489,14 +5515,14 @@ static inline ck10_codec_status ck10_reg_output_7_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_8_FUNCTION_ADDRESS 0x1400u
 #define CK10_REG_OUTPUT_8_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_8_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_8_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5513,14 +5539,14 @@ static inline ck10_codec_status ck10_reg_output_8_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_9_FUNCTION_ADDRESS 0x1402u
 #define CK10_REG_OUTPUT_9_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_9_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_9_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5537,14 +5563,14 @@ static inline ck10_codec_status ck10_reg_output_9_function_encode(uint32_t value
 #define CK10_REG_OUTPUT_10_FUNCTION_ADDRESS 0x1404u
 #define CK10_REG_OUTPUT_10_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_10_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_output_10_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -5561,23 +5587,24 @@ static inline ck10_codec_status ck10_reg_output_10_function_encode(uint32_t valu
 #define CK10_REG_INPUT_1_POLARITY_ADDRESS 0x1406u
 #define CK10_REG_INPUT_1_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_1_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_1_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_1_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_1_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5591,23 +5618,24 @@ static inline ck10_codec_status ck10_reg_input_1_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_2_POLARITY_ADDRESS 0x1408u
 #define CK10_REG_INPUT_2_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_2_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_2_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_2_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_2_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5621,23 +5649,24 @@ static inline ck10_codec_status ck10_reg_input_2_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_3_POLARITY_ADDRESS 0x140Au
 #define CK10_REG_INPUT_3_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_3_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_3_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_3_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_3_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5651,23 +5680,24 @@ static inline ck10_codec_status ck10_reg_input_3_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_4_POLARITY_ADDRESS 0x140Cu
 #define CK10_REG_INPUT_4_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_4_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_4_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_4_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_4_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5681,23 +5711,24 @@ static inline ck10_codec_status ck10_reg_input_4_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_5_POLARITY_ADDRESS 0x140Eu
 #define CK10_REG_INPUT_5_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_5_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_5_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_5_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_5_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5711,23 +5742,24 @@ static inline ck10_codec_status ck10_reg_input_5_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_6_POLARITY_ADDRESS 0x1410u
 #define CK10_REG_INPUT_6_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_6_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_6_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_6_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_6_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5741,23 +5773,24 @@ static inline ck10_codec_status ck10_reg_input_6_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_7_POLARITY_ADDRESS 0x1412u
 #define CK10_REG_INPUT_7_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_7_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_7_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_7_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_7_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5771,23 +5804,24 @@ static inline ck10_codec_status ck10_reg_input_7_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_8_POLARITY_ADDRESS 0x1414u
 #define CK10_REG_INPUT_8_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_8_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_8_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_8_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_8_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5801,23 +5835,24 @@ static inline ck10_codec_status ck10_reg_input_8_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_9_POLARITY_ADDRESS 0x1416u
 #define CK10_REG_INPUT_9_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_9_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_9_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_9_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_9_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5831,23 +5866,24 @@ static inline ck10_codec_status ck10_reg_input_9_polarity_encode(uint32_t value,
 #define CK10_REG_INPUT_10_POLARITY_ADDRESS 0x1418u
 #define CK10_REG_INPUT_10_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_10_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_10_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_10_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_10_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5861,23 +5897,24 @@ static inline ck10_codec_status ck10_reg_input_10_polarity_encode(uint32_t value
 #define CK10_REG_INPUT_11_POLARITY_ADDRESS 0x141Au
 #define CK10_REG_INPUT_11_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_11_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_11_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_11_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_11_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5891,23 +5928,24 @@ static inline ck10_codec_status ck10_reg_input_11_polarity_encode(uint32_t value
 #define CK10_REG_INPUT_12_POLARITY_ADDRESS 0x141Cu
 #define CK10_REG_INPUT_12_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_12_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_12_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_input_12_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_12_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5921,23 +5959,24 @@ static inline ck10_codec_status ck10_reg_input_12_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_1_POLARITY_ADDRESS 0x141Eu
 #define CK10_REG_OUTPUT_1_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_1_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_1_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_1_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_1_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5951,23 +5990,24 @@ static inline ck10_codec_status ck10_reg_output_1_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_2_POLARITY_ADDRESS 0x1420u
 #define CK10_REG_OUTPUT_2_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_2_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_2_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_2_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_2_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -5981,23 +6021,24 @@ static inline ck10_codec_status ck10_reg_output_2_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_3_POLARITY_ADDRESS 0x1422u
 #define CK10_REG_OUTPUT_3_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_3_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_3_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_3_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_3_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6011,23 +6052,24 @@ static inline ck10_codec_status ck10_reg_output_3_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_4_POLARITY_ADDRESS 0x1424u
 #define CK10_REG_OUTPUT_4_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_4_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_4_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_4_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_4_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6041,23 +6083,24 @@ static inline ck10_codec_status ck10_reg_output_4_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_5_POLARITY_ADDRESS 0x1426u
 #define CK10_REG_OUTPUT_5_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_5_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_5_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_5_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_5_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6071,23 +6114,24 @@ static inline ck10_codec_status ck10_reg_output_5_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_6_POLARITY_ADDRESS 0x1428u
 #define CK10_REG_OUTPUT_6_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_6_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_6_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_6_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_6_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6101,23 +6145,24 @@ static inline ck10_codec_status ck10_reg_output_6_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_7_POLARITY_ADDRESS 0x142Au
 #define CK10_REG_OUTPUT_7_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_7_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_7_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_7_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_7_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6131,23 +6176,24 @@ static inline ck10_codec_status ck10_reg_output_7_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_8_POLARITY_ADDRESS 0x142Cu
 #define CK10_REG_OUTPUT_8_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_8_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_8_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_8_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_8_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6161,23 +6207,24 @@ static inline ck10_codec_status ck10_reg_output_8_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_9_POLARITY_ADDRESS 0x142Eu
 #define CK10_REG_OUTPUT_9_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_9_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_9_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_9_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_9_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6191,23 +6238,24 @@ static inline ck10_codec_status ck10_reg_output_9_polarity_encode(uint32_t value
 #define CK10_REG_OUTPUT_10_POLARITY_ADDRESS 0x1430u
 #define CK10_REG_OUTPUT_10_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_10_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_10_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_output_10_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_10_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6224,14 +6272,14 @@ static inline ck10_codec_status ck10_reg_output_10_polarity_encode(uint32_t valu
 #define CK10_REG_FLASH_RESOLUTION_MAX 50000u
 #define CK10_REG_FLASH_RESOLUTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_resolution_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_resolution_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 50000u)) {
@@ -6254,14 +6302,14 @@ static inline ck10_codec_status ck10_reg_flash_resolution_encode(uint32_t value,
 #define CK10_REG_FLASH_MAXIMUM_SPEED_MAX 800000u
 #define CK10_REG_FLASH_MAXIMUM_SPEED_DEFAULT 500000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_maximum_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_maximum_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 800000u)) {
@@ -6284,14 +6332,14 @@ static inline ck10_codec_status ck10_reg_flash_maximum_speed_encode(uint32_t val
 #define CK10_REG_FLASH_START_SPEED_MAX 35000u
 #define CK10_REG_FLASH_START_SPEED_DEFAULT 1u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_start_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 35000u)) {
@@ -6314,14 +6362,14 @@ static inline ck10_codec_status ck10_reg_flash_start_speed_encode(uint32_t value
 #define CK10_REG_FLASH_ACCELERATION_TIME_MAX 9999u
 #define CK10_REG_FLASH_ACCELERATION_TIME_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_acceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_acceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -6344,14 +6392,14 @@ static inline ck10_codec_status ck10_reg_flash_acceleration_time_encode(uint32_t
 #define CK10_REG_FLASH_DECELERATION_TIME_MAX 9999u
 #define CK10_REG_FLASH_DECELERATION_TIME_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_deceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_deceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -6373,14 +6421,14 @@ static inline ck10_codec_status ck10_reg_flash_deceleration_time_encode(uint32_t
 #define CK10_REG_FLASH_RESERVED_5_MAX 100u
 #define CK10_REG_FLASH_RESERVED_5_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_5_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_5_encode(uint32_t value, uint8_t *out)
 {
     if (!(value == 100u)) {
@@ -6403,14 +6451,14 @@ static inline ck10_codec_status ck10_reg_flash_reserved_5_encode(uint32_t value,
 #define CK10_REG_FLASH_JOG_SPEED_MAX 800000u
 #define CK10_REG_FLASH_JOG_SPEED_DEFAULT 5000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_jog_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_jog_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 800000u)) {
@@ -6433,14 +6481,14 @@ static inline ck10_codec_status ck10_reg_flash_jog_speed_encode(uint32_t value, 
 #define CK10_REG_FLASH_JOG_START_SPEED_MAX 35000u
 #define CK10_REG_FLASH_JOG_START_SPEED_DEFAULT 1u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_jog_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_jog_start_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 35000u)) {
@@ -6463,14 +6511,14 @@ static inline ck10_codec_status ck10_reg_flash_jog_start_speed_encode(uint32_t v
 #define CK10_REG_FLASH_JOG_ACCELERATION_TIME_MAX 9999u
 #define CK10_REG_FLASH_JOG_ACCELERATION_TIME_DEFAULT 100u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_jog_acceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_jog_acceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -6493,14 +6541,14 @@ static inline ck10_codec_status ck10_reg_flash_jog_acceleration_time_encode(uint
 #define CK10_REG_FLASH_POSITIVE_SOFT_LIMIT_MAX 2147483647
 #define CK10_REG_FLASH_POSITIVE_SOFT_LIMIT_DEFAULT 2147483647
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_positive_soft_limit_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_positive_soft_limit_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -6520,14 +6568,14 @@ static inline ck10_codec_status ck10_reg_flash_positive_soft_limit_encode(int32_
 #define CK10_REG_FLASH_NEGATIVE_SOFT_LIMIT_MAX 2147483647
 #define CK10_REG_FLASH_NEGATIVE_SOFT_LIMIT_DEFAULT (-2147483647 - 1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_negative_soft_limit_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_negative_soft_limit_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -6547,23 +6595,24 @@ static inline ck10_codec_status ck10_reg_flash_negative_soft_limit_encode(int32_
 #define CK10_REG_FLASH_SOFT_LIMIT_STOP_MAX 2u
 #define CK10_REG_FLASH_SOFT_LIMIT_STOP_DEFAULT 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_decode(const uint8_t *in, ck10_soft_limit_stop *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_soft_limit_stop_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_soft_limit_stop_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_soft_limit_stop)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_encode(ck10_soft_limit_stop value, uint8_t *out)
 {
     if (!ck10_soft_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6580,23 +6629,24 @@ static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_encode(uint32_t v
 #define CK10_REG_FLASH_HARD_LIMIT_STOP_MAX 1u
 #define CK10_REG_FLASH_HARD_LIMIT_STOP_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_decode(const uint8_t *in, ck10_hard_limit_stop *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_hard_limit_stop_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_hard_limit_stop_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_hard_limit_stop)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_encode(ck10_hard_limit_stop value, uint8_t *out)
 {
     if (!ck10_hard_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6612,14 +6662,14 @@ static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_encode(uint32_t v
 #define CK10_REG_FLASH_RESERVED_13_MAX 1u
 #define CK10_REG_FLASH_RESERVED_13_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_13_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_13_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 1u)) {
@@ -6642,14 +6692,14 @@ static inline ck10_codec_status ck10_reg_flash_reserved_13_encode(uint32_t value
 #define CK10_REG_FLASH_HOMING_SPEED_MAX 800000u
 #define CK10_REG_FLASH_HOMING_SPEED_DEFAULT 5000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 800000u)) {
@@ -6672,14 +6722,14 @@ static inline ck10_codec_status ck10_reg_flash_homing_speed_encode(uint32_t valu
 #define CK10_REG_FLASH_HOMING_SEARCH_SPEED_MAX 80000u
 #define CK10_REG_FLASH_HOMING_SEARCH_SPEED_DEFAULT 1000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_search_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_search_speed_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 80000u)) {
@@ -6702,14 +6752,14 @@ static inline ck10_codec_status ck10_reg_flash_homing_search_speed_encode(uint32
 #define CK10_REG_FLASH_HOMING_ACCELERATION_TIME_MAX 9999u
 #define CK10_REG_FLASH_HOMING_ACCELERATION_TIME_DEFAULT 50u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_acceleration_time_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_acceleration_time_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -6731,23 +6781,24 @@ static inline ck10_codec_status ck10_reg_flash_homing_acceleration_time_encode(u
 #define CK10_REG_FLASH_HOMING_METHOD_MAX 7u
 #define CK10_REG_FLASH_HOMING_METHOD_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_homing_method_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_method_decode(const uint8_t *in, ck10_homing_method *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_homing_method_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_homing_method_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_homing_method)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_homing_method_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_method_encode(ck10_homing_method value, uint8_t *out)
 {
     if (!ck10_homing_method_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6763,23 +6814,24 @@ static inline ck10_codec_status ck10_reg_flash_homing_method_encode(uint32_t val
 #define CK10_REG_FLASH_HOMING_DIRECTION_MAX 1u
 #define CK10_REG_FLASH_HOMING_DIRECTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_homing_direction_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_direction_decode(const uint8_t *in, ck10_rotation *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_rotation_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_rotation_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_rotation)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_homing_direction_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_direction_encode(ck10_rotation value, uint8_t *out)
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -6796,14 +6848,14 @@ static inline ck10_codec_status ck10_reg_flash_homing_direction_encode(uint32_t 
 #define CK10_REG_FLASH_HOMING_OFFSET_MAX 2147483647
 #define CK10_REG_FLASH_HOMING_OFFSET_DEFAULT 0
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_offset_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_offset_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -6823,14 +6875,14 @@ static inline ck10_codec_status ck10_reg_flash_homing_offset_encode(int32_t valu
 #define CK10_REG_FLASH_ORIGIN_POSITION_MAX 2147483647
 #define CK10_REG_FLASH_ORIGIN_POSITION_DEFAULT 0
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_origin_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_origin_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -6849,14 +6901,14 @@ static inline ck10_codec_status ck10_reg_flash_origin_position_encode(int32_t va
 #define CK10_REG_FLASH_RESERVED_21_MAX 1u
 #define CK10_REG_FLASH_RESERVED_21_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_21_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_21_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 1u)) {
@@ -6880,14 +6932,14 @@ static inline ck10_codec_status ck10_reg_flash_reserved_21_encode(uint32_t value
 #define CK10_REG_FLASH_POSITION_LOOP_GAIN_MAX 63u
 #define CK10_REG_FLASH_POSITION_LOOP_GAIN_DEFAULT 4u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_position_loop_gain_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_position_loop_gain_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 63u)) {
@@ -6911,14 +6963,14 @@ static inline ck10_codec_status ck10_reg_flash_position_loop_gain_encode(uint32_
 #define CK10_REG_FLASH_IN_POSITION_RANGE_MAX 127u
 #define CK10_REG_FLASH_IN_POSITION_RANGE_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_in_position_range_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_in_position_range_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 127u)) {
@@ -6941,14 +6993,14 @@ static inline ck10_codec_status ck10_reg_flash_in_position_range_encode(uint32_t
 #define CK10_REG_FLASH_TRACKING_LIMIT_MAX 134217727u
 #define CK10_REG_FLASH_TRACKING_LIMIT_DEFAULT 2500u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_tracking_limit_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_tracking_limit_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 134217727u)) {
@@ -6971,23 +7023,24 @@ static inline ck10_codec_status ck10_reg_flash_tracking_limit_encode(uint32_t va
 #define CK10_REG_FLASH_MOTOR_DIRECTION_MAX 1u
 #define CK10_REG_FLASH_MOTOR_DIRECTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_motor_direction_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_motor_direction_decode(const uint8_t *in, ck10_rotation *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_rotation_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_rotation_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_rotation)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_motor_direction_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_motor_direction_encode(ck10_rotation value, uint8_t *out)
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7003,14 +7056,14 @@ static inline ck10_codec_status ck10_reg_flash_motor_direction_encode(uint32_t v
 #define CK10_REG_FLASH_RESERVED_26_MAX 1u
 #define CK10_REG_FLASH_RESERVED_26_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_26_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_26_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 1u)) {
@@ -7033,14 +7086,14 @@ static inline ck10_codec_status ck10_reg_flash_reserved_26_encode(uint32_t value
 #define CK10_REG_FLASH_HOMING_TORQUE_RATIO_MAX 90u
 #define CK10_REG_FLASH_HOMING_TORQUE_RATIO_DEFAULT 50u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_torque_ratio_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_homing_torque_ratio_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 20u && value <= 90u)) {
@@ -7063,14 +7116,14 @@ static inline ck10_codec_status ck10_reg_flash_homing_torque_ratio_encode(uint32
 #define CK10_REG_FLASH_POSITION_OVERFLOW_LIMIT_MAX 134217727u
 #define CK10_REG_FLASH_POSITION_OVERFLOW_LIMIT_DEFAULT 2500u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_position_overflow_limit_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_position_overflow_limit_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 134217727u)) {
@@ -7092,14 +7145,14 @@ static inline ck10_codec_status ck10_reg_flash_position_overflow_limit_encode(ui
 #define CK10_REG_FLASH_RESERVED_29_MAX 5000u
 #define CK10_REG_FLASH_RESERVED_29_DEFAULT 200u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_29_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_reserved_29_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 10u && value <= 5000u)) {
@@ -7124,14 +7177,14 @@ static inline ck10_codec_status ck10_reg_flash_reserved_29_encode(uint32_t value
 #define CK10_REG_FLASH_RUN_CURRENT_SCALE_NUMERATOR INT64_C(10)
 #define CK10_REG_FLASH_RUN_CURRENT_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_run_current_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_run_current_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 5u && value <= 15u)) {
@@ -7156,14 +7209,14 @@ static inline ck10_codec_status ck10_reg_flash_run_current_encode(uint32_t value
 #define CK10_REG_FLASH_BOOST_CURRENT_SCALE_NUMERATOR INT64_C(50)
 #define CK10_REG_FLASH_BOOST_CURRENT_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_boost_current_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_boost_current_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 7u)) {
@@ -7188,14 +7241,14 @@ static inline ck10_codec_status ck10_reg_flash_boost_current_encode(uint32_t val
 #define CK10_REG_FLASH_STOP_CURRENT_SCALE_NUMERATOR INT64_C(10)
 #define CK10_REG_FLASH_STOP_CURRENT_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_stop_current_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_stop_current_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 2u && value <= 10u)) {
@@ -7218,23 +7271,25 @@ static inline ck10_codec_status ck10_reg_flash_stop_current_encode(uint32_t valu
 #define CK10_REG_FLASH_EMERGENCY_STOP_MODE_MAX 4u
 #define CK10_REG_FLASH_EMERGENCY_STOP_MODE_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_decode(const uint8_t *in,
+        ck10_emergency_stop_mode *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_emergency_stop_mode_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_emergency_stop_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_emergency_stop_mode)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_encode(ck10_emergency_stop_mode value, uint8_t *out)
 {
     if (!ck10_emergency_stop_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7251,23 +7306,26 @@ static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_encode(uint32
 #define CK10_REG_FLASH_EMERGENCY_BRAKE_MODE_MAX 1u
 #define CK10_REG_FLASH_EMERGENCY_BRAKE_MODE_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_decode(const uint8_t *in,
+        ck10_emergency_brake_mode *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_emergency_brake_mode_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_emergency_brake_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_emergency_brake_mode)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_encode(ck10_emergency_brake_mode value,
+        uint8_t *out)
 {
     if (!ck10_emergency_brake_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7284,23 +7342,24 @@ static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_encode(uint3
 #define CK10_REG_FLASH_OPERATION_MODE_MAX 5u
 #define CK10_REG_FLASH_OPERATION_MODE_DEFAULT 3u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_operation_mode_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_operation_mode_decode(const uint8_t *in, ck10_operation_mode *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_operation_mode_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_operation_mode_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_operation_mode)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_operation_mode_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_operation_mode_encode(ck10_operation_mode value, uint8_t *out)
 {
     if (!ck10_operation_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7317,23 +7376,24 @@ static inline ck10_codec_status ck10_reg_flash_operation_mode_encode(uint32_t va
 #define CK10_REG_FLASH_SWITCH_FUNCTION_MAX 1u
 #define CK10_REG_FLASH_SWITCH_FUNCTION_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_switch_function_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_switch_function_decode(const uint8_t *in, ck10_switch_function *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_switch_function_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_switch_function_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_switch_function)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_switch_function_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_switch_function_encode(ck10_switch_function value, uint8_t *out)
 {
     if (!ck10_switch_function_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7350,23 +7410,24 @@ static inline ck10_codec_status ck10_reg_flash_switch_function_encode(uint32_t v
 #define CK10_REG_FLASH_BAUD_RATE_MAX 4u
 #define CK10_REG_FLASH_BAUD_RATE_DEFAULT 4u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_baud_rate_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_baud_rate_decode(const uint8_t *in, ck10_baud_rate *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_baud_rate_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_baud_rate_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_baud_rate)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_baud_rate_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_baud_rate_encode(ck10_baud_rate value, uint8_t *out)
 {
     if (!ck10_baud_rate_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7383,23 +7444,24 @@ static inline ck10_codec_status ck10_reg_flash_baud_rate_encode(uint32_t value, 
 #define CK10_REG_FLASH_SAVE_POSITION_MAX 1u
 #define CK10_REG_FLASH_SAVE_POSITION_DEFAULT 1u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_save_position_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_save_position_decode(const uint8_t *in, ck10_enabled *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_enabled_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_enabled_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_enabled)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_save_position_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_save_position_encode(ck10_enabled value, uint8_t *out)
 {
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7416,23 +7478,24 @@ static inline ck10_codec_status ck10_reg_flash_save_position_encode(uint32_t val
 #define CK10_REG_FLASH_SHOW_MOTOR_NUMBER_MAX 1u
 #define CK10_REG_FLASH_SHOW_MOTOR_NUMBER_DEFAULT 0u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_show_motor_number_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_show_motor_number_decode(const uint8_t *in, ck10_enabled *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_enabled_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_enabled_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_enabled)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_show_motor_number_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_show_motor_number_encode(ck10_enabled value, uint8_t *out)
 {
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -7445,14 +7508,14 @@ static inline ck10_codec_status ck10_reg_flash_show_motor_number_encode(uint32_t
 #define CK10_REG_FLASH_ASSIGNMENT_FLAGS_ADDRESS 0x14A0u
 #define CK10_REG_FLASH_ASSIGNMENT_FLAGS_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_assignment_flags_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_assignment_flags_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7469,14 +7532,14 @@ static inline ck10_codec_status ck10_reg_flash_assignment_flags_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_1_FUNCTION_ADDRESS 0x14A2u
 #define CK10_REG_FLASH_INPUT_1_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_1_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_1_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7493,14 +7556,14 @@ static inline ck10_codec_status ck10_reg_flash_input_1_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_2_FUNCTION_ADDRESS 0x14A4u
 #define CK10_REG_FLASH_INPUT_2_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_2_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_2_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7517,14 +7580,14 @@ static inline ck10_codec_status ck10_reg_flash_input_2_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_3_FUNCTION_ADDRESS 0x14A6u
 #define CK10_REG_FLASH_INPUT_3_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_3_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_3_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7541,14 +7604,14 @@ static inline ck10_codec_status ck10_reg_flash_input_3_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_4_FUNCTION_ADDRESS 0x14A8u
 #define CK10_REG_FLASH_INPUT_4_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_4_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_4_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7565,14 +7628,14 @@ static inline ck10_codec_status ck10_reg_flash_input_4_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_5_FUNCTION_ADDRESS 0x14AAu
 #define CK10_REG_FLASH_INPUT_5_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_5_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_5_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7589,14 +7652,14 @@ static inline ck10_codec_status ck10_reg_flash_input_5_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_6_FUNCTION_ADDRESS 0x14ACu
 #define CK10_REG_FLASH_INPUT_6_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_6_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_6_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7613,14 +7676,14 @@ static inline ck10_codec_status ck10_reg_flash_input_6_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_7_FUNCTION_ADDRESS 0x14AEu
 #define CK10_REG_FLASH_INPUT_7_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_7_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_7_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7637,14 +7700,14 @@ static inline ck10_codec_status ck10_reg_flash_input_7_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_8_FUNCTION_ADDRESS 0x14B0u
 #define CK10_REG_FLASH_INPUT_8_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_8_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_8_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7661,14 +7724,14 @@ static inline ck10_codec_status ck10_reg_flash_input_8_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_9_FUNCTION_ADDRESS 0x14B2u
 #define CK10_REG_FLASH_INPUT_9_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_9_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_9_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7685,14 +7748,14 @@ static inline ck10_codec_status ck10_reg_flash_input_9_function_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_10_FUNCTION_ADDRESS 0x14B4u
 #define CK10_REG_FLASH_INPUT_10_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_10_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_10_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7709,14 +7772,14 @@ static inline ck10_codec_status ck10_reg_flash_input_10_function_encode(uint32_t
 #define CK10_REG_FLASH_INPUT_11_FUNCTION_ADDRESS 0x14B6u
 #define CK10_REG_FLASH_INPUT_11_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_11_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_11_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7733,14 +7796,14 @@ static inline ck10_codec_status ck10_reg_flash_input_11_function_encode(uint32_t
 #define CK10_REG_FLASH_INPUT_12_FUNCTION_ADDRESS 0x14B8u
 #define CK10_REG_FLASH_INPUT_12_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_12_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_input_12_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7757,14 +7820,14 @@ static inline ck10_codec_status ck10_reg_flash_input_12_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_1_FUNCTION_ADDRESS 0x14BAu
 #define CK10_REG_FLASH_OUTPUT_1_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_1_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_1_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7781,14 +7844,14 @@ static inline ck10_codec_status ck10_reg_flash_output_1_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_2_FUNCTION_ADDRESS 0x14BCu
 #define CK10_REG_FLASH_OUTPUT_2_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_2_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_2_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7805,14 +7868,14 @@ static inline ck10_codec_status ck10_reg_flash_output_2_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_3_FUNCTION_ADDRESS 0x14BEu
 #define CK10_REG_FLASH_OUTPUT_3_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_3_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_3_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7829,14 +7892,14 @@ static inline ck10_codec_status ck10_reg_flash_output_3_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_4_FUNCTION_ADDRESS 0x14C0u
 #define CK10_REG_FLASH_OUTPUT_4_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_4_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_4_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7853,14 +7916,14 @@ static inline ck10_codec_status ck10_reg_flash_output_4_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_5_FUNCTION_ADDRESS 0x14C2u
 #define CK10_REG_FLASH_OUTPUT_5_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_5_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_5_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7877,14 +7940,14 @@ static inline ck10_codec_status ck10_reg_flash_output_5_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_6_FUNCTION_ADDRESS 0x14C4u
 #define CK10_REG_FLASH_OUTPUT_6_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_6_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_6_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7901,14 +7964,14 @@ static inline ck10_codec_status ck10_reg_flash_output_6_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_7_FUNCTION_ADDRESS 0x14C6u
 #define CK10_REG_FLASH_OUTPUT_7_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_7_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_7_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7925,14 +7988,14 @@ static inline ck10_codec_status ck10_reg_flash_output_7_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_8_FUNCTION_ADDRESS 0x14C8u
 #define CK10_REG_FLASH_OUTPUT_8_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_8_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_8_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7949,14 +8012,14 @@ static inline ck10_codec_status ck10_reg_flash_output_8_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_9_FUNCTION_ADDRESS 0x14CAu
 #define CK10_REG_FLASH_OUTPUT_9_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_9_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_9_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7973,14 +8036,14 @@ static inline ck10_codec_status ck10_reg_flash_output_9_function_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_10_FUNCTION_ADDRESS 0x14CCu
 #define CK10_REG_FLASH_OUTPUT_10_FUNCTION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_10_function_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_flash_output_10_function_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -7997,23 +8060,24 @@ static inline ck10_codec_status ck10_reg_flash_output_10_function_encode(uint32_
 #define CK10_REG_FLASH_INPUT_1_POLARITY_ADDRESS 0x14CEu
 #define CK10_REG_FLASH_INPUT_1_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_1_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_1_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_1_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_1_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8027,23 +8091,24 @@ static inline ck10_codec_status ck10_reg_flash_input_1_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_2_POLARITY_ADDRESS 0x14D0u
 #define CK10_REG_FLASH_INPUT_2_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_2_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_2_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_2_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_2_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8057,23 +8122,24 @@ static inline ck10_codec_status ck10_reg_flash_input_2_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_3_POLARITY_ADDRESS 0x14D2u
 #define CK10_REG_FLASH_INPUT_3_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_3_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_3_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_3_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_3_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8087,23 +8153,24 @@ static inline ck10_codec_status ck10_reg_flash_input_3_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_4_POLARITY_ADDRESS 0x14D4u
 #define CK10_REG_FLASH_INPUT_4_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_4_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_4_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_4_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_4_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8117,23 +8184,24 @@ static inline ck10_codec_status ck10_reg_flash_input_4_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_5_POLARITY_ADDRESS 0x14D6u
 #define CK10_REG_FLASH_INPUT_5_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_5_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_5_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_5_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_5_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8147,23 +8215,24 @@ static inline ck10_codec_status ck10_reg_flash_input_5_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_6_POLARITY_ADDRESS 0x14D8u
 #define CK10_REG_FLASH_INPUT_6_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_6_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_6_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_6_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_6_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8177,23 +8246,24 @@ static inline ck10_codec_status ck10_reg_flash_input_6_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_7_POLARITY_ADDRESS 0x14DAu
 #define CK10_REG_FLASH_INPUT_7_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_7_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_7_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_7_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_7_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8207,23 +8277,24 @@ static inline ck10_codec_status ck10_reg_flash_input_7_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_8_POLARITY_ADDRESS 0x14DCu
 #define CK10_REG_FLASH_INPUT_8_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_8_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_8_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_8_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_8_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8237,23 +8308,24 @@ static inline ck10_codec_status ck10_reg_flash_input_8_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_9_POLARITY_ADDRESS 0x14DEu
 #define CK10_REG_FLASH_INPUT_9_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_9_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_9_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_9_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_9_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8267,23 +8339,24 @@ static inline ck10_codec_status ck10_reg_flash_input_9_polarity_encode(uint32_t 
 #define CK10_REG_FLASH_INPUT_10_POLARITY_ADDRESS 0x14E0u
 #define CK10_REG_FLASH_INPUT_10_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_10_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_10_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_10_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_10_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8297,23 +8370,24 @@ static inline ck10_codec_status ck10_reg_flash_input_10_polarity_encode(uint32_t
 #define CK10_REG_FLASH_INPUT_11_POLARITY_ADDRESS 0x14E2u
 #define CK10_REG_FLASH_INPUT_11_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_11_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_11_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_11_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_11_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8327,23 +8401,24 @@ static inline ck10_codec_status ck10_reg_flash_input_11_polarity_encode(uint32_t
 #define CK10_REG_FLASH_INPUT_12_POLARITY_ADDRESS 0x14E4u
 #define CK10_REG_FLASH_INPUT_12_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_12_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_12_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_input_12_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_12_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8357,23 +8432,24 @@ static inline ck10_codec_status ck10_reg_flash_input_12_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_1_POLARITY_ADDRESS 0x14E6u
 #define CK10_REG_FLASH_OUTPUT_1_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_1_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_1_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_1_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_1_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8387,23 +8463,24 @@ static inline ck10_codec_status ck10_reg_flash_output_1_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_2_POLARITY_ADDRESS 0x14E8u
 #define CK10_REG_FLASH_OUTPUT_2_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_2_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_2_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_2_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_2_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8417,23 +8494,24 @@ static inline ck10_codec_status ck10_reg_flash_output_2_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_3_POLARITY_ADDRESS 0x14EAu
 #define CK10_REG_FLASH_OUTPUT_3_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_3_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_3_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_3_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_3_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8447,23 +8525,24 @@ static inline ck10_codec_status ck10_reg_flash_output_3_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_4_POLARITY_ADDRESS 0x14ECu
 #define CK10_REG_FLASH_OUTPUT_4_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_4_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_4_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_4_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_4_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8477,23 +8556,24 @@ static inline ck10_codec_status ck10_reg_flash_output_4_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_5_POLARITY_ADDRESS 0x14EEu
 #define CK10_REG_FLASH_OUTPUT_5_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_5_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_5_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_5_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_5_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8507,23 +8587,24 @@ static inline ck10_codec_status ck10_reg_flash_output_5_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_6_POLARITY_ADDRESS 0x14F0u
 #define CK10_REG_FLASH_OUTPUT_6_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_6_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_6_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_6_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_6_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8537,23 +8618,24 @@ static inline ck10_codec_status ck10_reg_flash_output_6_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_7_POLARITY_ADDRESS 0x14F2u
 #define CK10_REG_FLASH_OUTPUT_7_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_7_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_7_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_7_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_7_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8567,23 +8649,24 @@ static inline ck10_codec_status ck10_reg_flash_output_7_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_8_POLARITY_ADDRESS 0x14F4u
 #define CK10_REG_FLASH_OUTPUT_8_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_8_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_8_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_8_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_8_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8597,23 +8680,24 @@ static inline ck10_codec_status ck10_reg_flash_output_8_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_9_POLARITY_ADDRESS 0x14F6u
 #define CK10_REG_FLASH_OUTPUT_9_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_9_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_9_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_9_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_9_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8627,23 +8711,24 @@ static inline ck10_codec_status ck10_reg_flash_output_9_polarity_encode(uint32_t
 #define CK10_REG_FLASH_OUTPUT_10_POLARITY_ADDRESS 0x14F8u
 #define CK10_REG_FLASH_OUTPUT_10_POLARITY_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_10_polarity_decode(const uint8_t *in, uint32_t *out)
+/** Decodes the value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_10_polarity_decode(const uint8_t *in, ck10_polarity *out)
 {
-    *out = ck10_load_u32_be(in);
-    if (!ck10_polarity_known((int64_t)*out)) {
+    const uint32_t number = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_polarity)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_flash_output_10_polarity_encode(uint32_t value, uint8_t *out)
+/** Encodes the value into the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_10_polarity_encode(ck10_polarity value, uint8_t *out)
 {
     if (!ck10_polarity_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u32_be(out, value);
+    ck10_store_u32_be(out, (uint32_t)value);
     return CK10_OK;
 }
 
@@ -8657,14 +8742,14 @@ static inline ck10_codec_status ck10_reg_flash_output_10_polarity_encode(uint32_
 #define CK10_REG_MOTION_STATUS_ADDRESS 0x03E8u
 #define CK10_REG_MOTION_STATUS_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_motion_status_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_motion_status_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -8680,14 +8765,14 @@ static inline ck10_codec_status ck10_reg_motion_status_encode(uint32_t value, ui
 #define CK10_REG_ACTUAL_POSITION_ADDRESS 0x03EAu
 #define CK10_REG_ACTUAL_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_actual_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_actual_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -8703,14 +8788,14 @@ static inline ck10_codec_status ck10_reg_actual_position_encode(int32_t value, u
 #define CK10_REG_COMMAND_POSITION_ADDRESS 0x03ECu
 #define CK10_REG_COMMAND_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_command_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_command_position_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -8726,14 +8811,14 @@ static inline ck10_codec_status ck10_reg_command_position_encode(int32_t value, 
 #define CK10_REG_SPEED_ADDRESS 0x03EEu
 #define CK10_REG_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_speed_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_speed_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -8750,14 +8835,14 @@ static inline ck10_codec_status ck10_reg_speed_encode(int32_t value, uint8_t *ou
 #define CK10_REG_POSITION_ERROR_ADDRESS 0x03F0u
 #define CK10_REG_POSITION_ERROR_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_position_error_decode(const uint8_t *in, int32_t *out)
 {
     *out = ck10_signed_32(ck10_load_u32_be(in));
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_position_error_encode(int32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, (uint32_t)value);
@@ -8774,14 +8859,14 @@ static inline ck10_codec_status ck10_reg_position_error_encode(int32_t value, ui
 #define CK10_REG_INPUTS_ADDRESS 0x03F2u
 #define CK10_REG_INPUTS_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_inputs_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_inputs_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -8798,14 +8883,14 @@ static inline ck10_codec_status ck10_reg_inputs_encode(uint32_t value, uint8_t *
 #define CK10_REG_OUTPUTS_ADDRESS 0x03F4u
 #define CK10_REG_OUTPUTS_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_outputs_decode(const uint8_t *in, uint32_t *out)
 {
     *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline ck10_codec_status ck10_reg_outputs_encode(uint32_t value, uint8_t *out)
 {
     ck10_store_u32_be(out, value);
@@ -8821,14 +8906,14 @@ static inline ck10_codec_status ck10_reg_outputs_encode(uint32_t value, uint8_t 
 #define CK10_REG_CURRENT_POINT_ADDRESS 0x03F6u
 #define CK10_REG_CURRENT_POINT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_current_point_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_current_point_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -8844,7 +8929,7 @@ static inline ck10_codec_status ck10_reg_current_point_encode(uint16_t value, ui
 #define CK10_REG_POINT_TABLE_RUNNING_ADDRESS 0x03F7u
 #define CK10_REG_POINT_TABLE_RUNNING_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_point_table_running_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -8854,7 +8939,7 @@ static inline ck10_codec_status ck10_reg_point_table_running_decode(const uint8_
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_point_table_running_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -8870,23 +8955,24 @@ static inline ck10_codec_status ck10_reg_point_table_running_encode(bool value, 
 #define CK10_REG_PUSH_STATUS_ADDRESS 0x03F8u
 #define CK10_REG_PUSH_STATUS_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_push_status_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_status_decode(const uint8_t *in, ck10_push_status *out)
 {
-    *out = ck10_load_u16_be(in);
-    if (!ck10_push_status_known((int64_t)*out)) {
+    const uint16_t number = ck10_load_u16_be(in);
+    if (!ck10_push_status_known((int64_t)number)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
+    *out = (ck10_push_status)number;
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_push_status_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_status_encode(ck10_push_status value, uint8_t *out)
 {
     if (!ck10_push_status_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    ck10_store_u16_be(out, value);
+    ck10_store_u16_be(out, (uint16_t)value);
     return CK10_OK;
 }
 
@@ -8899,14 +8985,14 @@ static inline ck10_codec_status ck10_reg_push_status_encode(uint16_t value, uint
 #define CK10_REG_CURRENT_ALARM_ADDRESS 0x03F9u
 #define CK10_REG_CURRENT_ALARM_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_current_alarm_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_current_alarm_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -8922,14 +9008,14 @@ static inline ck10_codec_status ck10_reg_current_alarm_encode(uint16_t value, ui
 #define CK10_REG_MOTOR_ID_ADDRESS 0x03FAu
 #define CK10_REG_MOTOR_ID_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_motor_id_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_motor_id_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -8946,14 +9032,14 @@ static inline ck10_codec_status ck10_reg_motor_id_encode(uint16_t value, uint8_t
 #define CK10_REG_USER_INPUTS_ADDRESS 0x0406u
 #define CK10_REG_USER_INPUTS_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_inputs_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_inputs_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -8968,7 +9054,7 @@ static inline ck10_codec_status ck10_reg_user_inputs_encode(uint16_t value, uint
 #define CK10_REG_USER_INPUT_0_ADDRESS 0x0407u
 #define CK10_REG_USER_INPUT_0_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_0_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -8978,7 +9064,7 @@ static inline ck10_codec_status ck10_reg_user_input_0_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_0_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -8993,7 +9079,7 @@ static inline ck10_codec_status ck10_reg_user_input_0_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_1_ADDRESS 0x0408u
 #define CK10_REG_USER_INPUT_1_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_1_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9003,7 +9089,7 @@ static inline ck10_codec_status ck10_reg_user_input_1_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_1_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9018,7 +9104,7 @@ static inline ck10_codec_status ck10_reg_user_input_1_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_2_ADDRESS 0x0409u
 #define CK10_REG_USER_INPUT_2_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_2_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9028,7 +9114,7 @@ static inline ck10_codec_status ck10_reg_user_input_2_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_2_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9043,7 +9129,7 @@ static inline ck10_codec_status ck10_reg_user_input_2_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_3_ADDRESS 0x040Au
 #define CK10_REG_USER_INPUT_3_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_3_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9053,7 +9139,7 @@ static inline ck10_codec_status ck10_reg_user_input_3_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_3_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9068,7 +9154,7 @@ static inline ck10_codec_status ck10_reg_user_input_3_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_4_ADDRESS 0x040Bu
 #define CK10_REG_USER_INPUT_4_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_4_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9078,7 +9164,7 @@ static inline ck10_codec_status ck10_reg_user_input_4_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_4_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9093,7 +9179,7 @@ static inline ck10_codec_status ck10_reg_user_input_4_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_5_ADDRESS 0x040Cu
 #define CK10_REG_USER_INPUT_5_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_5_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9103,7 +9189,7 @@ static inline ck10_codec_status ck10_reg_user_input_5_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_5_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9118,7 +9204,7 @@ static inline ck10_codec_status ck10_reg_user_input_5_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_6_ADDRESS 0x040Du
 #define CK10_REG_USER_INPUT_6_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_6_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9128,7 +9214,7 @@ static inline ck10_codec_status ck10_reg_user_input_6_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_6_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9143,7 +9229,7 @@ static inline ck10_codec_status ck10_reg_user_input_6_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_7_ADDRESS 0x040Eu
 #define CK10_REG_USER_INPUT_7_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_7_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9153,7 +9239,7 @@ static inline ck10_codec_status ck10_reg_user_input_7_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_7_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9168,7 +9254,7 @@ static inline ck10_codec_status ck10_reg_user_input_7_encode(bool value, uint8_t
 #define CK10_REG_USER_INPUT_8_ADDRESS 0x040Fu
 #define CK10_REG_USER_INPUT_8_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_8_decode(const uint8_t *in, bool *out)
 {
     *out = ck10_load_u16_be(in) != 0;
@@ -9178,7 +9264,7 @@ static inline ck10_codec_status ck10_reg_user_input_8_decode(const uint8_t *in, 
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_input_8_encode(bool value, uint8_t *out)
 {
     ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -9195,14 +9281,14 @@ static inline ck10_codec_status ck10_reg_user_input_8_encode(bool value, uint8_t
 #define CK10_REG_USER_OUTPUTS_ADDRESS 0x0410u
 #define CK10_REG_USER_OUTPUTS_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_outputs_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_outputs_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9218,14 +9304,14 @@ static inline ck10_codec_status ck10_reg_user_outputs_encode(uint16_t value, uin
 #define CK10_REG_USER_OUTPUT_0_ADDRESS 0x0411u
 #define CK10_REG_USER_OUTPUT_0_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_0_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_0_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9241,14 +9327,14 @@ static inline ck10_codec_status ck10_reg_user_output_0_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_1_ADDRESS 0x0412u
 #define CK10_REG_USER_OUTPUT_1_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_1_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_1_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9264,14 +9350,14 @@ static inline ck10_codec_status ck10_reg_user_output_1_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_2_ADDRESS 0x0413u
 #define CK10_REG_USER_OUTPUT_2_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_2_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_2_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9287,14 +9373,14 @@ static inline ck10_codec_status ck10_reg_user_output_2_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_3_ADDRESS 0x0414u
 #define CK10_REG_USER_OUTPUT_3_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_3_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_3_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9310,14 +9396,14 @@ static inline ck10_codec_status ck10_reg_user_output_3_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_4_ADDRESS 0x0415u
 #define CK10_REG_USER_OUTPUT_4_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_4_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_4_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9333,14 +9419,14 @@ static inline ck10_codec_status ck10_reg_user_output_4_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_5_ADDRESS 0x0416u
 #define CK10_REG_USER_OUTPUT_5_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_5_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_5_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9356,14 +9442,14 @@ static inline ck10_codec_status ck10_reg_user_output_5_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_6_ADDRESS 0x0417u
 #define CK10_REG_USER_OUTPUT_6_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_6_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_6_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9379,14 +9465,14 @@ static inline ck10_codec_status ck10_reg_user_output_6_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_7_ADDRESS 0x0418u
 #define CK10_REG_USER_OUTPUT_7_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_7_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_7_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9402,14 +9488,14 @@ static inline ck10_codec_status ck10_reg_user_output_7_encode(uint16_t value, ui
 #define CK10_REG_USER_OUTPUT_8_ADDRESS 0x0419u
 #define CK10_REG_USER_OUTPUT_8_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_8_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_user_output_8_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
@@ -9426,14 +9512,14 @@ static inline ck10_codec_status ck10_reg_user_output_8_encode(uint16_t value, ui
 #define CK10_REG_CLEAR_ALARM_HISTORY_WORDS 1u
 #define CK10_REG_CLEAR_ALARM_HISTORY_VALUE 65535u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_clear_alarm_history_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_clear_alarm_history_encode(uint8_t *out)
 {
     ck10_store_u16_be(out, 65535u);
@@ -9456,21 +9542,21 @@ static inline ck10_codec_status ck10_reg_clear_alarm_history_encode(uint8_t *out
 #define CK10_REG_ALARM_HISTORY_STRIDE 1u
 #define CK10_REG_ALARM_HISTORY_FIRST 0u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_alarm_history_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline ck10_codec_status ck10_reg_alarm_history_encode(uint16_t value, uint8_t *out)
 {
     ck10_store_u16_be(out, value);
     return CK10_OK;
 }
 
-/** The address of alarm_history by its number; a number that there is not is refused. */
+/** The address of alarm_history by its number; other numbers are refused. */
 static inline ck10_codec_status ck10_reg_alarm_history_at(uint32_t number, uint16_t *address)
 {
     if (number - CK10_REG_ALARM_HISTORY_FIRST >= CK10_REG_ALARM_HISTORY_COUNT) {
@@ -9480,14 +9566,14 @@ static inline ck10_codec_status ck10_reg_alarm_history_at(uint32_t number, uint1
     return CK10_OK;
 }
 
-/* ---- Tables of records ---- */
+/* ---- Record tables ---- */
 
 /**
  * Point n begins at 2710h + 20h * n. 07F5h stores the table in flash.
  * Printed as 位置表記憶體.
  * Its elements are ck10_point.
  * Read and write.
- * Note: Wrong data may lead to wrong moves.
+ * Note: Wrong data may cause errors when a point is carried out (2.7 L607).
  * Note: Decimal addresses are printed for the points 0, 1, 2 and 127: 10000, 10032, 10064 and 14064.
  * Source: 2.7 L572-607
  */
@@ -9497,7 +9583,7 @@ static inline ck10_codec_status ck10_reg_alarm_history_at(uint32_t number, uint1
 #define CK10_TABLE_POINTS_COUNT 128u
 #define CK10_TABLE_POINTS_FIRST 0u
 
-/** The address of an element of points by its number; a number that there is not is refused. */
+/** The address of an element of points by its number; other numbers are refused. */
 static inline ck10_codec_status ck10_table_points_at(uint32_t number, uint16_t *address)
 {
     if (number - CK10_TABLE_POINTS_FIRST >= CK10_TABLE_POINTS_COUNT) {
@@ -9521,7 +9607,7 @@ static inline ck10_codec_status ck10_table_points_at(uint32_t number, uint16_t *
 #define CK10_TABLE_FLASH_POINTS_COUNT 128u
 #define CK10_TABLE_FLASH_POINTS_FIRST 0u
 
-/** The address of an element of flash_points by its number; a number that there is not is refused. */
+/** The address of an element of flash_points by its number; other numbers are refused. */
 static inline ck10_codec_status ck10_table_flash_points_at(uint32_t number, uint16_t *address)
 {
     if (number - CK10_TABLE_FLASH_POINTS_FIRST >= CK10_TABLE_FLASH_POINTS_COUNT) {
@@ -9536,7 +9622,7 @@ static inline ck10_codec_status ck10_table_flash_points_at(uint32_t number, uint
 /**
  * RS-485, half duplex, asynchronous.
  * Printed as Modbus RTU.
- * A frame is bytes.
+ * Frames are binary.
  * Note: Chapter 2 (L243) says that values of 32 and 64 bits are accessed from the low position on. Read as the
  * lowest address first, it fits both orders of words; read as the low word first, it contradicts 1.2.
  * Note: 1.2 prints that a frame begins with a silence of 3.5 characters; that it also ends with one is not
@@ -9546,14 +9632,14 @@ static inline ck10_codec_status ck10_table_flash_points_at(uint32_t number, uint
  * Note: 1.4 (L202) names parity errors too, though 1.1 knows no parity.
  * Source: 1.2 L78-86, 105-118
  */
-/** An opened request: what stands before the body, and where the body is. */
+/** An opened request: its header, and where its body is. */
 typedef struct ck10_rtu_request_frame {
     /**
      * Printed as 位址.
      * Source: 1.2 L112
      */
     uint8_t station;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
     size_t body_length;
@@ -9580,7 +9666,7 @@ static inline ck10_codec_status ck10_rtu_request_open(const uint8_t *frame, size
     return CK10_OK;
 }
 
-/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
 static inline ck10_codec_status ck10_rtu_request_close(uint8_t station, uint32_t code, size_t body_length, uint8_t *out,
         size_t capacity, size_t *length)
 {
@@ -9601,16 +9687,16 @@ static inline ck10_codec_status ck10_rtu_request_close(uint8_t station, uint32_t
     return CK10_OK;
 }
 
-/** An opened response: what stands before the body, and where the body is. */
+/** An opened response: its header, and where its body is. */
 typedef struct ck10_rtu_response_frame {
     /**
      * Printed as 位址.
      * Source: 1.2 L112
      */
     uint8_t station;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
-    /** The frame refuses a request; its body is an error record. */
+    /** The frame is an exception response; its body is the record of the exception. */
     bool error;
     const uint8_t *body;
     size_t body_length;
@@ -9641,7 +9727,7 @@ static inline ck10_codec_status ck10_rtu_response_open(const uint8_t *frame, siz
     return CK10_OK;
 }
 
-/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
 static inline ck10_codec_status ck10_rtu_response_close(uint8_t station, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -9781,7 +9867,7 @@ static inline ck10_codec_status ck10_rtu_encode_report_server_id_response(uint8_
     return ck10_rtu_response_close(station, 17u, body_length, out, capacity, length);
 }
 
-/** Writes the whole frame of an error reply to a code. */
+/** Writes the whole frame of an exception response to a code. */
 static inline ck10_codec_status ck10_rtu_encode_error(uint8_t station, uint32_t code, const ck10_exception *in,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -9800,13 +9886,13 @@ static inline ck10_codec_status ck10_rtu_encode_error(uint8_t station, uint32_t 
 /**
  * RS-485, half duplex, asynchronous. Each byte is two characters, the high one first.
  * Printed as Modbus ASC.
- * A frame is hexadecimal characters from 3A to 0D 0A.
+ * Frames are hexadecimal characters; they begin with 3A and end with 0D 0A.
  * Note: Two characters may be one second apart at most (L103).
  * Note: The tables of 1.3 and 1.4 print two columns for the check, low and high; the LRC is one byte (1.2
  * L101).
  * Source: 1.2 L68-76, 88-103
  */
-/** Takes the marks away and writes the bytes between them. They may replace the frame itself. */
+/** Removes the delimiters and writes the bytes between them. `out` may be the frame itself. */
 static inline ck10_codec_status ck10_ascii_parts(const uint8_t *frame, size_t size, uint8_t *out, size_t capacity,
         size_t *length)
 {
@@ -9836,14 +9922,14 @@ static inline ck10_codec_status ck10_ascii_parts(const uint8_t *frame, size_t si
     return CK10_OK;
 }
 
-/** An opened request: what stands before the body, and where the body is. */
+/** An opened request: its header, and where its body is. */
 typedef struct ck10_ascii_request_frame {
     /**
      * Printed as 位址.
      * Source: 1.2 L95
      */
     uint8_t station;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
     size_t body_length;
@@ -9851,7 +9937,7 @@ typedef struct ck10_ascii_request_frame {
 
 /**
  * Checks a frame and finds its body.
- * The buffer receives the frame's bytes, and the body lies in it.
+ * `buffer` receives the bytes of the frame, and the body points into it.
  */
 static inline ck10_codec_status ck10_ascii_request_open(const uint8_t *frame, size_t size, uint8_t *buffer,
         size_t capacity, ck10_ascii_request_frame *out)
@@ -9879,7 +9965,7 @@ static inline ck10_codec_status ck10_ascii_request_open(const uint8_t *frame, si
     return CK10_OK;
 }
 
-/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
 static inline ck10_codec_status ck10_ascii_request_close(uint8_t station, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -9909,16 +9995,16 @@ static inline ck10_codec_status ck10_ascii_request_close(uint8_t station, uint32
     return CK10_OK;
 }
 
-/** An opened response: what stands before the body, and where the body is. */
+/** An opened response: its header, and where its body is. */
 typedef struct ck10_ascii_response_frame {
     /**
      * Printed as 位址.
      * Source: 1.2 L95
      */
     uint8_t station;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
-    /** The frame refuses a request; its body is an error record. */
+    /** The frame is an exception response; its body is the record of the exception. */
     bool error;
     const uint8_t *body;
     size_t body_length;
@@ -9926,7 +10012,7 @@ typedef struct ck10_ascii_response_frame {
 
 /**
  * Checks a frame and finds its body.
- * The buffer receives the frame's bytes, and the body lies in it.
+ * `buffer` receives the bytes of the frame, and the body points into it.
  */
 static inline ck10_codec_status ck10_ascii_response_open(const uint8_t *frame, size_t size, uint8_t *buffer,
         size_t capacity, ck10_ascii_response_frame *out)
@@ -9958,7 +10044,7 @@ static inline ck10_codec_status ck10_ascii_response_open(const uint8_t *frame, s
     return CK10_OK;
 }
 
-/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
 static inline ck10_codec_status ck10_ascii_response_close(uint8_t station, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -10107,7 +10193,7 @@ static inline ck10_codec_status ck10_ascii_encode_report_server_id_response(uint
     return ck10_ascii_response_close(station, 17u, body_length, out, capacity, length);
 }
 
-/** Writes the whole frame of an error reply to a code. */
+/** Writes the whole frame of an exception response to a code. */
 static inline ck10_codec_status ck10_ascii_encode_error(uint8_t station, uint32_t code, const ck10_exception *in,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -10126,8 +10212,8 @@ static inline ck10_codec_status ck10_ascii_encode_error(uint8_t station, uint32_
 /* ---- Texts of codes, in UTF-8 ---- */
 
 #ifdef CK10_WITH_TEXTS
-/** The texts of a code. Several causes, or remedies, are parted by line ends.
- * The number is the other one under which the manual knows the code, or -1; printed is how the manual writes it. */
+/** The texts of a code. Line ends separate several causes or remedies. `printed` is the code as the manual writes it;
+ * `number` is the second number that the manual gives the code, or -1. */
 typedef struct ck10_code_text {
     int64_t code;
     int64_t number;
@@ -10139,7 +10225,7 @@ typedef struct ck10_code_text {
     const char *remedies;
 } ck10_code_text;
 
-/** The texts of a code of ck10_exception_code, or NULL where it is not listed. */
+/** The texts of a code of ck10_exception_code, or NULL if the code is unknown. */
 static inline const ck10_code_text *ck10_exception_code_text(int64_t code)
 {
     static const ck10_code_text texts[] = {
@@ -10157,7 +10243,7 @@ static inline const ck10_code_text *ck10_exception_code_text(int64_t code)
     return NULL;
 }
 
-/** The texts of a code of ck10_alarm_code, or NULL where it is not listed. */
+/** The texts of a code of ck10_alarm_code, or NULL if the code is unknown. */
 static inline const ck10_code_text *ck10_alarm_code_text(int64_t code)
 {
     static const ck10_code_text texts[] = {

@@ -6,11 +6,10 @@
  *
  *     clang -g -O1 -fsanitize=fuzzer,address,undefined,float-cast-overflow ck10_v1_fuzz.c && ./a.out
  *
- * The first two bytes of an input choose what is fuzzed, and the others are given to it. It stops
- * - where something reads or writes beyond what it was given: that is what the sanitizers see;
- * - where what was decoded and encoded again is not what it was: the same bytes, but for reserved ones and for those
- *   behind the end of a text;
- * - where a frame that was made is not opened again to the same body, or one that was opened is not made again.
+ * The first two bytes of an input select a function, the others are its input. The target stops
+ * - when a function reads or writes out of bounds, which the sanitizers detect;
+ * - when encoding what was decoded gives other bytes, apart from reserved ones and those after the end of a text;
+ * - when opening a frame that was closed gives another body, or closing a frame that was opened gives other bytes.
  */
 #include "ck10_v1.h"
 
@@ -28,7 +27,7 @@ static void hold(bool so)
     }
 }
 
-/* Decodes, encodes, and does both again; then encodes into exactly enough room, and into one byte less. */
+/* Decodes and encodes twice, then encodes into a buffer of the exact size, and into one that is a byte too small. */
 #define RECORD(type, decode, encode, most, exact) \
     do { \
         type value, second; \
@@ -56,7 +55,7 @@ static void hold(bool so)
         free(room); \
     } while (0)
 
-/* Reads any bytes as a record and writes it, twice: the second time changes nothing. */
+/* Unpacks any bytes and packs them, twice: the second time changes nothing. */
 #define PACKED(type, unpack, pack, length) \
     do { \
         type value; \
@@ -72,7 +71,7 @@ static void hold(bool so)
         hold(memcmp(out, again, sizeof out) == 0); \
     } while (0)
 
-/* A record that nobody gives anything: there is one form of it. */
+/* A record without values, which has only one form. */
 #define FIXED(decode, encode, most, exact) \
     do { \
         uint8_t out[(most) + 1u]; \
@@ -95,7 +94,7 @@ static void hold(bool so)
         hold(encode(value, out) == CK10_OK && memcmp(out, data, held) == 0); \
     } while (0)
 
-/* A constant: what is written can be read, and so can what else the device answers. */
+/* A constant: what is encoded can be decoded, and so can anything else that the device answers. */
 #define CONSTANT(type, decode, encode, length) \
     do { \
         type value; \
@@ -104,8 +103,9 @@ static void hold(bool so)
         hold(size < (length) || decode(data, &value) != CK10_ERR_WRONG_CONST); \
     } while (0)
 
-/* What starts an action: the device answers anything, and what may be written is read as it was. */
-#define TRIGGER(type, decode, encode, held, length) \
+/* A trigger: the device may answer anything, and whatever can be encoded is decoded to the same. `argument` is the type
+ * of the value to encode: an enum, which need not hold every answer. */
+#define TRIGGER(type, argument, decode, encode, held, length) \
     do { \
         type value; \
         uint8_t out[length]; \
@@ -113,10 +113,12 @@ static void hold(bool so)
             break; \
         } \
         hold(decode(data, &value) == CK10_OK); \
-        hold(encode(value, out) != CK10_OK || memcmp(out, data, held) == 0); \
+        if ((type)(argument)value == value) { \
+            hold(encode((argument)value, out) != CK10_OK || memcmp(out, data, held) == 0); \
+        } \
     } while (0)
 
-/* An address or a number that is worked out from another: of those that are taken no two have the same. */
+/* An address or a number that is computed from another: two different ones that are accepted give different results. */
 #define ADDRESS(type, at) \
     do { \
         type one = 0, other = 0; \
@@ -401,7 +403,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(int32_t, ck10_reg_target_position_or_distance_decode, ck10_reg_target_position_or_distance_encode, 4u, 4u);
         break;
     case 29:
-        TRIGGER(uint16_t, ck10_reg_start_move_decode, ck10_reg_start_move_encode, 2u, 2u);
+        TRIGGER(uint16_t, ck10_move_kind, ck10_reg_start_move_decode, ck10_reg_start_move_encode, 2u, 2u);
         break;
     case 30:
         VALUE(uint16_t, ck10_reg_axis_jog_acceleration_time_decode, ck10_reg_axis_jog_acceleration_time_encode, 2u, 2u);
@@ -413,7 +415,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint32_t, ck10_reg_axis_jog_speed_decode, ck10_reg_axis_jog_speed_encode, 4u, 4u);
         break;
     case 33:
-        VALUE(uint16_t, ck10_reg_jog_direction_decode, ck10_reg_jog_direction_encode, 2u, 2u);
+        VALUE(ck10_jog_direction, ck10_reg_jog_direction_decode, ck10_reg_jog_direction_encode, 2u, 2u);
         break;
     case 34:
         CONSTANT(uint16_t, ck10_reg_start_jog_decode, ck10_reg_start_jog_encode, 2u);
@@ -431,7 +433,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint16_t, ck10_reg_push_deceleration_time_decode, ck10_reg_push_deceleration_time_encode, 2u, 2u);
         break;
     case 39:
-        VALUE(uint16_t, ck10_reg_push_mode_decode, ck10_reg_push_mode_encode, 2u, 2u);
+        VALUE(ck10_push_mode, ck10_reg_push_mode_decode, ck10_reg_push_mode_encode, 2u, 2u);
         break;
     case 40:
         VALUE(uint16_t, ck10_reg_push_torque_ratio_decode, ck10_reg_push_torque_ratio_encode, 2u, 2u);
@@ -452,7 +454,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         CONSTANT(uint16_t, ck10_reg_start_homing_decode, ck10_reg_start_homing_encode, 2u);
         break;
     case 46:
-        TRIGGER(uint16_t, ck10_reg_stop_decode, ck10_reg_stop_encode, 2u, 2u);
+        TRIGGER(uint16_t, ck10_stop_kind, ck10_reg_stop_decode, ck10_reg_stop_encode, 2u, 2u);
         break;
     case 47:
         VALUE(uint16_t, ck10_reg_servo_decode, ck10_reg_servo_encode, 2u, 2u);
@@ -470,7 +472,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint16_t, ck10_reg_start_point_decode, ck10_reg_start_point_encode, 2u, 2u);
         break;
     case 52:
-        TRIGGER(uint16_t, ck10_reg_run_point_table_decode, ck10_reg_run_point_table_encode, 2u, 2u);
+        TRIGGER(uint16_t, ck10_point_table_command, ck10_reg_run_point_table_decode, ck10_reg_run_point_table_encode, 2u, 2u);
         break;
     case 53:
         CONSTANT(uint16_t, ck10_reg_save_all_parameters_decode, ck10_reg_save_all_parameters_encode, 2u);
@@ -542,10 +544,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(int32_t, ck10_reg_negative_soft_limit_decode, ck10_reg_negative_soft_limit_encode, 4u, 4u);
         break;
     case 76:
-        VALUE(uint32_t, ck10_reg_soft_limit_stop_decode, ck10_reg_soft_limit_stop_encode, 4u, 4u);
+        VALUE(ck10_soft_limit_stop, ck10_reg_soft_limit_stop_decode, ck10_reg_soft_limit_stop_encode, 4u, 4u);
         break;
     case 77:
-        VALUE(uint32_t, ck10_reg_hard_limit_stop_decode, ck10_reg_hard_limit_stop_encode, 4u, 4u);
+        VALUE(ck10_hard_limit_stop, ck10_reg_hard_limit_stop_decode, ck10_reg_hard_limit_stop_encode, 4u, 4u);
         break;
     case 78:
         VALUE(uint32_t, ck10_reg_reserved_13_decode, ck10_reg_reserved_13_encode, 4u, 4u);
@@ -560,10 +562,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint32_t, ck10_reg_homing_acceleration_time_decode, ck10_reg_homing_acceleration_time_encode, 4u, 4u);
         break;
     case 82:
-        VALUE(uint32_t, ck10_reg_homing_method_decode, ck10_reg_homing_method_encode, 4u, 4u);
+        VALUE(ck10_homing_method, ck10_reg_homing_method_decode, ck10_reg_homing_method_encode, 4u, 4u);
         break;
     case 83:
-        VALUE(uint32_t, ck10_reg_homing_direction_decode, ck10_reg_homing_direction_encode, 4u, 4u);
+        VALUE(ck10_rotation, ck10_reg_homing_direction_decode, ck10_reg_homing_direction_encode, 4u, 4u);
         break;
     case 84:
         VALUE(int32_t, ck10_reg_homing_offset_decode, ck10_reg_homing_offset_encode, 4u, 4u);
@@ -584,7 +586,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint32_t, ck10_reg_tracking_limit_decode, ck10_reg_tracking_limit_encode, 4u, 4u);
         break;
     case 90:
-        VALUE(uint32_t, ck10_reg_motor_direction_decode, ck10_reg_motor_direction_encode, 4u, 4u);
+        VALUE(ck10_rotation, ck10_reg_motor_direction_decode, ck10_reg_motor_direction_encode, 4u, 4u);
         break;
     case 91:
         VALUE(uint32_t, ck10_reg_reserved_26_decode, ck10_reg_reserved_26_encode, 4u, 4u);
@@ -608,25 +610,25 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint32_t, ck10_reg_stop_current_decode, ck10_reg_stop_current_encode, 4u, 4u);
         break;
     case 98:
-        VALUE(uint32_t, ck10_reg_emergency_stop_mode_decode, ck10_reg_emergency_stop_mode_encode, 4u, 4u);
+        VALUE(ck10_emergency_stop_mode, ck10_reg_emergency_stop_mode_decode, ck10_reg_emergency_stop_mode_encode, 4u, 4u);
         break;
     case 99:
-        VALUE(uint32_t, ck10_reg_emergency_brake_mode_decode, ck10_reg_emergency_brake_mode_encode, 4u, 4u);
+        VALUE(ck10_emergency_brake_mode, ck10_reg_emergency_brake_mode_decode, ck10_reg_emergency_brake_mode_encode, 4u, 4u);
         break;
     case 100:
-        VALUE(uint32_t, ck10_reg_operation_mode_decode, ck10_reg_operation_mode_encode, 4u, 4u);
+        VALUE(ck10_operation_mode, ck10_reg_operation_mode_decode, ck10_reg_operation_mode_encode, 4u, 4u);
         break;
     case 101:
-        VALUE(uint32_t, ck10_reg_switch_function_decode, ck10_reg_switch_function_encode, 4u, 4u);
+        VALUE(ck10_switch_function, ck10_reg_switch_function_decode, ck10_reg_switch_function_encode, 4u, 4u);
         break;
     case 102:
-        VALUE(uint32_t, ck10_reg_baud_rate_decode, ck10_reg_baud_rate_encode, 4u, 4u);
+        VALUE(ck10_baud_rate, ck10_reg_baud_rate_decode, ck10_reg_baud_rate_encode, 4u, 4u);
         break;
     case 103:
-        VALUE(uint32_t, ck10_reg_save_position_decode, ck10_reg_save_position_encode, 4u, 4u);
+        VALUE(ck10_enabled, ck10_reg_save_position_decode, ck10_reg_save_position_encode, 4u, 4u);
         break;
     case 104:
-        VALUE(uint32_t, ck10_reg_show_motor_number_decode, ck10_reg_show_motor_number_encode, 4u, 4u);
+        VALUE(ck10_enabled, ck10_reg_show_motor_number_decode, ck10_reg_show_motor_number_encode, 4u, 4u);
         break;
     case 105:
         VALUE(uint32_t, ck10_reg_assignment_flags_decode, ck10_reg_assignment_flags_encode, 4u, 4u);
@@ -698,70 +700,70 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint32_t, ck10_reg_output_10_function_decode, ck10_reg_output_10_function_encode, 4u, 4u);
         break;
     case 128:
-        VALUE(uint32_t, ck10_reg_input_1_polarity_decode, ck10_reg_input_1_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_input_1_polarity_decode, ck10_reg_input_1_polarity_encode, 4u, 4u);
         break;
     case 129:
-        VALUE(uint32_t, ck10_reg_input_2_polarity_decode, ck10_reg_input_2_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_input_2_polarity_decode, ck10_reg_input_2_polarity_encode, 4u, 4u);
         break;
     case 130:
-        VALUE(uint32_t, ck10_reg_input_3_polarity_decode, ck10_reg_input_3_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_input_3_polarity_decode, ck10_reg_input_3_polarity_encode, 4u, 4u);
         break;
     case 131:
-        VALUE(uint32_t, ck10_reg_input_4_polarity_decode, ck10_reg_input_4_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_input_4_polarity_decode, ck10_reg_input_4_polarity_encode, 4u, 4u);
         break;
     case 132:
-        VALUE(uint32_t, ck10_reg_input_5_polarity_decode, ck10_reg_input_5_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_input_5_polarity_decode, ck10_reg_input_5_polarity_encode, 4u, 4u);
         break;
     case 133:
-        VALUE(uint32_t, ck10_reg_input_6_polarity_decode, ck10_reg_input_6_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_input_6_polarity_decode, ck10_reg_input_6_polarity_encode, 4u, 4u);
         break;
     case 134:
-        VALUE(uint32_t, ck10_reg_input_7_polarity_decode, ck10_reg_input_7_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_input_7_polarity_decode, ck10_reg_input_7_polarity_encode, 4u, 4u);
         break;
     case 135:
-        VALUE(uint32_t, ck10_reg_input_8_polarity_decode, ck10_reg_input_8_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_input_8_polarity_decode, ck10_reg_input_8_polarity_encode, 4u, 4u);
         break;
     case 136:
-        VALUE(uint32_t, ck10_reg_input_9_polarity_decode, ck10_reg_input_9_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_input_9_polarity_decode, ck10_reg_input_9_polarity_encode, 4u, 4u);
         break;
     case 137:
-        VALUE(uint32_t, ck10_reg_input_10_polarity_decode, ck10_reg_input_10_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_input_10_polarity_decode, ck10_reg_input_10_polarity_encode, 4u, 4u);
         break;
     case 138:
-        VALUE(uint32_t, ck10_reg_input_11_polarity_decode, ck10_reg_input_11_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_input_11_polarity_decode, ck10_reg_input_11_polarity_encode, 4u, 4u);
         break;
     case 139:
-        VALUE(uint32_t, ck10_reg_input_12_polarity_decode, ck10_reg_input_12_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_input_12_polarity_decode, ck10_reg_input_12_polarity_encode, 4u, 4u);
         break;
     case 140:
-        VALUE(uint32_t, ck10_reg_output_1_polarity_decode, ck10_reg_output_1_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_output_1_polarity_decode, ck10_reg_output_1_polarity_encode, 4u, 4u);
         break;
     case 141:
-        VALUE(uint32_t, ck10_reg_output_2_polarity_decode, ck10_reg_output_2_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_output_2_polarity_decode, ck10_reg_output_2_polarity_encode, 4u, 4u);
         break;
     case 142:
-        VALUE(uint32_t, ck10_reg_output_3_polarity_decode, ck10_reg_output_3_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_output_3_polarity_decode, ck10_reg_output_3_polarity_encode, 4u, 4u);
         break;
     case 143:
-        VALUE(uint32_t, ck10_reg_output_4_polarity_decode, ck10_reg_output_4_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_output_4_polarity_decode, ck10_reg_output_4_polarity_encode, 4u, 4u);
         break;
     case 144:
-        VALUE(uint32_t, ck10_reg_output_5_polarity_decode, ck10_reg_output_5_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_output_5_polarity_decode, ck10_reg_output_5_polarity_encode, 4u, 4u);
         break;
     case 145:
-        VALUE(uint32_t, ck10_reg_output_6_polarity_decode, ck10_reg_output_6_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_output_6_polarity_decode, ck10_reg_output_6_polarity_encode, 4u, 4u);
         break;
     case 146:
-        VALUE(uint32_t, ck10_reg_output_7_polarity_decode, ck10_reg_output_7_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_output_7_polarity_decode, ck10_reg_output_7_polarity_encode, 4u, 4u);
         break;
     case 147:
-        VALUE(uint32_t, ck10_reg_output_8_polarity_decode, ck10_reg_output_8_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_output_8_polarity_decode, ck10_reg_output_8_polarity_encode, 4u, 4u);
         break;
     case 148:
-        VALUE(uint32_t, ck10_reg_output_9_polarity_decode, ck10_reg_output_9_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_output_9_polarity_decode, ck10_reg_output_9_polarity_encode, 4u, 4u);
         break;
     case 149:
-        VALUE(uint32_t, ck10_reg_output_10_polarity_decode, ck10_reg_output_10_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_output_10_polarity_decode, ck10_reg_output_10_polarity_encode, 4u, 4u);
         break;
     case 150:
         VALUE(uint32_t, ck10_reg_flash_resolution_decode, ck10_reg_flash_resolution_encode, 4u, 4u);
@@ -797,10 +799,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(int32_t, ck10_reg_flash_negative_soft_limit_decode, ck10_reg_flash_negative_soft_limit_encode, 4u, 4u);
         break;
     case 161:
-        VALUE(uint32_t, ck10_reg_flash_soft_limit_stop_decode, ck10_reg_flash_soft_limit_stop_encode, 4u, 4u);
+        VALUE(ck10_soft_limit_stop, ck10_reg_flash_soft_limit_stop_decode, ck10_reg_flash_soft_limit_stop_encode, 4u, 4u);
         break;
     case 162:
-        VALUE(uint32_t, ck10_reg_flash_hard_limit_stop_decode, ck10_reg_flash_hard_limit_stop_encode, 4u, 4u);
+        VALUE(ck10_hard_limit_stop, ck10_reg_flash_hard_limit_stop_decode, ck10_reg_flash_hard_limit_stop_encode, 4u, 4u);
         break;
     case 163:
         VALUE(uint32_t, ck10_reg_flash_reserved_13_decode, ck10_reg_flash_reserved_13_encode, 4u, 4u);
@@ -815,10 +817,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint32_t, ck10_reg_flash_homing_acceleration_time_decode, ck10_reg_flash_homing_acceleration_time_encode, 4u, 4u);
         break;
     case 167:
-        VALUE(uint32_t, ck10_reg_flash_homing_method_decode, ck10_reg_flash_homing_method_encode, 4u, 4u);
+        VALUE(ck10_homing_method, ck10_reg_flash_homing_method_decode, ck10_reg_flash_homing_method_encode, 4u, 4u);
         break;
     case 168:
-        VALUE(uint32_t, ck10_reg_flash_homing_direction_decode, ck10_reg_flash_homing_direction_encode, 4u, 4u);
+        VALUE(ck10_rotation, ck10_reg_flash_homing_direction_decode, ck10_reg_flash_homing_direction_encode, 4u, 4u);
         break;
     case 169:
         VALUE(int32_t, ck10_reg_flash_homing_offset_decode, ck10_reg_flash_homing_offset_encode, 4u, 4u);
@@ -839,7 +841,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint32_t, ck10_reg_flash_tracking_limit_decode, ck10_reg_flash_tracking_limit_encode, 4u, 4u);
         break;
     case 175:
-        VALUE(uint32_t, ck10_reg_flash_motor_direction_decode, ck10_reg_flash_motor_direction_encode, 4u, 4u);
+        VALUE(ck10_rotation, ck10_reg_flash_motor_direction_decode, ck10_reg_flash_motor_direction_encode, 4u, 4u);
         break;
     case 176:
         VALUE(uint32_t, ck10_reg_flash_reserved_26_decode, ck10_reg_flash_reserved_26_encode, 4u, 4u);
@@ -863,25 +865,25 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint32_t, ck10_reg_flash_stop_current_decode, ck10_reg_flash_stop_current_encode, 4u, 4u);
         break;
     case 183:
-        VALUE(uint32_t, ck10_reg_flash_emergency_stop_mode_decode, ck10_reg_flash_emergency_stop_mode_encode, 4u, 4u);
+        VALUE(ck10_emergency_stop_mode, ck10_reg_flash_emergency_stop_mode_decode, ck10_reg_flash_emergency_stop_mode_encode, 4u, 4u);
         break;
     case 184:
-        VALUE(uint32_t, ck10_reg_flash_emergency_brake_mode_decode, ck10_reg_flash_emergency_brake_mode_encode, 4u, 4u);
+        VALUE(ck10_emergency_brake_mode, ck10_reg_flash_emergency_brake_mode_decode, ck10_reg_flash_emergency_brake_mode_encode, 4u, 4u);
         break;
     case 185:
-        VALUE(uint32_t, ck10_reg_flash_operation_mode_decode, ck10_reg_flash_operation_mode_encode, 4u, 4u);
+        VALUE(ck10_operation_mode, ck10_reg_flash_operation_mode_decode, ck10_reg_flash_operation_mode_encode, 4u, 4u);
         break;
     case 186:
-        VALUE(uint32_t, ck10_reg_flash_switch_function_decode, ck10_reg_flash_switch_function_encode, 4u, 4u);
+        VALUE(ck10_switch_function, ck10_reg_flash_switch_function_decode, ck10_reg_flash_switch_function_encode, 4u, 4u);
         break;
     case 187:
-        VALUE(uint32_t, ck10_reg_flash_baud_rate_decode, ck10_reg_flash_baud_rate_encode, 4u, 4u);
+        VALUE(ck10_baud_rate, ck10_reg_flash_baud_rate_decode, ck10_reg_flash_baud_rate_encode, 4u, 4u);
         break;
     case 188:
-        VALUE(uint32_t, ck10_reg_flash_save_position_decode, ck10_reg_flash_save_position_encode, 4u, 4u);
+        VALUE(ck10_enabled, ck10_reg_flash_save_position_decode, ck10_reg_flash_save_position_encode, 4u, 4u);
         break;
     case 189:
-        VALUE(uint32_t, ck10_reg_flash_show_motor_number_decode, ck10_reg_flash_show_motor_number_encode, 4u, 4u);
+        VALUE(ck10_enabled, ck10_reg_flash_show_motor_number_decode, ck10_reg_flash_show_motor_number_encode, 4u, 4u);
         break;
     case 190:
         VALUE(uint32_t, ck10_reg_flash_assignment_flags_decode, ck10_reg_flash_assignment_flags_encode, 4u, 4u);
@@ -953,70 +955,70 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint32_t, ck10_reg_flash_output_10_function_decode, ck10_reg_flash_output_10_function_encode, 4u, 4u);
         break;
     case 213:
-        VALUE(uint32_t, ck10_reg_flash_input_1_polarity_decode, ck10_reg_flash_input_1_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_input_1_polarity_decode, ck10_reg_flash_input_1_polarity_encode, 4u, 4u);
         break;
     case 214:
-        VALUE(uint32_t, ck10_reg_flash_input_2_polarity_decode, ck10_reg_flash_input_2_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_input_2_polarity_decode, ck10_reg_flash_input_2_polarity_encode, 4u, 4u);
         break;
     case 215:
-        VALUE(uint32_t, ck10_reg_flash_input_3_polarity_decode, ck10_reg_flash_input_3_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_input_3_polarity_decode, ck10_reg_flash_input_3_polarity_encode, 4u, 4u);
         break;
     case 216:
-        VALUE(uint32_t, ck10_reg_flash_input_4_polarity_decode, ck10_reg_flash_input_4_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_input_4_polarity_decode, ck10_reg_flash_input_4_polarity_encode, 4u, 4u);
         break;
     case 217:
-        VALUE(uint32_t, ck10_reg_flash_input_5_polarity_decode, ck10_reg_flash_input_5_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_input_5_polarity_decode, ck10_reg_flash_input_5_polarity_encode, 4u, 4u);
         break;
     case 218:
-        VALUE(uint32_t, ck10_reg_flash_input_6_polarity_decode, ck10_reg_flash_input_6_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_input_6_polarity_decode, ck10_reg_flash_input_6_polarity_encode, 4u, 4u);
         break;
     case 219:
-        VALUE(uint32_t, ck10_reg_flash_input_7_polarity_decode, ck10_reg_flash_input_7_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_input_7_polarity_decode, ck10_reg_flash_input_7_polarity_encode, 4u, 4u);
         break;
     case 220:
-        VALUE(uint32_t, ck10_reg_flash_input_8_polarity_decode, ck10_reg_flash_input_8_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_input_8_polarity_decode, ck10_reg_flash_input_8_polarity_encode, 4u, 4u);
         break;
     case 221:
-        VALUE(uint32_t, ck10_reg_flash_input_9_polarity_decode, ck10_reg_flash_input_9_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_input_9_polarity_decode, ck10_reg_flash_input_9_polarity_encode, 4u, 4u);
         break;
     case 222:
-        VALUE(uint32_t, ck10_reg_flash_input_10_polarity_decode, ck10_reg_flash_input_10_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_input_10_polarity_decode, ck10_reg_flash_input_10_polarity_encode, 4u, 4u);
         break;
     case 223:
-        VALUE(uint32_t, ck10_reg_flash_input_11_polarity_decode, ck10_reg_flash_input_11_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_input_11_polarity_decode, ck10_reg_flash_input_11_polarity_encode, 4u, 4u);
         break;
     case 224:
-        VALUE(uint32_t, ck10_reg_flash_input_12_polarity_decode, ck10_reg_flash_input_12_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_input_12_polarity_decode, ck10_reg_flash_input_12_polarity_encode, 4u, 4u);
         break;
     case 225:
-        VALUE(uint32_t, ck10_reg_flash_output_1_polarity_decode, ck10_reg_flash_output_1_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_output_1_polarity_decode, ck10_reg_flash_output_1_polarity_encode, 4u, 4u);
         break;
     case 226:
-        VALUE(uint32_t, ck10_reg_flash_output_2_polarity_decode, ck10_reg_flash_output_2_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_output_2_polarity_decode, ck10_reg_flash_output_2_polarity_encode, 4u, 4u);
         break;
     case 227:
-        VALUE(uint32_t, ck10_reg_flash_output_3_polarity_decode, ck10_reg_flash_output_3_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_output_3_polarity_decode, ck10_reg_flash_output_3_polarity_encode, 4u, 4u);
         break;
     case 228:
-        VALUE(uint32_t, ck10_reg_flash_output_4_polarity_decode, ck10_reg_flash_output_4_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_output_4_polarity_decode, ck10_reg_flash_output_4_polarity_encode, 4u, 4u);
         break;
     case 229:
-        VALUE(uint32_t, ck10_reg_flash_output_5_polarity_decode, ck10_reg_flash_output_5_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_output_5_polarity_decode, ck10_reg_flash_output_5_polarity_encode, 4u, 4u);
         break;
     case 230:
-        VALUE(uint32_t, ck10_reg_flash_output_6_polarity_decode, ck10_reg_flash_output_6_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_output_6_polarity_decode, ck10_reg_flash_output_6_polarity_encode, 4u, 4u);
         break;
     case 231:
-        VALUE(uint32_t, ck10_reg_flash_output_7_polarity_decode, ck10_reg_flash_output_7_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_output_7_polarity_decode, ck10_reg_flash_output_7_polarity_encode, 4u, 4u);
         break;
     case 232:
-        VALUE(uint32_t, ck10_reg_flash_output_8_polarity_decode, ck10_reg_flash_output_8_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_output_8_polarity_decode, ck10_reg_flash_output_8_polarity_encode, 4u, 4u);
         break;
     case 233:
-        VALUE(uint32_t, ck10_reg_flash_output_9_polarity_decode, ck10_reg_flash_output_9_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_output_9_polarity_decode, ck10_reg_flash_output_9_polarity_encode, 4u, 4u);
         break;
     case 234:
-        VALUE(uint32_t, ck10_reg_flash_output_10_polarity_decode, ck10_reg_flash_output_10_polarity_encode, 4u, 4u);
+        VALUE(ck10_polarity, ck10_reg_flash_output_10_polarity_decode, ck10_reg_flash_output_10_polarity_encode, 4u, 4u);
         break;
     case 235:
         VALUE(uint32_t, ck10_reg_motion_status_decode, ck10_reg_motion_status_encode, 4u, 4u);
@@ -1046,7 +1048,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(bool, ck10_reg_point_table_running_decode, ck10_reg_point_table_running_encode, 2u, 2u);
         break;
     case 244:
-        VALUE(uint16_t, ck10_reg_push_status_decode, ck10_reg_push_status_encode, 2u, 2u);
+        VALUE(ck10_push_status, ck10_reg_push_status_decode, ck10_reg_push_status_encode, 2u, 2u);
         break;
     case 245:
         VALUE(uint16_t, ck10_reg_current_alarm_decode, ck10_reg_current_alarm_encode, 2u, 2u);

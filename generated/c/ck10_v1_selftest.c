@@ -2,8 +2,8 @@
  * Tests ck10_v1.h: CK10, version 1
  * Identity: 4332a6ea93cee82e
  *
- * Generated; do not edit. Compile and run: it exits with 0 where all is well. On a machine without an operating system
- * compile it with -ffreestanding: there is no main then, and ck10_selftest is for you to call.
+ * Generated; do not edit. Compile and run it: it exits with 0 if every test passes. On a machine without an operating system
+ * compile it with -ffreestanding; then it has no main, and you call ck10_selftest yourself.
  */
 #define CK10_WITH_TEXTS
 #include "ck10_v1.h"
@@ -13,7 +13,7 @@
 #define HOSTED
 #endif
 
-/* Tells of each test that fails by the function, and gives their number. */
+/* Calls `tell` for each test that fails, and returns their number. */
 unsigned long ck10_selftest(void (*tell)(const char *what));
 
 static unsigned long passed, failed;
@@ -52,7 +52,7 @@ static bool same_text(const char *left, const char *right)
     return false;
 }
 
-/* Copies by volatile accesses: the compiler cannot know what is copied, so what follows happens when the test runs. */
+/* Copies by volatile accesses: the compiler cannot know what is copied, so the code that follows runs when the test does. */
 static void copy(void *to, const void *from, size_t size)
 {
     volatile uint8_t *target = (uint8_t *)to;
@@ -2458,13 +2458,13 @@ static void test_44(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 1u;
+    volatile ck10_move_kind in = CK10_MOVE_KIND_RELATIVE;
+    in = CK10_MOVE_KIND_RELATIVE;
     expect(ck10_reg_start_move_encode(in, bytes) == CK10_OK, "start_move 1");
     expect(same_bytes(bytes, "\000\001", 2u), "start_move 1 bytes");
     expect(ck10_reg_start_move_decode(bytes, &out) == CK10_OK, "start_move 1");
     expect(out == 1u, "start_move 1");
-    in = 2u;
+    in = CK10_MOVE_KIND_ABSOLUTE;
     expect(ck10_reg_start_move_encode(in, bytes) == CK10_OK, "start_move 2");
     expect(same_bytes(bytes, "\000\002", 2u), "start_move 2 bytes");
     expect(ck10_reg_start_move_decode(bytes, &out) == CK10_OK, "start_move 2");
@@ -2525,18 +2525,18 @@ static void test_47(void)
 static void test_48(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    ck10_jog_direction out = CK10_JOG_DIRECTION_CLOCKWISE;
+    volatile ck10_jog_direction in = CK10_JOG_DIRECTION_COUNTERCLOCKWISE;
+    in = CK10_JOG_DIRECTION_COUNTERCLOCKWISE;
     expect(ck10_reg_jog_direction_encode(in, bytes) == CK10_OK, "jog_direction 0");
     expect(same_bytes(bytes, "\000\000", 2u), "jog_direction 0 bytes");
     expect(ck10_reg_jog_direction_decode(bytes, &out) == CK10_OK, "jog_direction 0");
-    expect(out == 0u, "jog_direction 0");
-    in = 1u;
+    expect(out == CK10_JOG_DIRECTION_COUNTERCLOCKWISE, "jog_direction 0");
+    in = CK10_JOG_DIRECTION_CLOCKWISE;
     expect(ck10_reg_jog_direction_encode(in, bytes) == CK10_OK, "jog_direction 1");
     expect(same_bytes(bytes, "\000\001", 2u), "jog_direction 1 bytes");
     expect(ck10_reg_jog_direction_decode(bytes, &out) == CK10_OK, "jog_direction 1");
-    expect(out == 1u, "jog_direction 1");
+    expect(out == CK10_JOG_DIRECTION_CLOCKWISE, "jog_direction 1");
 }
 
 static void test_49(void)
@@ -2623,18 +2623,18 @@ static void test_53(void)
 static void test_54(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    ck10_push_mode out = CK10_PUSH_MODE_GO_ON;
+    volatile ck10_push_mode in = CK10_PUSH_MODE_STOP;
+    in = CK10_PUSH_MODE_STOP;
     expect(ck10_reg_push_mode_encode(in, bytes) == CK10_OK, "push_mode 0");
     expect(same_bytes(bytes, "\000\000", 2u), "push_mode 0 bytes");
     expect(ck10_reg_push_mode_decode(bytes, &out) == CK10_OK, "push_mode 0");
-    expect(out == 0u, "push_mode 0");
-    in = 1u;
+    expect(out == CK10_PUSH_MODE_STOP, "push_mode 0");
+    in = CK10_PUSH_MODE_GO_ON;
     expect(ck10_reg_push_mode_encode(in, bytes) == CK10_OK, "push_mode 1");
     expect(same_bytes(bytes, "\000\001", 2u), "push_mode 1 bytes");
     expect(ck10_reg_push_mode_decode(bytes, &out) == CK10_OK, "push_mode 1");
-    expect(out == 1u, "push_mode 1");
+    expect(out == CK10_PUSH_MODE_GO_ON, "push_mode 1");
 }
 
 static void test_55(void)
@@ -2745,13 +2745,13 @@ static void test_61(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    volatile ck10_stop_kind in = CK10_STOP_KIND_IMMEDIATE;
+    in = CK10_STOP_KIND_IMMEDIATE;
     expect(ck10_reg_stop_encode(in, bytes) == CK10_OK, "stop 0");
     expect(same_bytes(bytes, "\000\000", 2u), "stop 0 bytes");
     expect(ck10_reg_stop_decode(bytes, &out) == CK10_OK, "stop 0");
     expect(out == 0u, "stop 0");
-    in = 1u;
+    in = CK10_STOP_KIND_DECELERATED;
     expect(ck10_reg_stop_encode(in, bytes) == CK10_OK, "stop 1");
     expect(same_bytes(bytes, "\000\001", 2u), "stop 1 bytes");
     expect(ck10_reg_stop_decode(bytes, &out) == CK10_OK, "stop 1");
@@ -2835,18 +2835,18 @@ static void test_67(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 1u;
+    volatile ck10_point_table_command in = CK10_POINT_TABLE_COMMAND_START;
+    in = CK10_POINT_TABLE_COMMAND_START;
     expect(ck10_reg_run_point_table_encode(in, bytes) == CK10_OK, "run_point_table 1");
     expect(same_bytes(bytes, "\000\001", 2u), "run_point_table 1 bytes");
     expect(ck10_reg_run_point_table_decode(bytes, &out) == CK10_OK, "run_point_table 1");
     expect(out == 1u, "run_point_table 1");
-    in = 2u;
+    in = CK10_POINT_TABLE_COMMAND_START_SINGLE;
     expect(ck10_reg_run_point_table_encode(in, bytes) == CK10_OK, "run_point_table 2");
     expect(same_bytes(bytes, "\000\002", 2u), "run_point_table 2 bytes");
     expect(ck10_reg_run_point_table_decode(bytes, &out) == CK10_OK, "run_point_table 2");
     expect(out == 2u, "run_point_table 2");
-    in = 3u;
+    in = CK10_POINT_TABLE_COMMAND_NEXT;
     expect(ck10_reg_run_point_table_encode(in, bytes) == CK10_OK, "run_point_table 3");
     expect(same_bytes(bytes, "\000\003", 2u), "run_point_table 3 bytes");
     expect(ck10_reg_run_point_table_decode(bytes, &out) == CK10_OK, "run_point_table 3");
@@ -3201,40 +3201,40 @@ static void test_88(void)
 static void test_89(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_soft_limit_stop out = CK10_SOFT_LIMIT_STOP_NONE;
+    volatile ck10_soft_limit_stop in = CK10_SOFT_LIMIT_STOP_IMMEDIATE;
+    in = CK10_SOFT_LIMIT_STOP_IMMEDIATE;
     expect(ck10_reg_soft_limit_stop_encode(in, bytes) == CK10_OK, "soft_limit_stop 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "soft_limit_stop 0 bytes");
     expect(ck10_reg_soft_limit_stop_decode(bytes, &out) == CK10_OK, "soft_limit_stop 0");
-    expect(out == 0u, "soft_limit_stop 0");
-    in = 1u;
+    expect(out == CK10_SOFT_LIMIT_STOP_IMMEDIATE, "soft_limit_stop 0");
+    in = CK10_SOFT_LIMIT_STOP_DECELERATED;
     expect(ck10_reg_soft_limit_stop_encode(in, bytes) == CK10_OK, "soft_limit_stop 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "soft_limit_stop 1 bytes");
     expect(ck10_reg_soft_limit_stop_decode(bytes, &out) == CK10_OK, "soft_limit_stop 1");
-    expect(out == 1u, "soft_limit_stop 1");
-    in = 2u;
+    expect(out == CK10_SOFT_LIMIT_STOP_DECELERATED, "soft_limit_stop 1");
+    in = CK10_SOFT_LIMIT_STOP_NONE;
     expect(ck10_reg_soft_limit_stop_encode(in, bytes) == CK10_OK, "soft_limit_stop 2");
     expect(same_bytes(bytes, "\000\000\000\002", 4u), "soft_limit_stop 2 bytes");
     expect(ck10_reg_soft_limit_stop_decode(bytes, &out) == CK10_OK, "soft_limit_stop 2");
-    expect(out == 2u, "soft_limit_stop 2");
+    expect(out == CK10_SOFT_LIMIT_STOP_NONE, "soft_limit_stop 2");
 }
 
 static void test_90(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_hard_limit_stop out = CK10_HARD_LIMIT_STOP_DECELERATED;
+    volatile ck10_hard_limit_stop in = CK10_HARD_LIMIT_STOP_IMMEDIATE;
+    in = CK10_HARD_LIMIT_STOP_IMMEDIATE;
     expect(ck10_reg_hard_limit_stop_encode(in, bytes) == CK10_OK, "hard_limit_stop 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "hard_limit_stop 0 bytes");
     expect(ck10_reg_hard_limit_stop_decode(bytes, &out) == CK10_OK, "hard_limit_stop 0");
-    expect(out == 0u, "hard_limit_stop 0");
-    in = 1u;
+    expect(out == CK10_HARD_LIMIT_STOP_IMMEDIATE, "hard_limit_stop 0");
+    in = CK10_HARD_LIMIT_STOP_DECELERATED;
     expect(ck10_reg_hard_limit_stop_encode(in, bytes) == CK10_OK, "hard_limit_stop 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "hard_limit_stop 1 bytes");
     expect(ck10_reg_hard_limit_stop_decode(bytes, &out) == CK10_OK, "hard_limit_stop 1");
-    expect(out == 1u, "hard_limit_stop 1");
+    expect(out == CK10_HARD_LIMIT_STOP_DECELERATED, "hard_limit_stop 1");
 }
 
 static void test_91(void)
@@ -3308,65 +3308,65 @@ static void test_94(void)
 static void test_95(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_homing_method out = CK10_HOMING_METHOD_HARD_STOP_AND_Z_PHASE;
+    volatile ck10_homing_method in = CK10_HOMING_METHOD_ORIGIN_SENSOR;
+    in = CK10_HOMING_METHOD_ORIGIN_SENSOR;
     expect(ck10_reg_homing_method_encode(in, bytes) == CK10_OK, "homing_method 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "homing_method 0 bytes");
     expect(ck10_reg_homing_method_decode(bytes, &out) == CK10_OK, "homing_method 0");
-    expect(out == 0u, "homing_method 0");
-    in = 1u;
+    expect(out == CK10_HOMING_METHOD_ORIGIN_SENSOR, "homing_method 0");
+    in = CK10_HOMING_METHOD_ORIGIN_SENSOR_AND_Z_PHASE;
     expect(ck10_reg_homing_method_encode(in, bytes) == CK10_OK, "homing_method 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "homing_method 1 bytes");
     expect(ck10_reg_homing_method_decode(bytes, &out) == CK10_OK, "homing_method 1");
-    expect(out == 1u, "homing_method 1");
-    in = 2u;
+    expect(out == CK10_HOMING_METHOD_ORIGIN_SENSOR_AND_Z_PHASE, "homing_method 1");
+    in = CK10_HOMING_METHOD_LIMIT_SENSOR;
     expect(ck10_reg_homing_method_encode(in, bytes) == CK10_OK, "homing_method 2");
     expect(same_bytes(bytes, "\000\000\000\002", 4u), "homing_method 2 bytes");
     expect(ck10_reg_homing_method_decode(bytes, &out) == CK10_OK, "homing_method 2");
-    expect(out == 2u, "homing_method 2");
-    in = 3u;
+    expect(out == CK10_HOMING_METHOD_LIMIT_SENSOR, "homing_method 2");
+    in = CK10_HOMING_METHOD_LIMIT_SENSOR_AND_Z_PHASE;
     expect(ck10_reg_homing_method_encode(in, bytes) == CK10_OK, "homing_method 3");
     expect(same_bytes(bytes, "\000\000\000\003", 4u), "homing_method 3 bytes");
     expect(ck10_reg_homing_method_decode(bytes, &out) == CK10_OK, "homing_method 3");
-    expect(out == 3u, "homing_method 3");
-    in = 4u;
+    expect(out == CK10_HOMING_METHOD_LIMIT_SENSOR_AND_Z_PHASE, "homing_method 3");
+    in = CK10_HOMING_METHOD_CURRENT_POSITION;
     expect(ck10_reg_homing_method_encode(in, bytes) == CK10_OK, "homing_method 4");
     expect(same_bytes(bytes, "\000\000\000\004", 4u), "homing_method 4 bytes");
     expect(ck10_reg_homing_method_decode(bytes, &out) == CK10_OK, "homing_method 4");
-    expect(out == 4u, "homing_method 4");
-    in = 5u;
+    expect(out == CK10_HOMING_METHOD_CURRENT_POSITION, "homing_method 4");
+    in = CK10_HOMING_METHOD_Z_PHASE;
     expect(ck10_reg_homing_method_encode(in, bytes) == CK10_OK, "homing_method 5");
     expect(same_bytes(bytes, "\000\000\000\005", 4u), "homing_method 5 bytes");
     expect(ck10_reg_homing_method_decode(bytes, &out) == CK10_OK, "homing_method 5");
-    expect(out == 5u, "homing_method 5");
-    in = 6u;
+    expect(out == CK10_HOMING_METHOD_Z_PHASE, "homing_method 5");
+    in = CK10_HOMING_METHOD_HARD_STOP;
     expect(ck10_reg_homing_method_encode(in, bytes) == CK10_OK, "homing_method 6");
     expect(same_bytes(bytes, "\000\000\000\006", 4u), "homing_method 6 bytes");
     expect(ck10_reg_homing_method_decode(bytes, &out) == CK10_OK, "homing_method 6");
-    expect(out == 6u, "homing_method 6");
-    in = 7u;
+    expect(out == CK10_HOMING_METHOD_HARD_STOP, "homing_method 6");
+    in = CK10_HOMING_METHOD_HARD_STOP_AND_Z_PHASE;
     expect(ck10_reg_homing_method_encode(in, bytes) == CK10_OK, "homing_method 7");
     expect(same_bytes(bytes, "\000\000\000\007", 4u), "homing_method 7 bytes");
     expect(ck10_reg_homing_method_decode(bytes, &out) == CK10_OK, "homing_method 7");
-    expect(out == 7u, "homing_method 7");
+    expect(out == CK10_HOMING_METHOD_HARD_STOP_AND_Z_PHASE, "homing_method 7");
 }
 
 static void test_96(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_rotation out = CK10_ROTATION_COUNTERCLOCKWISE;
+    volatile ck10_rotation in = CK10_ROTATION_CLOCKWISE;
+    in = CK10_ROTATION_CLOCKWISE;
     expect(ck10_reg_homing_direction_encode(in, bytes) == CK10_OK, "homing_direction 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "homing_direction 0 bytes");
     expect(ck10_reg_homing_direction_decode(bytes, &out) == CK10_OK, "homing_direction 0");
-    expect(out == 0u, "homing_direction 0");
-    in = 1u;
+    expect(out == CK10_ROTATION_CLOCKWISE, "homing_direction 0");
+    in = CK10_ROTATION_COUNTERCLOCKWISE;
     expect(ck10_reg_homing_direction_encode(in, bytes) == CK10_OK, "homing_direction 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "homing_direction 1 bytes");
     expect(ck10_reg_homing_direction_decode(bytes, &out) == CK10_OK, "homing_direction 1");
-    expect(out == 1u, "homing_direction 1");
+    expect(out == CK10_ROTATION_COUNTERCLOCKWISE, "homing_direction 1");
 }
 
 static void test_97(void)
@@ -3474,18 +3474,18 @@ static void test_102(void)
 static void test_103(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_rotation out = CK10_ROTATION_COUNTERCLOCKWISE;
+    volatile ck10_rotation in = CK10_ROTATION_CLOCKWISE;
+    in = CK10_ROTATION_CLOCKWISE;
     expect(ck10_reg_motor_direction_encode(in, bytes) == CK10_OK, "motor_direction 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "motor_direction 0 bytes");
     expect(ck10_reg_motor_direction_decode(bytes, &out) == CK10_OK, "motor_direction 0");
-    expect(out == 0u, "motor_direction 0");
-    in = 1u;
+    expect(out == CK10_ROTATION_CLOCKWISE, "motor_direction 0");
+    in = CK10_ROTATION_COUNTERCLOCKWISE;
     expect(ck10_reg_motor_direction_encode(in, bytes) == CK10_OK, "motor_direction 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "motor_direction 1 bytes");
     expect(ck10_reg_motor_direction_decode(bytes, &out) == CK10_OK, "motor_direction 1");
-    expect(out == 1u, "motor_direction 1");
+    expect(out == CK10_ROTATION_COUNTERCLOCKWISE, "motor_direction 1");
 }
 
 static void test_104(void)
@@ -3610,170 +3610,170 @@ static void test_110(void)
 static void test_111(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_emergency_stop_mode out = CK10_EMERGENCY_STOP_MODE_SERVO_OFF;
+    volatile ck10_emergency_stop_mode in = CK10_EMERGENCY_STOP_MODE_FAST_STOP;
+    in = CK10_EMERGENCY_STOP_MODE_FAST_STOP;
     expect(ck10_reg_emergency_stop_mode_encode(in, bytes) == CK10_OK, "emergency_stop_mode 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "emergency_stop_mode 0 bytes");
     expect(ck10_reg_emergency_stop_mode_decode(bytes, &out) == CK10_OK, "emergency_stop_mode 0");
-    expect(out == 0u, "emergency_stop_mode 0");
-    in = 1u;
+    expect(out == CK10_EMERGENCY_STOP_MODE_FAST_STOP, "emergency_stop_mode 0");
+    in = CK10_EMERGENCY_STOP_MODE_FAST_STOP_SERVO_OFF;
     expect(ck10_reg_emergency_stop_mode_encode(in, bytes) == CK10_OK, "emergency_stop_mode 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "emergency_stop_mode 1 bytes");
     expect(ck10_reg_emergency_stop_mode_decode(bytes, &out) == CK10_OK, "emergency_stop_mode 1");
-    expect(out == 1u, "emergency_stop_mode 1");
-    in = 2u;
+    expect(out == CK10_EMERGENCY_STOP_MODE_FAST_STOP_SERVO_OFF, "emergency_stop_mode 1");
+    in = CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP;
     expect(ck10_reg_emergency_stop_mode_encode(in, bytes) == CK10_OK, "emergency_stop_mode 2");
     expect(same_bytes(bytes, "\000\000\000\002", 4u), "emergency_stop_mode 2 bytes");
     expect(ck10_reg_emergency_stop_mode_decode(bytes, &out) == CK10_OK, "emergency_stop_mode 2");
-    expect(out == 2u, "emergency_stop_mode 2");
-    in = 3u;
+    expect(out == CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP, "emergency_stop_mode 2");
+    in = CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP_SERVO_OFF;
     expect(ck10_reg_emergency_stop_mode_encode(in, bytes) == CK10_OK, "emergency_stop_mode 3");
     expect(same_bytes(bytes, "\000\000\000\003", 4u), "emergency_stop_mode 3 bytes");
     expect(ck10_reg_emergency_stop_mode_decode(bytes, &out) == CK10_OK, "emergency_stop_mode 3");
-    expect(out == 3u, "emergency_stop_mode 3");
-    in = 4u;
+    expect(out == CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP_SERVO_OFF, "emergency_stop_mode 3");
+    in = CK10_EMERGENCY_STOP_MODE_SERVO_OFF;
     expect(ck10_reg_emergency_stop_mode_encode(in, bytes) == CK10_OK, "emergency_stop_mode 4");
     expect(same_bytes(bytes, "\000\000\000\004", 4u), "emergency_stop_mode 4 bytes");
     expect(ck10_reg_emergency_stop_mode_decode(bytes, &out) == CK10_OK, "emergency_stop_mode 4");
-    expect(out == 4u, "emergency_stop_mode 4");
+    expect(out == CK10_EMERGENCY_STOP_MODE_SERVO_OFF, "emergency_stop_mode 4");
 }
 
 static void test_112(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_emergency_brake_mode out = CK10_EMERGENCY_BRAKE_MODE_RELEASED;
+    volatile ck10_emergency_brake_mode in = CK10_EMERGENCY_BRAKE_MODE_LOCKED;
+    in = CK10_EMERGENCY_BRAKE_MODE_LOCKED;
     expect(ck10_reg_emergency_brake_mode_encode(in, bytes) == CK10_OK, "emergency_brake_mode 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "emergency_brake_mode 0 bytes");
     expect(ck10_reg_emergency_brake_mode_decode(bytes, &out) == CK10_OK, "emergency_brake_mode 0");
-    expect(out == 0u, "emergency_brake_mode 0");
-    in = 1u;
+    expect(out == CK10_EMERGENCY_BRAKE_MODE_LOCKED, "emergency_brake_mode 0");
+    in = CK10_EMERGENCY_BRAKE_MODE_RELEASED;
     expect(ck10_reg_emergency_brake_mode_encode(in, bytes) == CK10_OK, "emergency_brake_mode 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "emergency_brake_mode 1 bytes");
     expect(ck10_reg_emergency_brake_mode_decode(bytes, &out) == CK10_OK, "emergency_brake_mode 1");
-    expect(out == 1u, "emergency_brake_mode 1");
+    expect(out == CK10_EMERGENCY_BRAKE_MODE_RELEASED, "emergency_brake_mode 1");
 }
 
 static void test_113(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_operation_mode out = CK10_OPERATION_MODE_MODBUS_ASCII;
+    volatile ck10_operation_mode in = CK10_OPERATION_MODE_PULSE_AND_DIRECTION;
+    in = CK10_OPERATION_MODE_PULSE_AND_DIRECTION;
     expect(ck10_reg_operation_mode_encode(in, bytes) == CK10_OK, "operation_mode 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "operation_mode 0 bytes");
     expect(ck10_reg_operation_mode_decode(bytes, &out) == CK10_OK, "operation_mode 0");
-    expect(out == 0u, "operation_mode 0");
-    in = 1u;
+    expect(out == CK10_OPERATION_MODE_PULSE_AND_DIRECTION, "operation_mode 0");
+    in = CK10_OPERATION_MODE_TWO_PULSES;
     expect(ck10_reg_operation_mode_encode(in, bytes) == CK10_OK, "operation_mode 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "operation_mode 1 bytes");
     expect(ck10_reg_operation_mode_decode(bytes, &out) == CK10_OK, "operation_mode 1");
-    expect(out == 1u, "operation_mode 1");
-    in = 2u;
+    expect(out == CK10_OPERATION_MODE_TWO_PULSES, "operation_mode 1");
+    in = CK10_OPERATION_MODE_QUADRATURE;
     expect(ck10_reg_operation_mode_encode(in, bytes) == CK10_OK, "operation_mode 2");
     expect(same_bytes(bytes, "\000\000\000\002", 4u), "operation_mode 2 bytes");
     expect(ck10_reg_operation_mode_decode(bytes, &out) == CK10_OK, "operation_mode 2");
-    expect(out == 2u, "operation_mode 2");
-    in = 3u;
+    expect(out == CK10_OPERATION_MODE_QUADRATURE, "operation_mode 2");
+    in = CK10_OPERATION_MODE_PLUS_R;
     expect(ck10_reg_operation_mode_encode(in, bytes) == CK10_OK, "operation_mode 3");
     expect(same_bytes(bytes, "\000\000\000\003", 4u), "operation_mode 3 bytes");
     expect(ck10_reg_operation_mode_decode(bytes, &out) == CK10_OK, "operation_mode 3");
-    expect(out == 3u, "operation_mode 3");
-    in = 4u;
+    expect(out == CK10_OPERATION_MODE_PLUS_R, "operation_mode 3");
+    in = CK10_OPERATION_MODE_MODBUS_RTU;
     expect(ck10_reg_operation_mode_encode(in, bytes) == CK10_OK, "operation_mode 4");
     expect(same_bytes(bytes, "\000\000\000\004", 4u), "operation_mode 4 bytes");
     expect(ck10_reg_operation_mode_decode(bytes, &out) == CK10_OK, "operation_mode 4");
-    expect(out == 4u, "operation_mode 4");
-    in = 5u;
+    expect(out == CK10_OPERATION_MODE_MODBUS_RTU, "operation_mode 4");
+    in = CK10_OPERATION_MODE_MODBUS_ASCII;
     expect(ck10_reg_operation_mode_encode(in, bytes) == CK10_OK, "operation_mode 5");
     expect(same_bytes(bytes, "\000\000\000\005", 4u), "operation_mode 5 bytes");
     expect(ck10_reg_operation_mode_decode(bytes, &out) == CK10_OK, "operation_mode 5");
-    expect(out == 5u, "operation_mode 5");
+    expect(out == CK10_OPERATION_MODE_MODBUS_ASCII, "operation_mode 5");
 }
 
 static void test_114(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_switch_function out = CK10_SWITCH_FUNCTION_RESET_ALARM;
+    volatile ck10_switch_function in = CK10_SWITCH_FUNCTION_NONE;
+    in = CK10_SWITCH_FUNCTION_NONE;
     expect(ck10_reg_switch_function_encode(in, bytes) == CK10_OK, "switch_function 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "switch_function 0 bytes");
     expect(ck10_reg_switch_function_decode(bytes, &out) == CK10_OK, "switch_function 0");
-    expect(out == 0u, "switch_function 0");
-    in = 1u;
+    expect(out == CK10_SWITCH_FUNCTION_NONE, "switch_function 0");
+    in = CK10_SWITCH_FUNCTION_RESET_ALARM;
     expect(ck10_reg_switch_function_encode(in, bytes) == CK10_OK, "switch_function 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "switch_function 1 bytes");
     expect(ck10_reg_switch_function_decode(bytes, &out) == CK10_OK, "switch_function 1");
-    expect(out == 1u, "switch_function 1");
+    expect(out == CK10_SWITCH_FUNCTION_RESET_ALARM, "switch_function 1");
 }
 
 static void test_115(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_baud_rate out = CK10_BAUD_RATE_BAUD_115200;
+    volatile ck10_baud_rate in = CK10_BAUD_RATE_BAUD_9600;
+    in = CK10_BAUD_RATE_BAUD_9600;
     expect(ck10_reg_baud_rate_encode(in, bytes) == CK10_OK, "baud_rate 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "baud_rate 0 bytes");
     expect(ck10_reg_baud_rate_decode(bytes, &out) == CK10_OK, "baud_rate 0");
-    expect(out == 0u, "baud_rate 0");
-    in = 1u;
+    expect(out == CK10_BAUD_RATE_BAUD_9600, "baud_rate 0");
+    in = CK10_BAUD_RATE_BAUD_19200;
     expect(ck10_reg_baud_rate_encode(in, bytes) == CK10_OK, "baud_rate 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "baud_rate 1 bytes");
     expect(ck10_reg_baud_rate_decode(bytes, &out) == CK10_OK, "baud_rate 1");
-    expect(out == 1u, "baud_rate 1");
-    in = 2u;
+    expect(out == CK10_BAUD_RATE_BAUD_19200, "baud_rate 1");
+    in = CK10_BAUD_RATE_BAUD_38400;
     expect(ck10_reg_baud_rate_encode(in, bytes) == CK10_OK, "baud_rate 2");
     expect(same_bytes(bytes, "\000\000\000\002", 4u), "baud_rate 2 bytes");
     expect(ck10_reg_baud_rate_decode(bytes, &out) == CK10_OK, "baud_rate 2");
-    expect(out == 2u, "baud_rate 2");
-    in = 3u;
+    expect(out == CK10_BAUD_RATE_BAUD_38400, "baud_rate 2");
+    in = CK10_BAUD_RATE_BAUD_57600;
     expect(ck10_reg_baud_rate_encode(in, bytes) == CK10_OK, "baud_rate 3");
     expect(same_bytes(bytes, "\000\000\000\003", 4u), "baud_rate 3 bytes");
     expect(ck10_reg_baud_rate_decode(bytes, &out) == CK10_OK, "baud_rate 3");
-    expect(out == 3u, "baud_rate 3");
-    in = 4u;
+    expect(out == CK10_BAUD_RATE_BAUD_57600, "baud_rate 3");
+    in = CK10_BAUD_RATE_BAUD_115200;
     expect(ck10_reg_baud_rate_encode(in, bytes) == CK10_OK, "baud_rate 4");
     expect(same_bytes(bytes, "\000\000\000\004", 4u), "baud_rate 4 bytes");
     expect(ck10_reg_baud_rate_decode(bytes, &out) == CK10_OK, "baud_rate 4");
-    expect(out == 4u, "baud_rate 4");
+    expect(out == CK10_BAUD_RATE_BAUD_115200, "baud_rate 4");
 }
 
 static void test_116(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_enabled out = CK10_ENABLED_ENABLED;
+    volatile ck10_enabled in = CK10_ENABLED_DISABLED;
+    in = CK10_ENABLED_DISABLED;
     expect(ck10_reg_save_position_encode(in, bytes) == CK10_OK, "save_position 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "save_position 0 bytes");
     expect(ck10_reg_save_position_decode(bytes, &out) == CK10_OK, "save_position 0");
-    expect(out == 0u, "save_position 0");
-    in = 1u;
+    expect(out == CK10_ENABLED_DISABLED, "save_position 0");
+    in = CK10_ENABLED_ENABLED;
     expect(ck10_reg_save_position_encode(in, bytes) == CK10_OK, "save_position 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "save_position 1 bytes");
     expect(ck10_reg_save_position_decode(bytes, &out) == CK10_OK, "save_position 1");
-    expect(out == 1u, "save_position 1");
+    expect(out == CK10_ENABLED_ENABLED, "save_position 1");
 }
 
 static void test_117(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_enabled out = CK10_ENABLED_ENABLED;
+    volatile ck10_enabled in = CK10_ENABLED_DISABLED;
+    in = CK10_ENABLED_DISABLED;
     expect(ck10_reg_show_motor_number_encode(in, bytes) == CK10_OK, "show_motor_number 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "show_motor_number 0 bytes");
     expect(ck10_reg_show_motor_number_decode(bytes, &out) == CK10_OK, "show_motor_number 0");
-    expect(out == 0u, "show_motor_number 0");
-    in = 1u;
+    expect(out == CK10_ENABLED_DISABLED, "show_motor_number 0");
+    in = CK10_ENABLED_ENABLED;
     expect(ck10_reg_show_motor_number_encode(in, bytes) == CK10_OK, "show_motor_number 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "show_motor_number 1 bytes");
     expect(ck10_reg_show_motor_number_decode(bytes, &out) == CK10_OK, "show_motor_number 1");
-    expect(out == 1u, "show_motor_number 1");
+    expect(out == CK10_ENABLED_ENABLED, "show_motor_number 1");
 }
 
 static void test_118(void)
@@ -4170,375 +4170,375 @@ static void test_140(void)
 static void test_141(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_input_1_polarity_encode(in, bytes) == CK10_OK, "input_1_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "input_1_polarity 0 bytes");
     expect(ck10_reg_input_1_polarity_decode(bytes, &out) == CK10_OK, "input_1_polarity 0");
-    expect(out == 0u, "input_1_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "input_1_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_input_1_polarity_encode(in, bytes) == CK10_OK, "input_1_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "input_1_polarity 1 bytes");
     expect(ck10_reg_input_1_polarity_decode(bytes, &out) == CK10_OK, "input_1_polarity 1");
-    expect(out == 1u, "input_1_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "input_1_polarity 1");
 }
 
 static void test_142(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_input_2_polarity_encode(in, bytes) == CK10_OK, "input_2_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "input_2_polarity 0 bytes");
     expect(ck10_reg_input_2_polarity_decode(bytes, &out) == CK10_OK, "input_2_polarity 0");
-    expect(out == 0u, "input_2_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "input_2_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_input_2_polarity_encode(in, bytes) == CK10_OK, "input_2_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "input_2_polarity 1 bytes");
     expect(ck10_reg_input_2_polarity_decode(bytes, &out) == CK10_OK, "input_2_polarity 1");
-    expect(out == 1u, "input_2_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "input_2_polarity 1");
 }
 
 static void test_143(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_input_3_polarity_encode(in, bytes) == CK10_OK, "input_3_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "input_3_polarity 0 bytes");
     expect(ck10_reg_input_3_polarity_decode(bytes, &out) == CK10_OK, "input_3_polarity 0");
-    expect(out == 0u, "input_3_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "input_3_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_input_3_polarity_encode(in, bytes) == CK10_OK, "input_3_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "input_3_polarity 1 bytes");
     expect(ck10_reg_input_3_polarity_decode(bytes, &out) == CK10_OK, "input_3_polarity 1");
-    expect(out == 1u, "input_3_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "input_3_polarity 1");
 }
 
 static void test_144(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_input_4_polarity_encode(in, bytes) == CK10_OK, "input_4_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "input_4_polarity 0 bytes");
     expect(ck10_reg_input_4_polarity_decode(bytes, &out) == CK10_OK, "input_4_polarity 0");
-    expect(out == 0u, "input_4_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "input_4_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_input_4_polarity_encode(in, bytes) == CK10_OK, "input_4_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "input_4_polarity 1 bytes");
     expect(ck10_reg_input_4_polarity_decode(bytes, &out) == CK10_OK, "input_4_polarity 1");
-    expect(out == 1u, "input_4_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "input_4_polarity 1");
 }
 
 static void test_145(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_input_5_polarity_encode(in, bytes) == CK10_OK, "input_5_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "input_5_polarity 0 bytes");
     expect(ck10_reg_input_5_polarity_decode(bytes, &out) == CK10_OK, "input_5_polarity 0");
-    expect(out == 0u, "input_5_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "input_5_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_input_5_polarity_encode(in, bytes) == CK10_OK, "input_5_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "input_5_polarity 1 bytes");
     expect(ck10_reg_input_5_polarity_decode(bytes, &out) == CK10_OK, "input_5_polarity 1");
-    expect(out == 1u, "input_5_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "input_5_polarity 1");
 }
 
 static void test_146(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_input_6_polarity_encode(in, bytes) == CK10_OK, "input_6_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "input_6_polarity 0 bytes");
     expect(ck10_reg_input_6_polarity_decode(bytes, &out) == CK10_OK, "input_6_polarity 0");
-    expect(out == 0u, "input_6_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "input_6_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_input_6_polarity_encode(in, bytes) == CK10_OK, "input_6_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "input_6_polarity 1 bytes");
     expect(ck10_reg_input_6_polarity_decode(bytes, &out) == CK10_OK, "input_6_polarity 1");
-    expect(out == 1u, "input_6_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "input_6_polarity 1");
 }
 
 static void test_147(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_input_7_polarity_encode(in, bytes) == CK10_OK, "input_7_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "input_7_polarity 0 bytes");
     expect(ck10_reg_input_7_polarity_decode(bytes, &out) == CK10_OK, "input_7_polarity 0");
-    expect(out == 0u, "input_7_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "input_7_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_input_7_polarity_encode(in, bytes) == CK10_OK, "input_7_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "input_7_polarity 1 bytes");
     expect(ck10_reg_input_7_polarity_decode(bytes, &out) == CK10_OK, "input_7_polarity 1");
-    expect(out == 1u, "input_7_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "input_7_polarity 1");
 }
 
 static void test_148(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_input_8_polarity_encode(in, bytes) == CK10_OK, "input_8_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "input_8_polarity 0 bytes");
     expect(ck10_reg_input_8_polarity_decode(bytes, &out) == CK10_OK, "input_8_polarity 0");
-    expect(out == 0u, "input_8_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "input_8_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_input_8_polarity_encode(in, bytes) == CK10_OK, "input_8_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "input_8_polarity 1 bytes");
     expect(ck10_reg_input_8_polarity_decode(bytes, &out) == CK10_OK, "input_8_polarity 1");
-    expect(out == 1u, "input_8_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "input_8_polarity 1");
 }
 
 static void test_149(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_input_9_polarity_encode(in, bytes) == CK10_OK, "input_9_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "input_9_polarity 0 bytes");
     expect(ck10_reg_input_9_polarity_decode(bytes, &out) == CK10_OK, "input_9_polarity 0");
-    expect(out == 0u, "input_9_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "input_9_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_input_9_polarity_encode(in, bytes) == CK10_OK, "input_9_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "input_9_polarity 1 bytes");
     expect(ck10_reg_input_9_polarity_decode(bytes, &out) == CK10_OK, "input_9_polarity 1");
-    expect(out == 1u, "input_9_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "input_9_polarity 1");
 }
 
 static void test_150(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_input_10_polarity_encode(in, bytes) == CK10_OK, "input_10_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "input_10_polarity 0 bytes");
     expect(ck10_reg_input_10_polarity_decode(bytes, &out) == CK10_OK, "input_10_polarity 0");
-    expect(out == 0u, "input_10_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "input_10_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_input_10_polarity_encode(in, bytes) == CK10_OK, "input_10_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "input_10_polarity 1 bytes");
     expect(ck10_reg_input_10_polarity_decode(bytes, &out) == CK10_OK, "input_10_polarity 1");
-    expect(out == 1u, "input_10_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "input_10_polarity 1");
 }
 
 static void test_151(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_input_11_polarity_encode(in, bytes) == CK10_OK, "input_11_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "input_11_polarity 0 bytes");
     expect(ck10_reg_input_11_polarity_decode(bytes, &out) == CK10_OK, "input_11_polarity 0");
-    expect(out == 0u, "input_11_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "input_11_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_input_11_polarity_encode(in, bytes) == CK10_OK, "input_11_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "input_11_polarity 1 bytes");
     expect(ck10_reg_input_11_polarity_decode(bytes, &out) == CK10_OK, "input_11_polarity 1");
-    expect(out == 1u, "input_11_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "input_11_polarity 1");
 }
 
 static void test_152(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_input_12_polarity_encode(in, bytes) == CK10_OK, "input_12_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "input_12_polarity 0 bytes");
     expect(ck10_reg_input_12_polarity_decode(bytes, &out) == CK10_OK, "input_12_polarity 0");
-    expect(out == 0u, "input_12_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "input_12_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_input_12_polarity_encode(in, bytes) == CK10_OK, "input_12_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "input_12_polarity 1 bytes");
     expect(ck10_reg_input_12_polarity_decode(bytes, &out) == CK10_OK, "input_12_polarity 1");
-    expect(out == 1u, "input_12_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "input_12_polarity 1");
 }
 
 static void test_153(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_output_1_polarity_encode(in, bytes) == CK10_OK, "output_1_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "output_1_polarity 0 bytes");
     expect(ck10_reg_output_1_polarity_decode(bytes, &out) == CK10_OK, "output_1_polarity 0");
-    expect(out == 0u, "output_1_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "output_1_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_output_1_polarity_encode(in, bytes) == CK10_OK, "output_1_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "output_1_polarity 1 bytes");
     expect(ck10_reg_output_1_polarity_decode(bytes, &out) == CK10_OK, "output_1_polarity 1");
-    expect(out == 1u, "output_1_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "output_1_polarity 1");
 }
 
 static void test_154(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_output_2_polarity_encode(in, bytes) == CK10_OK, "output_2_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "output_2_polarity 0 bytes");
     expect(ck10_reg_output_2_polarity_decode(bytes, &out) == CK10_OK, "output_2_polarity 0");
-    expect(out == 0u, "output_2_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "output_2_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_output_2_polarity_encode(in, bytes) == CK10_OK, "output_2_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "output_2_polarity 1 bytes");
     expect(ck10_reg_output_2_polarity_decode(bytes, &out) == CK10_OK, "output_2_polarity 1");
-    expect(out == 1u, "output_2_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "output_2_polarity 1");
 }
 
 static void test_155(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_output_3_polarity_encode(in, bytes) == CK10_OK, "output_3_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "output_3_polarity 0 bytes");
     expect(ck10_reg_output_3_polarity_decode(bytes, &out) == CK10_OK, "output_3_polarity 0");
-    expect(out == 0u, "output_3_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "output_3_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_output_3_polarity_encode(in, bytes) == CK10_OK, "output_3_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "output_3_polarity 1 bytes");
     expect(ck10_reg_output_3_polarity_decode(bytes, &out) == CK10_OK, "output_3_polarity 1");
-    expect(out == 1u, "output_3_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "output_3_polarity 1");
 }
 
 static void test_156(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_output_4_polarity_encode(in, bytes) == CK10_OK, "output_4_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "output_4_polarity 0 bytes");
     expect(ck10_reg_output_4_polarity_decode(bytes, &out) == CK10_OK, "output_4_polarity 0");
-    expect(out == 0u, "output_4_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "output_4_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_output_4_polarity_encode(in, bytes) == CK10_OK, "output_4_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "output_4_polarity 1 bytes");
     expect(ck10_reg_output_4_polarity_decode(bytes, &out) == CK10_OK, "output_4_polarity 1");
-    expect(out == 1u, "output_4_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "output_4_polarity 1");
 }
 
 static void test_157(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_output_5_polarity_encode(in, bytes) == CK10_OK, "output_5_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "output_5_polarity 0 bytes");
     expect(ck10_reg_output_5_polarity_decode(bytes, &out) == CK10_OK, "output_5_polarity 0");
-    expect(out == 0u, "output_5_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "output_5_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_output_5_polarity_encode(in, bytes) == CK10_OK, "output_5_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "output_5_polarity 1 bytes");
     expect(ck10_reg_output_5_polarity_decode(bytes, &out) == CK10_OK, "output_5_polarity 1");
-    expect(out == 1u, "output_5_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "output_5_polarity 1");
 }
 
 static void test_158(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_output_6_polarity_encode(in, bytes) == CK10_OK, "output_6_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "output_6_polarity 0 bytes");
     expect(ck10_reg_output_6_polarity_decode(bytes, &out) == CK10_OK, "output_6_polarity 0");
-    expect(out == 0u, "output_6_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "output_6_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_output_6_polarity_encode(in, bytes) == CK10_OK, "output_6_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "output_6_polarity 1 bytes");
     expect(ck10_reg_output_6_polarity_decode(bytes, &out) == CK10_OK, "output_6_polarity 1");
-    expect(out == 1u, "output_6_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "output_6_polarity 1");
 }
 
 static void test_159(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_output_7_polarity_encode(in, bytes) == CK10_OK, "output_7_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "output_7_polarity 0 bytes");
     expect(ck10_reg_output_7_polarity_decode(bytes, &out) == CK10_OK, "output_7_polarity 0");
-    expect(out == 0u, "output_7_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "output_7_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_output_7_polarity_encode(in, bytes) == CK10_OK, "output_7_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "output_7_polarity 1 bytes");
     expect(ck10_reg_output_7_polarity_decode(bytes, &out) == CK10_OK, "output_7_polarity 1");
-    expect(out == 1u, "output_7_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "output_7_polarity 1");
 }
 
 static void test_160(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_output_8_polarity_encode(in, bytes) == CK10_OK, "output_8_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "output_8_polarity 0 bytes");
     expect(ck10_reg_output_8_polarity_decode(bytes, &out) == CK10_OK, "output_8_polarity 0");
-    expect(out == 0u, "output_8_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "output_8_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_output_8_polarity_encode(in, bytes) == CK10_OK, "output_8_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "output_8_polarity 1 bytes");
     expect(ck10_reg_output_8_polarity_decode(bytes, &out) == CK10_OK, "output_8_polarity 1");
-    expect(out == 1u, "output_8_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "output_8_polarity 1");
 }
 
 static void test_161(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_output_9_polarity_encode(in, bytes) == CK10_OK, "output_9_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "output_9_polarity 0 bytes");
     expect(ck10_reg_output_9_polarity_decode(bytes, &out) == CK10_OK, "output_9_polarity 0");
-    expect(out == 0u, "output_9_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "output_9_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_output_9_polarity_encode(in, bytes) == CK10_OK, "output_9_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "output_9_polarity 1 bytes");
     expect(ck10_reg_output_9_polarity_decode(bytes, &out) == CK10_OK, "output_9_polarity 1");
-    expect(out == 1u, "output_9_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "output_9_polarity 1");
 }
 
 static void test_162(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_output_10_polarity_encode(in, bytes) == CK10_OK, "output_10_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "output_10_polarity 0 bytes");
     expect(ck10_reg_output_10_polarity_decode(bytes, &out) == CK10_OK, "output_10_polarity 0");
-    expect(out == 0u, "output_10_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "output_10_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_output_10_polarity_encode(in, bytes) == CK10_OK, "output_10_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "output_10_polarity 1 bytes");
     expect(ck10_reg_output_10_polarity_decode(bytes, &out) == CK10_OK, "output_10_polarity 1");
-    expect(out == 1u, "output_10_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "output_10_polarity 1");
 }
 
 static void test_163(void)
@@ -4726,40 +4726,40 @@ static void test_173(void)
 static void test_174(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_soft_limit_stop out = CK10_SOFT_LIMIT_STOP_NONE;
+    volatile ck10_soft_limit_stop in = CK10_SOFT_LIMIT_STOP_IMMEDIATE;
+    in = CK10_SOFT_LIMIT_STOP_IMMEDIATE;
     expect(ck10_reg_flash_soft_limit_stop_encode(in, bytes) == CK10_OK, "flash_soft_limit_stop 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_soft_limit_stop 0 bytes");
     expect(ck10_reg_flash_soft_limit_stop_decode(bytes, &out) == CK10_OK, "flash_soft_limit_stop 0");
-    expect(out == 0u, "flash_soft_limit_stop 0");
-    in = 1u;
+    expect(out == CK10_SOFT_LIMIT_STOP_IMMEDIATE, "flash_soft_limit_stop 0");
+    in = CK10_SOFT_LIMIT_STOP_DECELERATED;
     expect(ck10_reg_flash_soft_limit_stop_encode(in, bytes) == CK10_OK, "flash_soft_limit_stop 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_soft_limit_stop 1 bytes");
     expect(ck10_reg_flash_soft_limit_stop_decode(bytes, &out) == CK10_OK, "flash_soft_limit_stop 1");
-    expect(out == 1u, "flash_soft_limit_stop 1");
-    in = 2u;
+    expect(out == CK10_SOFT_LIMIT_STOP_DECELERATED, "flash_soft_limit_stop 1");
+    in = CK10_SOFT_LIMIT_STOP_NONE;
     expect(ck10_reg_flash_soft_limit_stop_encode(in, bytes) == CK10_OK, "flash_soft_limit_stop 2");
     expect(same_bytes(bytes, "\000\000\000\002", 4u), "flash_soft_limit_stop 2 bytes");
     expect(ck10_reg_flash_soft_limit_stop_decode(bytes, &out) == CK10_OK, "flash_soft_limit_stop 2");
-    expect(out == 2u, "flash_soft_limit_stop 2");
+    expect(out == CK10_SOFT_LIMIT_STOP_NONE, "flash_soft_limit_stop 2");
 }
 
 static void test_175(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_hard_limit_stop out = CK10_HARD_LIMIT_STOP_DECELERATED;
+    volatile ck10_hard_limit_stop in = CK10_HARD_LIMIT_STOP_IMMEDIATE;
+    in = CK10_HARD_LIMIT_STOP_IMMEDIATE;
     expect(ck10_reg_flash_hard_limit_stop_encode(in, bytes) == CK10_OK, "flash_hard_limit_stop 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_hard_limit_stop 0 bytes");
     expect(ck10_reg_flash_hard_limit_stop_decode(bytes, &out) == CK10_OK, "flash_hard_limit_stop 0");
-    expect(out == 0u, "flash_hard_limit_stop 0");
-    in = 1u;
+    expect(out == CK10_HARD_LIMIT_STOP_IMMEDIATE, "flash_hard_limit_stop 0");
+    in = CK10_HARD_LIMIT_STOP_DECELERATED;
     expect(ck10_reg_flash_hard_limit_stop_encode(in, bytes) == CK10_OK, "flash_hard_limit_stop 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_hard_limit_stop 1 bytes");
     expect(ck10_reg_flash_hard_limit_stop_decode(bytes, &out) == CK10_OK, "flash_hard_limit_stop 1");
-    expect(out == 1u, "flash_hard_limit_stop 1");
+    expect(out == CK10_HARD_LIMIT_STOP_DECELERATED, "flash_hard_limit_stop 1");
 }
 
 static void test_176(void)
@@ -4833,65 +4833,65 @@ static void test_179(void)
 static void test_180(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_homing_method out = CK10_HOMING_METHOD_HARD_STOP_AND_Z_PHASE;
+    volatile ck10_homing_method in = CK10_HOMING_METHOD_ORIGIN_SENSOR;
+    in = CK10_HOMING_METHOD_ORIGIN_SENSOR;
     expect(ck10_reg_flash_homing_method_encode(in, bytes) == CK10_OK, "flash_homing_method 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_homing_method 0 bytes");
     expect(ck10_reg_flash_homing_method_decode(bytes, &out) == CK10_OK, "flash_homing_method 0");
-    expect(out == 0u, "flash_homing_method 0");
-    in = 1u;
+    expect(out == CK10_HOMING_METHOD_ORIGIN_SENSOR, "flash_homing_method 0");
+    in = CK10_HOMING_METHOD_ORIGIN_SENSOR_AND_Z_PHASE;
     expect(ck10_reg_flash_homing_method_encode(in, bytes) == CK10_OK, "flash_homing_method 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_homing_method 1 bytes");
     expect(ck10_reg_flash_homing_method_decode(bytes, &out) == CK10_OK, "flash_homing_method 1");
-    expect(out == 1u, "flash_homing_method 1");
-    in = 2u;
+    expect(out == CK10_HOMING_METHOD_ORIGIN_SENSOR_AND_Z_PHASE, "flash_homing_method 1");
+    in = CK10_HOMING_METHOD_LIMIT_SENSOR;
     expect(ck10_reg_flash_homing_method_encode(in, bytes) == CK10_OK, "flash_homing_method 2");
     expect(same_bytes(bytes, "\000\000\000\002", 4u), "flash_homing_method 2 bytes");
     expect(ck10_reg_flash_homing_method_decode(bytes, &out) == CK10_OK, "flash_homing_method 2");
-    expect(out == 2u, "flash_homing_method 2");
-    in = 3u;
+    expect(out == CK10_HOMING_METHOD_LIMIT_SENSOR, "flash_homing_method 2");
+    in = CK10_HOMING_METHOD_LIMIT_SENSOR_AND_Z_PHASE;
     expect(ck10_reg_flash_homing_method_encode(in, bytes) == CK10_OK, "flash_homing_method 3");
     expect(same_bytes(bytes, "\000\000\000\003", 4u), "flash_homing_method 3 bytes");
     expect(ck10_reg_flash_homing_method_decode(bytes, &out) == CK10_OK, "flash_homing_method 3");
-    expect(out == 3u, "flash_homing_method 3");
-    in = 4u;
+    expect(out == CK10_HOMING_METHOD_LIMIT_SENSOR_AND_Z_PHASE, "flash_homing_method 3");
+    in = CK10_HOMING_METHOD_CURRENT_POSITION;
     expect(ck10_reg_flash_homing_method_encode(in, bytes) == CK10_OK, "flash_homing_method 4");
     expect(same_bytes(bytes, "\000\000\000\004", 4u), "flash_homing_method 4 bytes");
     expect(ck10_reg_flash_homing_method_decode(bytes, &out) == CK10_OK, "flash_homing_method 4");
-    expect(out == 4u, "flash_homing_method 4");
-    in = 5u;
+    expect(out == CK10_HOMING_METHOD_CURRENT_POSITION, "flash_homing_method 4");
+    in = CK10_HOMING_METHOD_Z_PHASE;
     expect(ck10_reg_flash_homing_method_encode(in, bytes) == CK10_OK, "flash_homing_method 5");
     expect(same_bytes(bytes, "\000\000\000\005", 4u), "flash_homing_method 5 bytes");
     expect(ck10_reg_flash_homing_method_decode(bytes, &out) == CK10_OK, "flash_homing_method 5");
-    expect(out == 5u, "flash_homing_method 5");
-    in = 6u;
+    expect(out == CK10_HOMING_METHOD_Z_PHASE, "flash_homing_method 5");
+    in = CK10_HOMING_METHOD_HARD_STOP;
     expect(ck10_reg_flash_homing_method_encode(in, bytes) == CK10_OK, "flash_homing_method 6");
     expect(same_bytes(bytes, "\000\000\000\006", 4u), "flash_homing_method 6 bytes");
     expect(ck10_reg_flash_homing_method_decode(bytes, &out) == CK10_OK, "flash_homing_method 6");
-    expect(out == 6u, "flash_homing_method 6");
-    in = 7u;
+    expect(out == CK10_HOMING_METHOD_HARD_STOP, "flash_homing_method 6");
+    in = CK10_HOMING_METHOD_HARD_STOP_AND_Z_PHASE;
     expect(ck10_reg_flash_homing_method_encode(in, bytes) == CK10_OK, "flash_homing_method 7");
     expect(same_bytes(bytes, "\000\000\000\007", 4u), "flash_homing_method 7 bytes");
     expect(ck10_reg_flash_homing_method_decode(bytes, &out) == CK10_OK, "flash_homing_method 7");
-    expect(out == 7u, "flash_homing_method 7");
+    expect(out == CK10_HOMING_METHOD_HARD_STOP_AND_Z_PHASE, "flash_homing_method 7");
 }
 
 static void test_181(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_rotation out = CK10_ROTATION_COUNTERCLOCKWISE;
+    volatile ck10_rotation in = CK10_ROTATION_CLOCKWISE;
+    in = CK10_ROTATION_CLOCKWISE;
     expect(ck10_reg_flash_homing_direction_encode(in, bytes) == CK10_OK, "flash_homing_direction 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_homing_direction 0 bytes");
     expect(ck10_reg_flash_homing_direction_decode(bytes, &out) == CK10_OK, "flash_homing_direction 0");
-    expect(out == 0u, "flash_homing_direction 0");
-    in = 1u;
+    expect(out == CK10_ROTATION_CLOCKWISE, "flash_homing_direction 0");
+    in = CK10_ROTATION_COUNTERCLOCKWISE;
     expect(ck10_reg_flash_homing_direction_encode(in, bytes) == CK10_OK, "flash_homing_direction 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_homing_direction 1 bytes");
     expect(ck10_reg_flash_homing_direction_decode(bytes, &out) == CK10_OK, "flash_homing_direction 1");
-    expect(out == 1u, "flash_homing_direction 1");
+    expect(out == CK10_ROTATION_COUNTERCLOCKWISE, "flash_homing_direction 1");
 }
 
 static void test_182(void)
@@ -4999,18 +4999,18 @@ static void test_187(void)
 static void test_188(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_rotation out = CK10_ROTATION_COUNTERCLOCKWISE;
+    volatile ck10_rotation in = CK10_ROTATION_CLOCKWISE;
+    in = CK10_ROTATION_CLOCKWISE;
     expect(ck10_reg_flash_motor_direction_encode(in, bytes) == CK10_OK, "flash_motor_direction 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_motor_direction 0 bytes");
     expect(ck10_reg_flash_motor_direction_decode(bytes, &out) == CK10_OK, "flash_motor_direction 0");
-    expect(out == 0u, "flash_motor_direction 0");
-    in = 1u;
+    expect(out == CK10_ROTATION_CLOCKWISE, "flash_motor_direction 0");
+    in = CK10_ROTATION_COUNTERCLOCKWISE;
     expect(ck10_reg_flash_motor_direction_encode(in, bytes) == CK10_OK, "flash_motor_direction 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_motor_direction 1 bytes");
     expect(ck10_reg_flash_motor_direction_decode(bytes, &out) == CK10_OK, "flash_motor_direction 1");
-    expect(out == 1u, "flash_motor_direction 1");
+    expect(out == CK10_ROTATION_COUNTERCLOCKWISE, "flash_motor_direction 1");
 }
 
 static void test_189(void)
@@ -5135,170 +5135,170 @@ static void test_195(void)
 static void test_196(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_emergency_stop_mode out = CK10_EMERGENCY_STOP_MODE_SERVO_OFF;
+    volatile ck10_emergency_stop_mode in = CK10_EMERGENCY_STOP_MODE_FAST_STOP;
+    in = CK10_EMERGENCY_STOP_MODE_FAST_STOP;
     expect(ck10_reg_flash_emergency_stop_mode_encode(in, bytes) == CK10_OK, "flash_emergency_stop_mode 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_emergency_stop_mode 0 bytes");
     expect(ck10_reg_flash_emergency_stop_mode_decode(bytes, &out) == CK10_OK, "flash_emergency_stop_mode 0");
-    expect(out == 0u, "flash_emergency_stop_mode 0");
-    in = 1u;
+    expect(out == CK10_EMERGENCY_STOP_MODE_FAST_STOP, "flash_emergency_stop_mode 0");
+    in = CK10_EMERGENCY_STOP_MODE_FAST_STOP_SERVO_OFF;
     expect(ck10_reg_flash_emergency_stop_mode_encode(in, bytes) == CK10_OK, "flash_emergency_stop_mode 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_emergency_stop_mode 1 bytes");
     expect(ck10_reg_flash_emergency_stop_mode_decode(bytes, &out) == CK10_OK, "flash_emergency_stop_mode 1");
-    expect(out == 1u, "flash_emergency_stop_mode 1");
-    in = 2u;
+    expect(out == CK10_EMERGENCY_STOP_MODE_FAST_STOP_SERVO_OFF, "flash_emergency_stop_mode 1");
+    in = CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP;
     expect(ck10_reg_flash_emergency_stop_mode_encode(in, bytes) == CK10_OK, "flash_emergency_stop_mode 2");
     expect(same_bytes(bytes, "\000\000\000\002", 4u), "flash_emergency_stop_mode 2 bytes");
     expect(ck10_reg_flash_emergency_stop_mode_decode(bytes, &out) == CK10_OK, "flash_emergency_stop_mode 2");
-    expect(out == 2u, "flash_emergency_stop_mode 2");
-    in = 3u;
+    expect(out == CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP, "flash_emergency_stop_mode 2");
+    in = CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP_SERVO_OFF;
     expect(ck10_reg_flash_emergency_stop_mode_encode(in, bytes) == CK10_OK, "flash_emergency_stop_mode 3");
     expect(same_bytes(bytes, "\000\000\000\003", 4u), "flash_emergency_stop_mode 3 bytes");
     expect(ck10_reg_flash_emergency_stop_mode_decode(bytes, &out) == CK10_OK, "flash_emergency_stop_mode 3");
-    expect(out == 3u, "flash_emergency_stop_mode 3");
-    in = 4u;
+    expect(out == CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP_SERVO_OFF, "flash_emergency_stop_mode 3");
+    in = CK10_EMERGENCY_STOP_MODE_SERVO_OFF;
     expect(ck10_reg_flash_emergency_stop_mode_encode(in, bytes) == CK10_OK, "flash_emergency_stop_mode 4");
     expect(same_bytes(bytes, "\000\000\000\004", 4u), "flash_emergency_stop_mode 4 bytes");
     expect(ck10_reg_flash_emergency_stop_mode_decode(bytes, &out) == CK10_OK, "flash_emergency_stop_mode 4");
-    expect(out == 4u, "flash_emergency_stop_mode 4");
+    expect(out == CK10_EMERGENCY_STOP_MODE_SERVO_OFF, "flash_emergency_stop_mode 4");
 }
 
 static void test_197(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_emergency_brake_mode out = CK10_EMERGENCY_BRAKE_MODE_RELEASED;
+    volatile ck10_emergency_brake_mode in = CK10_EMERGENCY_BRAKE_MODE_LOCKED;
+    in = CK10_EMERGENCY_BRAKE_MODE_LOCKED;
     expect(ck10_reg_flash_emergency_brake_mode_encode(in, bytes) == CK10_OK, "flash_emergency_brake_mode 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_emergency_brake_mode 0 bytes");
     expect(ck10_reg_flash_emergency_brake_mode_decode(bytes, &out) == CK10_OK, "flash_emergency_brake_mode 0");
-    expect(out == 0u, "flash_emergency_brake_mode 0");
-    in = 1u;
+    expect(out == CK10_EMERGENCY_BRAKE_MODE_LOCKED, "flash_emergency_brake_mode 0");
+    in = CK10_EMERGENCY_BRAKE_MODE_RELEASED;
     expect(ck10_reg_flash_emergency_brake_mode_encode(in, bytes) == CK10_OK, "flash_emergency_brake_mode 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_emergency_brake_mode 1 bytes");
     expect(ck10_reg_flash_emergency_brake_mode_decode(bytes, &out) == CK10_OK, "flash_emergency_brake_mode 1");
-    expect(out == 1u, "flash_emergency_brake_mode 1");
+    expect(out == CK10_EMERGENCY_BRAKE_MODE_RELEASED, "flash_emergency_brake_mode 1");
 }
 
 static void test_198(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_operation_mode out = CK10_OPERATION_MODE_MODBUS_ASCII;
+    volatile ck10_operation_mode in = CK10_OPERATION_MODE_PULSE_AND_DIRECTION;
+    in = CK10_OPERATION_MODE_PULSE_AND_DIRECTION;
     expect(ck10_reg_flash_operation_mode_encode(in, bytes) == CK10_OK, "flash_operation_mode 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_operation_mode 0 bytes");
     expect(ck10_reg_flash_operation_mode_decode(bytes, &out) == CK10_OK, "flash_operation_mode 0");
-    expect(out == 0u, "flash_operation_mode 0");
-    in = 1u;
+    expect(out == CK10_OPERATION_MODE_PULSE_AND_DIRECTION, "flash_operation_mode 0");
+    in = CK10_OPERATION_MODE_TWO_PULSES;
     expect(ck10_reg_flash_operation_mode_encode(in, bytes) == CK10_OK, "flash_operation_mode 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_operation_mode 1 bytes");
     expect(ck10_reg_flash_operation_mode_decode(bytes, &out) == CK10_OK, "flash_operation_mode 1");
-    expect(out == 1u, "flash_operation_mode 1");
-    in = 2u;
+    expect(out == CK10_OPERATION_MODE_TWO_PULSES, "flash_operation_mode 1");
+    in = CK10_OPERATION_MODE_QUADRATURE;
     expect(ck10_reg_flash_operation_mode_encode(in, bytes) == CK10_OK, "flash_operation_mode 2");
     expect(same_bytes(bytes, "\000\000\000\002", 4u), "flash_operation_mode 2 bytes");
     expect(ck10_reg_flash_operation_mode_decode(bytes, &out) == CK10_OK, "flash_operation_mode 2");
-    expect(out == 2u, "flash_operation_mode 2");
-    in = 3u;
+    expect(out == CK10_OPERATION_MODE_QUADRATURE, "flash_operation_mode 2");
+    in = CK10_OPERATION_MODE_PLUS_R;
     expect(ck10_reg_flash_operation_mode_encode(in, bytes) == CK10_OK, "flash_operation_mode 3");
     expect(same_bytes(bytes, "\000\000\000\003", 4u), "flash_operation_mode 3 bytes");
     expect(ck10_reg_flash_operation_mode_decode(bytes, &out) == CK10_OK, "flash_operation_mode 3");
-    expect(out == 3u, "flash_operation_mode 3");
-    in = 4u;
+    expect(out == CK10_OPERATION_MODE_PLUS_R, "flash_operation_mode 3");
+    in = CK10_OPERATION_MODE_MODBUS_RTU;
     expect(ck10_reg_flash_operation_mode_encode(in, bytes) == CK10_OK, "flash_operation_mode 4");
     expect(same_bytes(bytes, "\000\000\000\004", 4u), "flash_operation_mode 4 bytes");
     expect(ck10_reg_flash_operation_mode_decode(bytes, &out) == CK10_OK, "flash_operation_mode 4");
-    expect(out == 4u, "flash_operation_mode 4");
-    in = 5u;
+    expect(out == CK10_OPERATION_MODE_MODBUS_RTU, "flash_operation_mode 4");
+    in = CK10_OPERATION_MODE_MODBUS_ASCII;
     expect(ck10_reg_flash_operation_mode_encode(in, bytes) == CK10_OK, "flash_operation_mode 5");
     expect(same_bytes(bytes, "\000\000\000\005", 4u), "flash_operation_mode 5 bytes");
     expect(ck10_reg_flash_operation_mode_decode(bytes, &out) == CK10_OK, "flash_operation_mode 5");
-    expect(out == 5u, "flash_operation_mode 5");
+    expect(out == CK10_OPERATION_MODE_MODBUS_ASCII, "flash_operation_mode 5");
 }
 
 static void test_199(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_switch_function out = CK10_SWITCH_FUNCTION_RESET_ALARM;
+    volatile ck10_switch_function in = CK10_SWITCH_FUNCTION_NONE;
+    in = CK10_SWITCH_FUNCTION_NONE;
     expect(ck10_reg_flash_switch_function_encode(in, bytes) == CK10_OK, "flash_switch_function 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_switch_function 0 bytes");
     expect(ck10_reg_flash_switch_function_decode(bytes, &out) == CK10_OK, "flash_switch_function 0");
-    expect(out == 0u, "flash_switch_function 0");
-    in = 1u;
+    expect(out == CK10_SWITCH_FUNCTION_NONE, "flash_switch_function 0");
+    in = CK10_SWITCH_FUNCTION_RESET_ALARM;
     expect(ck10_reg_flash_switch_function_encode(in, bytes) == CK10_OK, "flash_switch_function 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_switch_function 1 bytes");
     expect(ck10_reg_flash_switch_function_decode(bytes, &out) == CK10_OK, "flash_switch_function 1");
-    expect(out == 1u, "flash_switch_function 1");
+    expect(out == CK10_SWITCH_FUNCTION_RESET_ALARM, "flash_switch_function 1");
 }
 
 static void test_200(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_baud_rate out = CK10_BAUD_RATE_BAUD_115200;
+    volatile ck10_baud_rate in = CK10_BAUD_RATE_BAUD_9600;
+    in = CK10_BAUD_RATE_BAUD_9600;
     expect(ck10_reg_flash_baud_rate_encode(in, bytes) == CK10_OK, "flash_baud_rate 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_baud_rate 0 bytes");
     expect(ck10_reg_flash_baud_rate_decode(bytes, &out) == CK10_OK, "flash_baud_rate 0");
-    expect(out == 0u, "flash_baud_rate 0");
-    in = 1u;
+    expect(out == CK10_BAUD_RATE_BAUD_9600, "flash_baud_rate 0");
+    in = CK10_BAUD_RATE_BAUD_19200;
     expect(ck10_reg_flash_baud_rate_encode(in, bytes) == CK10_OK, "flash_baud_rate 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_baud_rate 1 bytes");
     expect(ck10_reg_flash_baud_rate_decode(bytes, &out) == CK10_OK, "flash_baud_rate 1");
-    expect(out == 1u, "flash_baud_rate 1");
-    in = 2u;
+    expect(out == CK10_BAUD_RATE_BAUD_19200, "flash_baud_rate 1");
+    in = CK10_BAUD_RATE_BAUD_38400;
     expect(ck10_reg_flash_baud_rate_encode(in, bytes) == CK10_OK, "flash_baud_rate 2");
     expect(same_bytes(bytes, "\000\000\000\002", 4u), "flash_baud_rate 2 bytes");
     expect(ck10_reg_flash_baud_rate_decode(bytes, &out) == CK10_OK, "flash_baud_rate 2");
-    expect(out == 2u, "flash_baud_rate 2");
-    in = 3u;
+    expect(out == CK10_BAUD_RATE_BAUD_38400, "flash_baud_rate 2");
+    in = CK10_BAUD_RATE_BAUD_57600;
     expect(ck10_reg_flash_baud_rate_encode(in, bytes) == CK10_OK, "flash_baud_rate 3");
     expect(same_bytes(bytes, "\000\000\000\003", 4u), "flash_baud_rate 3 bytes");
     expect(ck10_reg_flash_baud_rate_decode(bytes, &out) == CK10_OK, "flash_baud_rate 3");
-    expect(out == 3u, "flash_baud_rate 3");
-    in = 4u;
+    expect(out == CK10_BAUD_RATE_BAUD_57600, "flash_baud_rate 3");
+    in = CK10_BAUD_RATE_BAUD_115200;
     expect(ck10_reg_flash_baud_rate_encode(in, bytes) == CK10_OK, "flash_baud_rate 4");
     expect(same_bytes(bytes, "\000\000\000\004", 4u), "flash_baud_rate 4 bytes");
     expect(ck10_reg_flash_baud_rate_decode(bytes, &out) == CK10_OK, "flash_baud_rate 4");
-    expect(out == 4u, "flash_baud_rate 4");
+    expect(out == CK10_BAUD_RATE_BAUD_115200, "flash_baud_rate 4");
 }
 
 static void test_201(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_enabled out = CK10_ENABLED_ENABLED;
+    volatile ck10_enabled in = CK10_ENABLED_DISABLED;
+    in = CK10_ENABLED_DISABLED;
     expect(ck10_reg_flash_save_position_encode(in, bytes) == CK10_OK, "flash_save_position 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_save_position 0 bytes");
     expect(ck10_reg_flash_save_position_decode(bytes, &out) == CK10_OK, "flash_save_position 0");
-    expect(out == 0u, "flash_save_position 0");
-    in = 1u;
+    expect(out == CK10_ENABLED_DISABLED, "flash_save_position 0");
+    in = CK10_ENABLED_ENABLED;
     expect(ck10_reg_flash_save_position_encode(in, bytes) == CK10_OK, "flash_save_position 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_save_position 1 bytes");
     expect(ck10_reg_flash_save_position_decode(bytes, &out) == CK10_OK, "flash_save_position 1");
-    expect(out == 1u, "flash_save_position 1");
+    expect(out == CK10_ENABLED_ENABLED, "flash_save_position 1");
 }
 
 static void test_202(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_enabled out = CK10_ENABLED_ENABLED;
+    volatile ck10_enabled in = CK10_ENABLED_DISABLED;
+    in = CK10_ENABLED_DISABLED;
     expect(ck10_reg_flash_show_motor_number_encode(in, bytes) == CK10_OK, "flash_show_motor_number 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_show_motor_number 0 bytes");
     expect(ck10_reg_flash_show_motor_number_decode(bytes, &out) == CK10_OK, "flash_show_motor_number 0");
-    expect(out == 0u, "flash_show_motor_number 0");
-    in = 1u;
+    expect(out == CK10_ENABLED_DISABLED, "flash_show_motor_number 0");
+    in = CK10_ENABLED_ENABLED;
     expect(ck10_reg_flash_show_motor_number_encode(in, bytes) == CK10_OK, "flash_show_motor_number 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_show_motor_number 1 bytes");
     expect(ck10_reg_flash_show_motor_number_decode(bytes, &out) == CK10_OK, "flash_show_motor_number 1");
-    expect(out == 1u, "flash_show_motor_number 1");
+    expect(out == CK10_ENABLED_ENABLED, "flash_show_motor_number 1");
 }
 
 static void test_203(void)
@@ -5695,375 +5695,375 @@ static void test_225(void)
 static void test_226(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_input_1_polarity_encode(in, bytes) == CK10_OK, "flash_input_1_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_input_1_polarity 0 bytes");
     expect(ck10_reg_flash_input_1_polarity_decode(bytes, &out) == CK10_OK, "flash_input_1_polarity 0");
-    expect(out == 0u, "flash_input_1_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_input_1_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_input_1_polarity_encode(in, bytes) == CK10_OK, "flash_input_1_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_input_1_polarity 1 bytes");
     expect(ck10_reg_flash_input_1_polarity_decode(bytes, &out) == CK10_OK, "flash_input_1_polarity 1");
-    expect(out == 1u, "flash_input_1_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_input_1_polarity 1");
 }
 
 static void test_227(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_input_2_polarity_encode(in, bytes) == CK10_OK, "flash_input_2_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_input_2_polarity 0 bytes");
     expect(ck10_reg_flash_input_2_polarity_decode(bytes, &out) == CK10_OK, "flash_input_2_polarity 0");
-    expect(out == 0u, "flash_input_2_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_input_2_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_input_2_polarity_encode(in, bytes) == CK10_OK, "flash_input_2_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_input_2_polarity 1 bytes");
     expect(ck10_reg_flash_input_2_polarity_decode(bytes, &out) == CK10_OK, "flash_input_2_polarity 1");
-    expect(out == 1u, "flash_input_2_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_input_2_polarity 1");
 }
 
 static void test_228(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_input_3_polarity_encode(in, bytes) == CK10_OK, "flash_input_3_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_input_3_polarity 0 bytes");
     expect(ck10_reg_flash_input_3_polarity_decode(bytes, &out) == CK10_OK, "flash_input_3_polarity 0");
-    expect(out == 0u, "flash_input_3_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_input_3_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_input_3_polarity_encode(in, bytes) == CK10_OK, "flash_input_3_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_input_3_polarity 1 bytes");
     expect(ck10_reg_flash_input_3_polarity_decode(bytes, &out) == CK10_OK, "flash_input_3_polarity 1");
-    expect(out == 1u, "flash_input_3_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_input_3_polarity 1");
 }
 
 static void test_229(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_input_4_polarity_encode(in, bytes) == CK10_OK, "flash_input_4_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_input_4_polarity 0 bytes");
     expect(ck10_reg_flash_input_4_polarity_decode(bytes, &out) == CK10_OK, "flash_input_4_polarity 0");
-    expect(out == 0u, "flash_input_4_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_input_4_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_input_4_polarity_encode(in, bytes) == CK10_OK, "flash_input_4_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_input_4_polarity 1 bytes");
     expect(ck10_reg_flash_input_4_polarity_decode(bytes, &out) == CK10_OK, "flash_input_4_polarity 1");
-    expect(out == 1u, "flash_input_4_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_input_4_polarity 1");
 }
 
 static void test_230(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_input_5_polarity_encode(in, bytes) == CK10_OK, "flash_input_5_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_input_5_polarity 0 bytes");
     expect(ck10_reg_flash_input_5_polarity_decode(bytes, &out) == CK10_OK, "flash_input_5_polarity 0");
-    expect(out == 0u, "flash_input_5_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_input_5_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_input_5_polarity_encode(in, bytes) == CK10_OK, "flash_input_5_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_input_5_polarity 1 bytes");
     expect(ck10_reg_flash_input_5_polarity_decode(bytes, &out) == CK10_OK, "flash_input_5_polarity 1");
-    expect(out == 1u, "flash_input_5_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_input_5_polarity 1");
 }
 
 static void test_231(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_input_6_polarity_encode(in, bytes) == CK10_OK, "flash_input_6_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_input_6_polarity 0 bytes");
     expect(ck10_reg_flash_input_6_polarity_decode(bytes, &out) == CK10_OK, "flash_input_6_polarity 0");
-    expect(out == 0u, "flash_input_6_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_input_6_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_input_6_polarity_encode(in, bytes) == CK10_OK, "flash_input_6_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_input_6_polarity 1 bytes");
     expect(ck10_reg_flash_input_6_polarity_decode(bytes, &out) == CK10_OK, "flash_input_6_polarity 1");
-    expect(out == 1u, "flash_input_6_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_input_6_polarity 1");
 }
 
 static void test_232(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_input_7_polarity_encode(in, bytes) == CK10_OK, "flash_input_7_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_input_7_polarity 0 bytes");
     expect(ck10_reg_flash_input_7_polarity_decode(bytes, &out) == CK10_OK, "flash_input_7_polarity 0");
-    expect(out == 0u, "flash_input_7_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_input_7_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_input_7_polarity_encode(in, bytes) == CK10_OK, "flash_input_7_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_input_7_polarity 1 bytes");
     expect(ck10_reg_flash_input_7_polarity_decode(bytes, &out) == CK10_OK, "flash_input_7_polarity 1");
-    expect(out == 1u, "flash_input_7_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_input_7_polarity 1");
 }
 
 static void test_233(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_input_8_polarity_encode(in, bytes) == CK10_OK, "flash_input_8_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_input_8_polarity 0 bytes");
     expect(ck10_reg_flash_input_8_polarity_decode(bytes, &out) == CK10_OK, "flash_input_8_polarity 0");
-    expect(out == 0u, "flash_input_8_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_input_8_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_input_8_polarity_encode(in, bytes) == CK10_OK, "flash_input_8_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_input_8_polarity 1 bytes");
     expect(ck10_reg_flash_input_8_polarity_decode(bytes, &out) == CK10_OK, "flash_input_8_polarity 1");
-    expect(out == 1u, "flash_input_8_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_input_8_polarity 1");
 }
 
 static void test_234(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_input_9_polarity_encode(in, bytes) == CK10_OK, "flash_input_9_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_input_9_polarity 0 bytes");
     expect(ck10_reg_flash_input_9_polarity_decode(bytes, &out) == CK10_OK, "flash_input_9_polarity 0");
-    expect(out == 0u, "flash_input_9_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_input_9_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_input_9_polarity_encode(in, bytes) == CK10_OK, "flash_input_9_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_input_9_polarity 1 bytes");
     expect(ck10_reg_flash_input_9_polarity_decode(bytes, &out) == CK10_OK, "flash_input_9_polarity 1");
-    expect(out == 1u, "flash_input_9_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_input_9_polarity 1");
 }
 
 static void test_235(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_input_10_polarity_encode(in, bytes) == CK10_OK, "flash_input_10_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_input_10_polarity 0 bytes");
     expect(ck10_reg_flash_input_10_polarity_decode(bytes, &out) == CK10_OK, "flash_input_10_polarity 0");
-    expect(out == 0u, "flash_input_10_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_input_10_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_input_10_polarity_encode(in, bytes) == CK10_OK, "flash_input_10_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_input_10_polarity 1 bytes");
     expect(ck10_reg_flash_input_10_polarity_decode(bytes, &out) == CK10_OK, "flash_input_10_polarity 1");
-    expect(out == 1u, "flash_input_10_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_input_10_polarity 1");
 }
 
 static void test_236(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_input_11_polarity_encode(in, bytes) == CK10_OK, "flash_input_11_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_input_11_polarity 0 bytes");
     expect(ck10_reg_flash_input_11_polarity_decode(bytes, &out) == CK10_OK, "flash_input_11_polarity 0");
-    expect(out == 0u, "flash_input_11_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_input_11_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_input_11_polarity_encode(in, bytes) == CK10_OK, "flash_input_11_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_input_11_polarity 1 bytes");
     expect(ck10_reg_flash_input_11_polarity_decode(bytes, &out) == CK10_OK, "flash_input_11_polarity 1");
-    expect(out == 1u, "flash_input_11_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_input_11_polarity 1");
 }
 
 static void test_237(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_input_12_polarity_encode(in, bytes) == CK10_OK, "flash_input_12_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_input_12_polarity 0 bytes");
     expect(ck10_reg_flash_input_12_polarity_decode(bytes, &out) == CK10_OK, "flash_input_12_polarity 0");
-    expect(out == 0u, "flash_input_12_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_input_12_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_input_12_polarity_encode(in, bytes) == CK10_OK, "flash_input_12_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_input_12_polarity 1 bytes");
     expect(ck10_reg_flash_input_12_polarity_decode(bytes, &out) == CK10_OK, "flash_input_12_polarity 1");
-    expect(out == 1u, "flash_input_12_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_input_12_polarity 1");
 }
 
 static void test_238(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_output_1_polarity_encode(in, bytes) == CK10_OK, "flash_output_1_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_output_1_polarity 0 bytes");
     expect(ck10_reg_flash_output_1_polarity_decode(bytes, &out) == CK10_OK, "flash_output_1_polarity 0");
-    expect(out == 0u, "flash_output_1_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_output_1_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_output_1_polarity_encode(in, bytes) == CK10_OK, "flash_output_1_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_output_1_polarity 1 bytes");
     expect(ck10_reg_flash_output_1_polarity_decode(bytes, &out) == CK10_OK, "flash_output_1_polarity 1");
-    expect(out == 1u, "flash_output_1_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_output_1_polarity 1");
 }
 
 static void test_239(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_output_2_polarity_encode(in, bytes) == CK10_OK, "flash_output_2_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_output_2_polarity 0 bytes");
     expect(ck10_reg_flash_output_2_polarity_decode(bytes, &out) == CK10_OK, "flash_output_2_polarity 0");
-    expect(out == 0u, "flash_output_2_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_output_2_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_output_2_polarity_encode(in, bytes) == CK10_OK, "flash_output_2_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_output_2_polarity 1 bytes");
     expect(ck10_reg_flash_output_2_polarity_decode(bytes, &out) == CK10_OK, "flash_output_2_polarity 1");
-    expect(out == 1u, "flash_output_2_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_output_2_polarity 1");
 }
 
 static void test_240(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_output_3_polarity_encode(in, bytes) == CK10_OK, "flash_output_3_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_output_3_polarity 0 bytes");
     expect(ck10_reg_flash_output_3_polarity_decode(bytes, &out) == CK10_OK, "flash_output_3_polarity 0");
-    expect(out == 0u, "flash_output_3_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_output_3_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_output_3_polarity_encode(in, bytes) == CK10_OK, "flash_output_3_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_output_3_polarity 1 bytes");
     expect(ck10_reg_flash_output_3_polarity_decode(bytes, &out) == CK10_OK, "flash_output_3_polarity 1");
-    expect(out == 1u, "flash_output_3_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_output_3_polarity 1");
 }
 
 static void test_241(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_output_4_polarity_encode(in, bytes) == CK10_OK, "flash_output_4_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_output_4_polarity 0 bytes");
     expect(ck10_reg_flash_output_4_polarity_decode(bytes, &out) == CK10_OK, "flash_output_4_polarity 0");
-    expect(out == 0u, "flash_output_4_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_output_4_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_output_4_polarity_encode(in, bytes) == CK10_OK, "flash_output_4_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_output_4_polarity 1 bytes");
     expect(ck10_reg_flash_output_4_polarity_decode(bytes, &out) == CK10_OK, "flash_output_4_polarity 1");
-    expect(out == 1u, "flash_output_4_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_output_4_polarity 1");
 }
 
 static void test_242(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_output_5_polarity_encode(in, bytes) == CK10_OK, "flash_output_5_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_output_5_polarity 0 bytes");
     expect(ck10_reg_flash_output_5_polarity_decode(bytes, &out) == CK10_OK, "flash_output_5_polarity 0");
-    expect(out == 0u, "flash_output_5_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_output_5_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_output_5_polarity_encode(in, bytes) == CK10_OK, "flash_output_5_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_output_5_polarity 1 bytes");
     expect(ck10_reg_flash_output_5_polarity_decode(bytes, &out) == CK10_OK, "flash_output_5_polarity 1");
-    expect(out == 1u, "flash_output_5_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_output_5_polarity 1");
 }
 
 static void test_243(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_output_6_polarity_encode(in, bytes) == CK10_OK, "flash_output_6_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_output_6_polarity 0 bytes");
     expect(ck10_reg_flash_output_6_polarity_decode(bytes, &out) == CK10_OK, "flash_output_6_polarity 0");
-    expect(out == 0u, "flash_output_6_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_output_6_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_output_6_polarity_encode(in, bytes) == CK10_OK, "flash_output_6_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_output_6_polarity 1 bytes");
     expect(ck10_reg_flash_output_6_polarity_decode(bytes, &out) == CK10_OK, "flash_output_6_polarity 1");
-    expect(out == 1u, "flash_output_6_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_output_6_polarity 1");
 }
 
 static void test_244(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_output_7_polarity_encode(in, bytes) == CK10_OK, "flash_output_7_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_output_7_polarity 0 bytes");
     expect(ck10_reg_flash_output_7_polarity_decode(bytes, &out) == CK10_OK, "flash_output_7_polarity 0");
-    expect(out == 0u, "flash_output_7_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_output_7_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_output_7_polarity_encode(in, bytes) == CK10_OK, "flash_output_7_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_output_7_polarity 1 bytes");
     expect(ck10_reg_flash_output_7_polarity_decode(bytes, &out) == CK10_OK, "flash_output_7_polarity 1");
-    expect(out == 1u, "flash_output_7_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_output_7_polarity 1");
 }
 
 static void test_245(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_output_8_polarity_encode(in, bytes) == CK10_OK, "flash_output_8_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_output_8_polarity 0 bytes");
     expect(ck10_reg_flash_output_8_polarity_decode(bytes, &out) == CK10_OK, "flash_output_8_polarity 0");
-    expect(out == 0u, "flash_output_8_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_output_8_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_output_8_polarity_encode(in, bytes) == CK10_OK, "flash_output_8_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_output_8_polarity 1 bytes");
     expect(ck10_reg_flash_output_8_polarity_decode(bytes, &out) == CK10_OK, "flash_output_8_polarity 1");
-    expect(out == 1u, "flash_output_8_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_output_8_polarity 1");
 }
 
 static void test_246(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_output_9_polarity_encode(in, bytes) == CK10_OK, "flash_output_9_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_output_9_polarity 0 bytes");
     expect(ck10_reg_flash_output_9_polarity_decode(bytes, &out) == CK10_OK, "flash_output_9_polarity 0");
-    expect(out == 0u, "flash_output_9_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_output_9_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_output_9_polarity_encode(in, bytes) == CK10_OK, "flash_output_9_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_output_9_polarity 1 bytes");
     expect(ck10_reg_flash_output_9_polarity_decode(bytes, &out) == CK10_OK, "flash_output_9_polarity 1");
-    expect(out == 1u, "flash_output_9_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_output_9_polarity 1");
 }
 
 static void test_247(void)
 {
     uint8_t bytes[4];
-    uint32_t out = 0;
-    volatile uint32_t in = 0;
-    in = 0u;
+    ck10_polarity out = CK10_POLARITY_INVERTED;
+    volatile ck10_polarity in = CK10_POLARITY_NORMAL;
+    in = CK10_POLARITY_NORMAL;
     expect(ck10_reg_flash_output_10_polarity_encode(in, bytes) == CK10_OK, "flash_output_10_polarity 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "flash_output_10_polarity 0 bytes");
     expect(ck10_reg_flash_output_10_polarity_decode(bytes, &out) == CK10_OK, "flash_output_10_polarity 0");
-    expect(out == 0u, "flash_output_10_polarity 0");
-    in = 1u;
+    expect(out == CK10_POLARITY_NORMAL, "flash_output_10_polarity 0");
+    in = CK10_POLARITY_INVERTED;
     expect(ck10_reg_flash_output_10_polarity_encode(in, bytes) == CK10_OK, "flash_output_10_polarity 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "flash_output_10_polarity 1 bytes");
     expect(ck10_reg_flash_output_10_polarity_decode(bytes, &out) == CK10_OK, "flash_output_10_polarity 1");
-    expect(out == 1u, "flash_output_10_polarity 1");
+    expect(out == CK10_POLARITY_INVERTED, "flash_output_10_polarity 1");
 }
 
 static void test_248(void)
@@ -6225,28 +6225,28 @@ static void test_255(void)
 static void test_256(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    ck10_push_status out = CK10_PUSH_STATUS_MISSED;
+    volatile ck10_push_status in = CK10_PUSH_STATUS_NO_PUSH;
+    in = CK10_PUSH_STATUS_NO_PUSH;
     expect(ck10_reg_push_status_encode(in, bytes) == CK10_OK, "push_status 0");
     expect(same_bytes(bytes, "\000\000", 2u), "push_status 0 bytes");
     expect(ck10_reg_push_status_decode(bytes, &out) == CK10_OK, "push_status 0");
-    expect(out == 0u, "push_status 0");
-    in = 1u;
+    expect(out == CK10_PUSH_STATUS_NO_PUSH, "push_status 0");
+    in = CK10_PUSH_STATUS_PUSHING;
     expect(ck10_reg_push_status_encode(in, bytes) == CK10_OK, "push_status 1");
     expect(same_bytes(bytes, "\000\001", 2u), "push_status 1 bytes");
     expect(ck10_reg_push_status_decode(bytes, &out) == CK10_OK, "push_status 1");
-    expect(out == 1u, "push_status 1");
-    in = 2u;
+    expect(out == CK10_PUSH_STATUS_PUSHING, "push_status 1");
+    in = CK10_PUSH_STATUS_HOLDING;
     expect(ck10_reg_push_status_encode(in, bytes) == CK10_OK, "push_status 2");
     expect(same_bytes(bytes, "\000\002", 2u), "push_status 2 bytes");
     expect(ck10_reg_push_status_decode(bytes, &out) == CK10_OK, "push_status 2");
-    expect(out == 2u, "push_status 2");
-    in = 3u;
+    expect(out == CK10_PUSH_STATUS_HOLDING, "push_status 2");
+    in = CK10_PUSH_STATUS_MISSED;
     expect(ck10_reg_push_status_encode(in, bytes) == CK10_OK, "push_status 3");
     expect(same_bytes(bytes, "\000\003", 2u), "push_status 3 bytes");
     expect(ck10_reg_push_status_decode(bytes, &out) == CK10_OK, "push_status 3");
-    expect(out == 3u, "push_status 3");
+    expect(out == CK10_PUSH_STATUS_MISSED, "push_status 3");
 }
 
 static void test_257(void)

@@ -1,12 +1,12 @@
 /*
  * ESC11-B (TAIYO), in any of its versions
  *
- * Define ESC11_SELECT before this header is included, or for the compiler, to say which version is meant:
+ * Selects the header of a version. Define ESC11_SELECT before you include this header, or on the command line:
  *
  *     -DESC11_SELECT=ESC11_SELECT_V1_17
  *
- * It takes the header of that version, which may as well be included by itself. ESC11_SELECT_LATEST is the newest
- * version that was known when this was generated.
+ * You can also include the header of a version directly. ESC11_SELECT_LATEST is the newest version that was known when
+ * this header was generated.
  *
  * ESC11_SELECT_BEFORE_1_17: esc11_before_1_17.h, identity 3d76276a9d24516b
  * ESC11_SELECT_V1_17: esc11_v1_17.h, identity a24878bc34e9aaec
@@ -24,5 +24,5 @@
 #elif ESC11_SELECT + 0 == ESC11_SELECT_V1_17
 #include "esc11_v1_17.h"
 #else
-#error "ESC11_SELECT is no known version; define it as one of ESC11_SELECT_BEFORE_1_17, ESC11_SELECT_V1_17 or ESC11_SELECT_LATEST"
+#error "ESC11_SELECT is not a known version; define it as one of ESC11_SELECT_BEFORE_1_17, ESC11_SELECT_V1_17 or ESC11_SELECT_LATEST"
 #endif

@@ -3,16 +3,17 @@
  * From: ESG1 series, RS485 communication, ESC11-B, instruction manual
  * Identity: 3d76276a9d24516b
  *
- * Generated; do not edit. For C99 and later and C++98 to C++20, freestanding too: any order of bytes, any alignment, an int of
- * 16 bits or more. Headers from this generator are checked by gcc, clang and cppcheck; their self-tests run on x86-64, AArch64,
- * m68k (big-endian; int of 32 and 16 bits) and as code for Cortex-M0, and under sanitizers; their fuzz targets find nothing.
+ * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
+ * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
+ * self-tests pass on x86-64, AArch64, m68k (big-endian; int of 32 and 16 bits) and Cortex-M0, and under sanitizers; their fuzz
+ * targets find nothing.
  *
- * Before it is included there may be defined:
- *   ESC11_WITH_TEXTS for the texts of codes, which take memory
+ * Define before you include it:
+ *   ESC11_WITH_TEXTS adds the texts of codes, which take memory
  */
 #ifdef ESC11_INCLUDED
 #ifndef ESC11_VERSION_IS_BEFORE_1_17
-#error "another version of this device is included already"
+#error "another version of this device is already included"
 #endif
 #else
 #define ESC11_INCLUDED
@@ -34,18 +35,19 @@
 /* ---- Compilers and machines ---- */
 
 #ifdef __GNUC__
-/** A call of these functions would take more than what they do, even where size counts. */
+/** A call would take more code than the function itself, even with -Os. */
 #define ESC11_INLINE static inline __attribute__((always_inline))
 #define ESC11_LIKELY(test) __builtin_expect(!!(test), 1)
-/** Built in: without string.h, and without a call for a few bytes, where the compiler is a freestanding one. */
+/** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */
+#define ESC11_ENUM_16 __attribute__((__mode__(__HI__)))
+/** Built-in functions need no string.h, and no call for a few bytes, also in freestanding code. */
 #define ESC11_COPY(to, from, size) __builtin_memcpy((to), (from), (size))
 #define ESC11_CLEAR(to, size) __builtin_memset((to), 0, (size))
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && \
     (defined(__x86_64__) || defined(__i386__) || defined(__aarch64__) || defined(__ARM_FEATURE_UNALIGNED))
 /**
- * Numbers are stored at once. The compiler turns loads byte by byte into one by itself, and stores too, but
- * not where it knows that it may change their order: then it makes vectors, which take up to four times as
- * long.
+ * Store a number with one instruction. Compilers merge loads of single bytes by themselves, and mostly stores
+ * too. Where they may reorder stores, they build vectors instead, which take up to four times as long.
  */
 #define ESC11_STORES_AT_ONCE
 #endif
@@ -53,29 +55,30 @@
 #include <string.h>
 #define ESC11_INLINE static inline
 #define ESC11_LIKELY(test) (test)
+#define ESC11_ENUM_16
 #define ESC11_COPY(to, from, size) memcpy((to), (from), (size))
 #define ESC11_CLEAR(to, size) memset((to), 0, (size))
 #endif
 
-/* ---- What functions return ---- */
+/* ---- Results of codec calls ---- */
 
-/** What a function has to say. */
+/** The result of a codec call. */
 typedef enum esc11_codec_status {
-    ESC11_OK = 0, /**< It is done. */
+    ESC11_OK = 0, /**< No error. */
     ESC11_ERR_INCOMPLETE = 1, /**< There are too few bytes. */
-    ESC11_ERR_WRONG_LENGTH = 2, /**< The bytes, or elements, are not as many as they must be. */
-    ESC11_ERR_WRONG_MARK = 3, /**< The frame does not start or end with its mark. */
-    ESC11_ERR_NOT_HEX = 4, /**< A character is no hexadecimal digit. */
-    ESC11_ERR_WRONG_CHECK = 5, /**< The check does not fit the bytes. */
+    ESC11_ERR_WRONG_LENGTH = 2, /**< The number of bytes or elements is wrong. */
+    ESC11_ERR_WRONG_MARK = 3, /**< A delimiter of the frame is missing or wrong. */
+    ESC11_ERR_NOT_HEX = 4, /**< A character is not a hexadecimal digit. */
+    ESC11_ERR_WRONG_CHECK = 5, /**< The checksum does not match. */
     ESC11_ERR_UNKNOWN_CODE = 6, /**< No message has this code. */
-    ESC11_ERR_UNKNOWN_VALUE = 7, /**< The value is none of those that there are. */
-    ESC11_ERR_WRONG_CONST = 8, /**< A constant has another value. */
-    ESC11_ERR_WRONG_MEASURE = 9, /**< A field that holds a size does not fit what it measures. */
-    ESC11_ERR_OUT_OF_RANGE = 10, /**< A value is out of its range. */
+    ESC11_ERR_UNKNOWN_VALUE = 7, /**< The value is not a member of its enum, or the text is not ASCII. */
+    ESC11_ERR_WRONG_CONST = 8, /**< A constant field has another value. */
+    ESC11_ERR_WRONG_MEASURE = 9, /**< A length or count field does not match the data. */
+    ESC11_ERR_OUT_OF_RANGE = 10, /**< A value is out of range. */
     ESC11_ERR_CAPACITY = 11 /**< The buffer is too small. */
 } esc11_codec_status;
 
-/* ---- Numbers and characters, independent of the machine ---- */
+/* ---- Numbers and characters ---- */
 
 ESC11_INLINE uint8_t esc11_load_u8(const uint8_t *in)
 {
@@ -151,7 +154,7 @@ static inline bool esc11_is_ascii(const uint8_t *in, size_t size)
     return true;
 }
 
-/** Whether a text of at most size characters has no others than those of ASCII. */
+/** Whether a text of at most `size` characters is ASCII. */
 static inline bool esc11_is_text(const char *text, size_t size)
 {
     size_t at;
@@ -163,7 +166,7 @@ static inline bool esc11_is_text(const char *text, size_t size)
     return true;
 }
 
-/** Writes a text of at most size characters, filled up with zeros. */
+/** Writes a text of at most `size` characters, padded with zeros. */
 static inline void esc11_put_text(uint8_t *out, const char *text, size_t size)
 {
     size_t at;
@@ -173,7 +176,7 @@ static inline void esc11_put_text(uint8_t *out, const char *text, size_t size)
     }
 }
 
-/* ---- Checks ---- */
+/* ---- Checksums ---- */
 
 /** The low byte of the sum of all bytes. */
 static inline uint8_t esc11_sum8(const uint8_t *in, size_t size)
@@ -211,7 +214,7 @@ typedef enum esc11_actuator_type {
     ESC11_ACTUATOR_TYPE_SD_4220 = 230, /**< SD-4220 */
     ESC11_ACTUATOR_TYPE_FS_2020 = 310, /**< FS (FT) -2020 Also for FT-2020. */
     ESC11_ACTUATOR_TYPE_FS_2840 = 320 /**< FS (FT) -2840 Also for FT-2840. */
-} esc11_actuator_type;
+} ESC11_ENUM_16 esc11_actuator_type;
 
 /**
  * Alarms (01h to 0Eh, table 10.3) and errors (20h to 33h, table 10.4).
@@ -249,7 +252,7 @@ typedef enum esc11_alarm_code {
     ESC11_ALARM_CODE_COMMUNICATION_COMMAND_ERROR = 49, /**< 通信指令错误 */
     ESC11_ALARM_CODE_DATA_ERROR = 50, /**< 数据错误 */
     ESC11_ALARM_CODE_UNKNOWN_ACTUATOR_TYPE = 51 /**< 无执行器代码 */
-} esc11_alarm_code;
+} ESC11_ENUM_16 esc11_alarm_code;
 
 /**
  * Printed as 原点复位方向.
@@ -258,7 +261,7 @@ typedef enum esc11_alarm_code {
 typedef enum esc11_homing_direction {
     ESC11_HOMING_DIRECTION_OPEN = 0, /**< OPEN */
     ESC11_HOMING_DIRECTION_CLOSE = 1 /**< CLOSE */
-} esc11_homing_direction;
+} ESC11_ENUM_16 esc11_homing_direction;
 
 /** Whether a value is one of esc11_homing_direction. */
 static inline bool esc11_homing_direction_known(int64_t value)
@@ -273,7 +276,7 @@ static inline bool esc11_homing_direction_known(int64_t value)
 typedef enum esc11_homing_method {
     ESC11_HOMING_METHOD_STROKE_END = 0, /**< 行程末端 */
     ESC11_HOMING_METHOD_STROKE_END_AND_Z_PHASE = 1 /**< 行程末端+Z相检测方法 */
-} esc11_homing_method;
+} ESC11_ENUM_16 esc11_homing_method;
 
 /** Whether a value is one of esc11_homing_method. */
 static inline bool esc11_homing_method_known(int64_t value)
@@ -297,7 +300,7 @@ typedef enum esc11_point_mode {
     ESC11_POINT_MODE_CONSTANT_SPEED_GRIP_OPEN_WITH_ZONE = 74, /**< 带ZON匀速移动及夹持（开） Opens at constant speed and grips, with the ZON output; command 24h. */
     ESC11_POINT_MODE_CONSTANT_SPEED_GRIP_CLOSE_WITH_ZONE = 75, /**< 带ZON匀速移动及夹持（关） Closes at constant speed and grips, with the ZON output; command 25h. */
     ESC11_POINT_MODE_CONSTANT_SPEED_GRIP_OPEN = 79 /**< 匀速移动夹持（开） Opens at constant speed and grips; command 20h. */
-} esc11_point_mode;
+} ESC11_ENUM_16 esc11_point_mode;
 
 /** Whether a value is one of esc11_point_mode. */
 static inline bool esc11_point_mode_known(int64_t value)
@@ -314,7 +317,7 @@ static inline bool esc11_point_mode_known(int64_t value)
     return ESC11_LIKELY(value == INT64_C(79));
 }
 
-/* ---- Words of flags ---- */
+/* ---- Bit fields ---- */
 
 /**
  * The status byte of every response.
@@ -739,7 +742,7 @@ typedef struct esc11_alarm_history_entry {
     uint8_t alarm_code;
 } esc11_alarm_history_entry;
 
-/** Whether the values of esc11_alarm_history_entry are such as may be written. */
+/** Whether the values of esc11_alarm_history_entry may be written. */
 static inline esc11_codec_status esc11_alarm_history_entry_check(const esc11_alarm_history_entry *in)
 {
     if (!(in->minutes <= 60u)) {
@@ -748,7 +751,7 @@ static inline esc11_codec_status esc11_alarm_history_entry_check(const esc11_ala
     return ESC11_OK;
 }
 
-/** Writes esc11_alarm_history_entry to 4 bytes without any check. */
+/** Writes esc11_alarm_history_entry to 4 bytes without checks. */
 static inline void esc11_alarm_history_entry_pack(const esc11_alarm_history_entry *in, uint8_t *out)
 {
     esc11_store_u16_le(out + 0, in->hours);
@@ -756,7 +759,7 @@ static inline void esc11_alarm_history_entry_pack(const esc11_alarm_history_entr
     esc11_store_u8(out + 3, in->alarm_code);
 }
 
-/** Reads esc11_alarm_history_entry from 4 bytes without any check. */
+/** Reads esc11_alarm_history_entry from 4 bytes without checks. */
 static inline void esc11_alarm_history_entry_unpack(const uint8_t *in, esc11_alarm_history_entry *out)
 {
     out->hours = esc11_load_u16_le(in + 0);
@@ -766,7 +769,7 @@ static inline void esc11_alarm_history_entry_unpack(const uint8_t *in, esc11_ala
 
 /**
  * Writes esc11_alarm_history_entry: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_alarm_history_entry_encode(const esc11_alarm_history_entry *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -850,7 +853,7 @@ typedef struct esc11_point {
     int32_t zone_limit_2;
 } esc11_point;
 
-/** Whether the values of esc11_point are such as may be written. */
+/** Whether the values of esc11_point may be written. */
 static inline esc11_codec_status esc11_point_check(const esc11_point *in)
 {
     if (!(in->number >= 1u && in->number <= 31u)) {
@@ -877,7 +880,7 @@ static inline esc11_codec_status esc11_point_check(const esc11_point *in)
     return ESC11_OK;
 }
 
-/** Writes esc11_point to 16 bytes without any check. */
+/** Writes esc11_point to 16 bytes without checks. */
 static inline void esc11_point_pack(const esc11_point *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->number);
@@ -889,7 +892,7 @@ static inline void esc11_point_pack(const esc11_point *in, uint8_t *out)
     esc11_store_u32_le(out + 12, (uint32_t)in->zone_limit_2);
 }
 
-/** Reads esc11_point from 16 bytes without any check. */
+/** Reads esc11_point from 16 bytes without checks. */
 static inline void esc11_point_unpack(const uint8_t *in, esc11_point *out)
 {
     out->number = esc11_load_u8(in + 0);
@@ -903,7 +906,7 @@ static inline void esc11_point_unpack(const uint8_t *in, esc11_point *out)
 
 /**
  * Writes esc11_point: 16 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_point_encode(const esc11_point *in, uint8_t *out, size_t capacity,
         size_t *length)
@@ -979,7 +982,7 @@ typedef struct esc11_temporary_point {
     int32_t zone_limit_2;
 } esc11_temporary_point;
 
-/** Whether the values of esc11_temporary_point are such as may be written. */
+/** Whether the values of esc11_temporary_point may be written. */
 static inline esc11_codec_status esc11_temporary_point_check(const esc11_temporary_point *in)
 {
     if (!esc11_point_mode_known((int64_t)in->mode)) {
@@ -1003,7 +1006,7 @@ static inline esc11_codec_status esc11_temporary_point_check(const esc11_tempora
     return ESC11_OK;
 }
 
-/** Writes esc11_temporary_point to 16 bytes without any check. */
+/** Writes esc11_temporary_point to 16 bytes without checks. */
 static inline void esc11_temporary_point_pack(const esc11_temporary_point *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, 0u);
@@ -1015,7 +1018,7 @@ static inline void esc11_temporary_point_pack(const esc11_temporary_point *in, u
     esc11_store_u32_le(out + 12, (uint32_t)in->zone_limit_2);
 }
 
-/** Reads esc11_temporary_point from 16 bytes without any check. */
+/** Reads esc11_temporary_point from 16 bytes without checks. */
 static inline void esc11_temporary_point_unpack(const uint8_t *in, esc11_temporary_point *out)
 {
     out->mode = esc11_load_u8(in + 1);
@@ -1028,7 +1031,7 @@ static inline void esc11_temporary_point_unpack(const uint8_t *in, esc11_tempora
 
 /**
  * Writes esc11_temporary_point: 16 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_temporary_point_encode(const esc11_temporary_point *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -1085,7 +1088,7 @@ typedef struct esc11_read_points_request {
     uint8_t first_point;
 } esc11_read_points_request;
 
-/** Whether the values of esc11_read_points_request are such as may be written. */
+/** Whether the values of esc11_read_points_request may be written. */
 static inline esc11_codec_status esc11_read_points_request_check(const esc11_read_points_request *in)
 {
     if (!(in->first_point >= 1u && in->first_point <= 31u)) {
@@ -1094,21 +1097,21 @@ static inline esc11_codec_status esc11_read_points_request_check(const esc11_rea
     return ESC11_OK;
 }
 
-/** Writes esc11_read_points_request to 1 bytes without any check. */
+/** Writes esc11_read_points_request to 1 byte without checks. */
 static inline void esc11_read_points_request_pack(const esc11_read_points_request *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->first_point);
 }
 
-/** Reads esc11_read_points_request from 1 bytes without any check. */
+/** Reads esc11_read_points_request from 1 byte without checks. */
 static inline void esc11_read_points_request_unpack(const uint8_t *in, esc11_read_points_request *out)
 {
     out->first_point = esc11_load_u8(in + 0);
 }
 
 /**
- * Writes esc11_read_points_request: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes esc11_read_points_request: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_points_request_encode(const esc11_read_points_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -1126,7 +1129,7 @@ static inline esc11_codec_status esc11_read_points_request_encode(const esc11_re
     return ESC11_OK;
 }
 
-/** Reads esc11_read_points_request from exactly 1 bytes. */
+/** Reads esc11_read_points_request from exactly 1 byte. */
 static inline esc11_codec_status esc11_read_points_request_decode(const uint8_t *in, size_t length,
         esc11_read_points_request *out)
 {
@@ -1150,7 +1153,7 @@ typedef struct esc11_read_points_response {
 
 /**
  * Writes esc11_read_points_response: 16 to 240 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_points_response_encode(const esc11_read_points_response *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -1208,11 +1211,11 @@ static inline esc11_codec_status esc11_read_points_response_decode(const uint8_t
 #define ESC11_READ_PARAMETERS_CODE 81u
 
 #define ESC11_READ_PARAMETERS_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_read_parameters_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_parameters_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -1242,7 +1245,7 @@ typedef struct esc11_read_parameters_response {
     uint16_t parameters[32];
 } esc11_read_parameters_response;
 
-/** Writes esc11_read_parameters_response to 64 bytes without any check. */
+/** Writes esc11_read_parameters_response to 64 bytes without checks. */
 static inline void esc11_read_parameters_response_pack(const esc11_read_parameters_response *in, uint8_t *out)
 {
     size_t at;
@@ -1251,7 +1254,7 @@ static inline void esc11_read_parameters_response_pack(const esc11_read_paramete
     }
 }
 
-/** Reads esc11_read_parameters_response from 64 bytes without any check. */
+/** Reads esc11_read_parameters_response from 64 bytes without checks. */
 static inline void esc11_read_parameters_response_unpack(const uint8_t *in, esc11_read_parameters_response *out)
 {
     size_t at;
@@ -1262,7 +1265,7 @@ static inline void esc11_read_parameters_response_unpack(const uint8_t *in, esc1
 
 /**
  * Writes esc11_read_parameters_response: 64 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_parameters_response_encode(const esc11_read_parameters_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -1295,11 +1298,11 @@ static inline esc11_codec_status esc11_read_parameters_response_decode(const uin
 #define ESC11_READ_IO_STATUS_CODE 82u
 
 #define ESC11_READ_IO_STATUS_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_read_io_status_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_io_status_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -1341,7 +1344,7 @@ typedef struct esc11_read_io_status_response {
     uint8_t state_outputs;
 } esc11_read_io_status_response;
 
-/** Writes esc11_read_io_status_response to 3 bytes without any check. */
+/** Writes esc11_read_io_status_response to 3 bytes without checks. */
 static inline void esc11_read_io_status_response_pack(const esc11_read_io_status_response *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->inputs);
@@ -1349,7 +1352,7 @@ static inline void esc11_read_io_status_response_pack(const esc11_read_io_status
     esc11_store_u8(out + 2, in->state_outputs);
 }
 
-/** Reads esc11_read_io_status_response from 3 bytes without any check. */
+/** Reads esc11_read_io_status_response from 3 bytes without checks. */
 static inline void esc11_read_io_status_response_unpack(const uint8_t *in, esc11_read_io_status_response *out)
 {
     out->inputs = esc11_load_u8(in + 0);
@@ -1359,7 +1362,7 @@ static inline void esc11_read_io_status_response_unpack(const uint8_t *in, esc11
 
 /**
  * Writes esc11_read_io_status_response: 3 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_io_status_response_encode(const esc11_read_io_status_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -1392,11 +1395,11 @@ static inline esc11_codec_status esc11_read_io_status_response_decode(const uint
 #define ESC11_READ_ALARM_HISTORY_CODE 83u
 
 #define ESC11_READ_ALARM_HISTORY_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_read_alarm_history_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_alarm_history_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -1425,7 +1428,7 @@ typedef struct esc11_read_alarm_history_response {
 
 /**
  * Writes esc11_read_alarm_history_response: 0 to 64 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_alarm_history_response_encode(const esc11_read_alarm_history_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -1488,7 +1491,7 @@ typedef struct esc11_write_points_request {
 
 /**
  * Writes esc11_write_points_request: 16 to 240 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_write_points_request_encode(const esc11_write_points_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -1538,11 +1541,11 @@ static inline esc11_codec_status esc11_write_points_request_decode(const uint8_t
 }
 
 #define ESC11_WRITE_POINTS_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_write_points_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_write_points_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -1580,7 +1583,7 @@ typedef struct esc11_write_parameters_request {
     uint16_t parameters[32];
 } esc11_write_parameters_request;
 
-/** Writes esc11_write_parameters_request to 64 bytes without any check. */
+/** Writes esc11_write_parameters_request to 64 bytes without checks. */
 static inline void esc11_write_parameters_request_pack(const esc11_write_parameters_request *in, uint8_t *out)
 {
     size_t at;
@@ -1589,7 +1592,7 @@ static inline void esc11_write_parameters_request_pack(const esc11_write_paramet
     }
 }
 
-/** Reads esc11_write_parameters_request from 64 bytes without any check. */
+/** Reads esc11_write_parameters_request from 64 bytes without checks. */
 static inline void esc11_write_parameters_request_unpack(const uint8_t *in, esc11_write_parameters_request *out)
 {
     size_t at;
@@ -1600,7 +1603,7 @@ static inline void esc11_write_parameters_request_unpack(const uint8_t *in, esc1
 
 /**
  * Writes esc11_write_parameters_request: 64 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_write_parameters_request_encode(const esc11_write_parameters_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -1625,11 +1628,11 @@ static inline esc11_codec_status esc11_write_parameters_request_decode(const uin
 }
 
 #define ESC11_WRITE_PARAMETERS_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_write_parameters_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_write_parameters_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -1675,7 +1678,7 @@ typedef struct esc11_write_parameter_request {
     uint16_t value;
 } esc11_write_parameter_request;
 
-/** Whether the values of esc11_write_parameter_request are such as may be written. */
+/** Whether the values of esc11_write_parameter_request may be written. */
 static inline esc11_codec_status esc11_write_parameter_request_check(const esc11_write_parameter_request *in)
 {
     if (!(in->parameter_number <= 31u)) {
@@ -1684,14 +1687,14 @@ static inline esc11_codec_status esc11_write_parameter_request_check(const esc11
     return ESC11_OK;
 }
 
-/** Writes esc11_write_parameter_request to 3 bytes without any check. */
+/** Writes esc11_write_parameter_request to 3 bytes without checks. */
 static inline void esc11_write_parameter_request_pack(const esc11_write_parameter_request *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->parameter_number);
     esc11_store_u16_le(out + 1, in->value);
 }
 
-/** Reads esc11_write_parameter_request from 3 bytes without any check. */
+/** Reads esc11_write_parameter_request from 3 bytes without checks. */
 static inline void esc11_write_parameter_request_unpack(const uint8_t *in, esc11_write_parameter_request *out)
 {
     out->parameter_number = esc11_load_u8(in + 0);
@@ -1700,7 +1703,7 @@ static inline void esc11_write_parameter_request_unpack(const uint8_t *in, esc11
 
 /**
  * Writes esc11_write_parameter_request: 3 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_write_parameter_request_encode(const esc11_write_parameter_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -1730,11 +1733,11 @@ static inline esc11_codec_status esc11_write_parameter_request_decode(const uint
 }
 
 #define ESC11_WRITE_PARAMETER_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_write_parameter_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_write_parameter_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -1777,7 +1780,7 @@ typedef struct esc11_write_temporary_point_request {
     esc11_temporary_point point;
 } esc11_write_temporary_point_request;
 
-/** Whether the values of esc11_write_temporary_point_request are such as may be written. */
+/** Whether the values of esc11_write_temporary_point_request may be written. */
 static inline esc11_codec_status esc11_write_temporary_point_request_check(const esc11_write_temporary_point_request *in)
 {
     esc11_codec_status status;
@@ -1788,13 +1791,13 @@ static inline esc11_codec_status esc11_write_temporary_point_request_check(const
     return ESC11_OK;
 }
 
-/** Writes esc11_write_temporary_point_request to 16 bytes without any check. */
+/** Writes esc11_write_temporary_point_request to 16 bytes without checks. */
 static inline void esc11_write_temporary_point_request_pack(const esc11_write_temporary_point_request *in, uint8_t *out)
 {
     esc11_temporary_point_pack(&in->point, out + 0);
 }
 
-/** Reads esc11_write_temporary_point_request from 16 bytes without any check. */
+/** Reads esc11_write_temporary_point_request from 16 bytes without checks. */
 static inline void esc11_write_temporary_point_request_unpack(const uint8_t *in,
         esc11_write_temporary_point_request *out)
 {
@@ -1803,7 +1806,7 @@ static inline void esc11_write_temporary_point_request_unpack(const uint8_t *in,
 
 /**
  * Writes esc11_write_temporary_point_request: 16 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_write_temporary_point_request_encode(const esc11_write_temporary_point_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -1838,11 +1841,11 @@ static inline esc11_codec_status esc11_write_temporary_point_request_decode(cons
 }
 
 #define ESC11_WRITE_TEMPORARY_POINT_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_write_temporary_point_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_write_temporary_point_response_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -1889,7 +1892,7 @@ typedef struct esc11_clear_points_request {
     uint8_t point_count;
 } esc11_clear_points_request;
 
-/** Whether the values of esc11_clear_points_request are such as may be written. */
+/** Whether the values of esc11_clear_points_request may be written. */
 static inline esc11_codec_status esc11_clear_points_request_check(const esc11_clear_points_request *in)
 {
     if (!(in->first_point >= 1u && in->first_point <= 31u)) {
@@ -1901,14 +1904,14 @@ static inline esc11_codec_status esc11_clear_points_request_check(const esc11_cl
     return ESC11_OK;
 }
 
-/** Writes esc11_clear_points_request to 2 bytes without any check. */
+/** Writes esc11_clear_points_request to 2 bytes without checks. */
 static inline void esc11_clear_points_request_pack(const esc11_clear_points_request *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->first_point);
     esc11_store_u8(out + 1, in->point_count);
 }
 
-/** Reads esc11_clear_points_request from 2 bytes without any check. */
+/** Reads esc11_clear_points_request from 2 bytes without checks. */
 static inline void esc11_clear_points_request_unpack(const uint8_t *in, esc11_clear_points_request *out)
 {
     out->first_point = esc11_load_u8(in + 0);
@@ -1917,7 +1920,7 @@ static inline void esc11_clear_points_request_unpack(const uint8_t *in, esc11_cl
 
 /**
  * Writes esc11_clear_points_request: 2 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_clear_points_request_encode(const esc11_clear_points_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -1947,11 +1950,11 @@ static inline esc11_codec_status esc11_clear_points_request_decode(const uint8_t
 }
 
 #define ESC11_CLEAR_POINTS_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_clear_points_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_clear_points_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -1980,11 +1983,11 @@ static inline esc11_codec_status esc11_clear_points_response_decode(const uint8_
 #define ESC11_INITIALIZE_POINTS_CODE 113u
 
 #define ESC11_INITIALIZE_POINTS_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_initialize_points_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_initialize_points_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2005,11 +2008,11 @@ static inline esc11_codec_status esc11_initialize_points_request_decode(const ui
 }
 
 #define ESC11_INITIALIZE_POINTS_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_initialize_points_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_initialize_points_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2048,13 +2051,13 @@ typedef struct esc11_initialize_parameters_request {
     uint16_t actuator_type;
 } esc11_initialize_parameters_request;
 
-/** Writes esc11_initialize_parameters_request to 2 bytes without any check. */
+/** Writes esc11_initialize_parameters_request to 2 bytes without checks. */
 static inline void esc11_initialize_parameters_request_pack(const esc11_initialize_parameters_request *in, uint8_t *out)
 {
     esc11_store_u16_le(out + 0, in->actuator_type);
 }
 
-/** Reads esc11_initialize_parameters_request from 2 bytes without any check. */
+/** Reads esc11_initialize_parameters_request from 2 bytes without checks. */
 static inline void esc11_initialize_parameters_request_unpack(const uint8_t *in,
         esc11_initialize_parameters_request *out)
 {
@@ -2063,7 +2066,7 @@ static inline void esc11_initialize_parameters_request_unpack(const uint8_t *in,
 
 /**
  * Writes esc11_initialize_parameters_request: 2 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_initialize_parameters_request_encode(const esc11_initialize_parameters_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -2088,11 +2091,11 @@ static inline esc11_codec_status esc11_initialize_parameters_request_decode(cons
 }
 
 #define ESC11_INITIALIZE_PARAMETERS_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_initialize_parameters_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_initialize_parameters_response_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -2122,11 +2125,11 @@ static inline esc11_codec_status esc11_initialize_parameters_response_decode(con
 #define ESC11_CLEAR_ALARM_HISTORY_CODE 115u
 
 #define ESC11_CLEAR_ALARM_HISTORY_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_clear_alarm_history_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_clear_alarm_history_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2147,11 +2150,11 @@ static inline esc11_codec_status esc11_clear_alarm_history_request_decode(const 
 }
 
 #define ESC11_CLEAR_ALARM_HISTORY_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_clear_alarm_history_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_clear_alarm_history_response_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -2181,11 +2184,11 @@ static inline esc11_codec_status esc11_clear_alarm_history_response_decode(const
 #define ESC11_CLEAR_ACCUMULATED_TIME_CODE 116u
 
 #define ESC11_CLEAR_ACCUMULATED_TIME_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_clear_accumulated_time_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_clear_accumulated_time_request_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -2207,11 +2210,11 @@ static inline esc11_codec_status esc11_clear_accumulated_time_request_decode(con
 }
 
 #define ESC11_CLEAR_ACCUMULATED_TIME_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_clear_accumulated_time_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_clear_accumulated_time_response_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -2241,11 +2244,11 @@ static inline esc11_codec_status esc11_clear_accumulated_time_response_decode(co
 #define ESC11_STOP_CODE 16u
 
 #define ESC11_STOP_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_stop_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_stop_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2266,11 +2269,11 @@ static inline esc11_codec_status esc11_stop_request_decode(const uint8_t *in, si
 }
 
 #define ESC11_STOP_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_stop_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_stop_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2299,11 +2302,11 @@ static inline esc11_codec_status esc11_stop_response_decode(const uint8_t *in, s
 #define ESC11_START_HOMING_CODE 17u
 
 #define ESC11_START_HOMING_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_start_homing_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_start_homing_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2324,11 +2327,11 @@ static inline esc11_codec_status esc11_start_homing_request_decode(const uint8_t
 }
 
 #define ESC11_START_HOMING_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_start_homing_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_start_homing_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2381,7 +2384,7 @@ typedef struct esc11_move_positive_distance_request {
     uint8_t force;
 } esc11_move_positive_distance_request;
 
-/** Whether the values of esc11_move_positive_distance_request are such as may be written. */
+/** Whether the values of esc11_move_positive_distance_request may be written. */
 static inline esc11_codec_status esc11_move_positive_distance_request_check(const esc11_move_positive_distance_request *in)
 {
     if (!(in->distance >= 1u)) {
@@ -2396,7 +2399,7 @@ static inline esc11_codec_status esc11_move_positive_distance_request_check(cons
     return ESC11_OK;
 }
 
-/** Writes esc11_move_positive_distance_request to 3 bytes without any check. */
+/** Writes esc11_move_positive_distance_request to 3 bytes without checks. */
 static inline void esc11_move_positive_distance_request_pack(const esc11_move_positive_distance_request *in,
         uint8_t *out)
 {
@@ -2405,7 +2408,7 @@ static inline void esc11_move_positive_distance_request_pack(const esc11_move_po
     esc11_store_u8(out + 2, in->force);
 }
 
-/** Reads esc11_move_positive_distance_request from 3 bytes without any check. */
+/** Reads esc11_move_positive_distance_request from 3 bytes without checks. */
 static inline void esc11_move_positive_distance_request_unpack(const uint8_t *in,
         esc11_move_positive_distance_request *out)
 {
@@ -2416,7 +2419,7 @@ static inline void esc11_move_positive_distance_request_unpack(const uint8_t *in
 
 /**
  * Writes esc11_move_positive_distance_request: 3 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_positive_distance_request_encode(const esc11_move_positive_distance_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -2446,11 +2449,11 @@ static inline esc11_codec_status esc11_move_positive_distance_request_decode(con
 }
 
 #define ESC11_MOVE_POSITIVE_DISTANCE_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_move_positive_distance_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_positive_distance_response_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -2504,7 +2507,7 @@ typedef struct esc11_move_negative_distance_request {
     uint8_t force;
 } esc11_move_negative_distance_request;
 
-/** Whether the values of esc11_move_negative_distance_request are such as may be written. */
+/** Whether the values of esc11_move_negative_distance_request may be written. */
 static inline esc11_codec_status esc11_move_negative_distance_request_check(const esc11_move_negative_distance_request *in)
 {
     if (!(in->distance >= 1u)) {
@@ -2519,7 +2522,7 @@ static inline esc11_codec_status esc11_move_negative_distance_request_check(cons
     return ESC11_OK;
 }
 
-/** Writes esc11_move_negative_distance_request to 3 bytes without any check. */
+/** Writes esc11_move_negative_distance_request to 3 bytes without checks. */
 static inline void esc11_move_negative_distance_request_pack(const esc11_move_negative_distance_request *in,
         uint8_t *out)
 {
@@ -2528,7 +2531,7 @@ static inline void esc11_move_negative_distance_request_pack(const esc11_move_ne
     esc11_store_u8(out + 2, in->force);
 }
 
-/** Reads esc11_move_negative_distance_request from 3 bytes without any check. */
+/** Reads esc11_move_negative_distance_request from 3 bytes without checks. */
 static inline void esc11_move_negative_distance_request_unpack(const uint8_t *in,
         esc11_move_negative_distance_request *out)
 {
@@ -2539,7 +2542,7 @@ static inline void esc11_move_negative_distance_request_unpack(const uint8_t *in
 
 /**
  * Writes esc11_move_negative_distance_request: 3 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_negative_distance_request_encode(const esc11_move_negative_distance_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -2569,11 +2572,11 @@ static inline esc11_codec_status esc11_move_negative_distance_request_decode(con
 }
 
 #define ESC11_MOVE_NEGATIVE_DISTANCE_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_move_negative_distance_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_negative_distance_response_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -2613,7 +2616,7 @@ typedef struct esc11_move_open_request {
     uint8_t speed;
 } esc11_move_open_request;
 
-/** Whether the values of esc11_move_open_request are such as may be written. */
+/** Whether the values of esc11_move_open_request may be written. */
 static inline esc11_codec_status esc11_move_open_request_check(const esc11_move_open_request *in)
 {
     if (!(in->speed >= 1u && in->speed <= 100u)) {
@@ -2622,21 +2625,21 @@ static inline esc11_codec_status esc11_move_open_request_check(const esc11_move_
     return ESC11_OK;
 }
 
-/** Writes esc11_move_open_request to 1 bytes without any check. */
+/** Writes esc11_move_open_request to 1 byte without checks. */
 static inline void esc11_move_open_request_pack(const esc11_move_open_request *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->speed);
 }
 
-/** Reads esc11_move_open_request from 1 bytes without any check. */
+/** Reads esc11_move_open_request from 1 byte without checks. */
 static inline void esc11_move_open_request_unpack(const uint8_t *in, esc11_move_open_request *out)
 {
     out->speed = esc11_load_u8(in + 0);
 }
 
 /**
- * Writes esc11_move_open_request: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes esc11_move_open_request: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_open_request_encode(const esc11_move_open_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -2654,7 +2657,7 @@ static inline esc11_codec_status esc11_move_open_request_encode(const esc11_move
     return ESC11_OK;
 }
 
-/** Reads esc11_move_open_request from exactly 1 bytes. */
+/** Reads esc11_move_open_request from exactly 1 byte. */
 static inline esc11_codec_status esc11_move_open_request_decode(const uint8_t *in, size_t length,
         esc11_move_open_request *out)
 {
@@ -2666,11 +2669,11 @@ static inline esc11_codec_status esc11_move_open_request_decode(const uint8_t *i
 }
 
 #define ESC11_MOVE_OPEN_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_move_open_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_open_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2709,7 +2712,7 @@ typedef struct esc11_move_close_request {
     uint8_t speed;
 } esc11_move_close_request;
 
-/** Whether the values of esc11_move_close_request are such as may be written. */
+/** Whether the values of esc11_move_close_request may be written. */
 static inline esc11_codec_status esc11_move_close_request_check(const esc11_move_close_request *in)
 {
     if (!(in->speed >= 1u && in->speed <= 100u)) {
@@ -2718,21 +2721,21 @@ static inline esc11_codec_status esc11_move_close_request_check(const esc11_move
     return ESC11_OK;
 }
 
-/** Writes esc11_move_close_request to 1 bytes without any check. */
+/** Writes esc11_move_close_request to 1 byte without checks. */
 static inline void esc11_move_close_request_pack(const esc11_move_close_request *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->speed);
 }
 
-/** Reads esc11_move_close_request from 1 bytes without any check. */
+/** Reads esc11_move_close_request from 1 byte without checks. */
 static inline void esc11_move_close_request_unpack(const uint8_t *in, esc11_move_close_request *out)
 {
     out->speed = esc11_load_u8(in + 0);
 }
 
 /**
- * Writes esc11_move_close_request: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes esc11_move_close_request: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_close_request_encode(const esc11_move_close_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -2750,7 +2753,7 @@ static inline esc11_codec_status esc11_move_close_request_encode(const esc11_mov
     return ESC11_OK;
 }
 
-/** Reads esc11_move_close_request from exactly 1 bytes. */
+/** Reads esc11_move_close_request from exactly 1 byte. */
 static inline esc11_codec_status esc11_move_close_request_decode(const uint8_t *in, size_t length,
         esc11_move_close_request *out)
 {
@@ -2762,11 +2765,11 @@ static inline esc11_codec_status esc11_move_close_request_decode(const uint8_t *
 }
 
 #define ESC11_MOVE_CLOSE_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_move_close_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_close_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2812,7 +2815,7 @@ typedef struct esc11_move_relative_request {
     uint8_t speed;
 } esc11_move_relative_request;
 
-/** Whether the values of esc11_move_relative_request are such as may be written. */
+/** Whether the values of esc11_move_relative_request may be written. */
 static inline esc11_codec_status esc11_move_relative_request_check(const esc11_move_relative_request *in)
 {
     if (!(in->distance >= (-134217727) && in->distance <= 134217727)) {
@@ -2824,14 +2827,14 @@ static inline esc11_codec_status esc11_move_relative_request_check(const esc11_m
     return ESC11_OK;
 }
 
-/** Writes esc11_move_relative_request to 5 bytes without any check. */
+/** Writes esc11_move_relative_request to 5 bytes without checks. */
 static inline void esc11_move_relative_request_pack(const esc11_move_relative_request *in, uint8_t *out)
 {
     esc11_store_u32_le(out + 0, (uint32_t)in->distance);
     esc11_store_u8(out + 4, in->speed);
 }
 
-/** Reads esc11_move_relative_request from 5 bytes without any check. */
+/** Reads esc11_move_relative_request from 5 bytes without checks. */
 static inline void esc11_move_relative_request_unpack(const uint8_t *in, esc11_move_relative_request *out)
 {
     out->distance = esc11_signed_32(esc11_load_u32_le(in + 0));
@@ -2840,7 +2843,7 @@ static inline void esc11_move_relative_request_unpack(const uint8_t *in, esc11_m
 
 /**
  * Writes esc11_move_relative_request: 5 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_relative_request_encode(const esc11_move_relative_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -2870,11 +2873,11 @@ static inline esc11_codec_status esc11_move_relative_request_decode(const uint8_
 }
 
 #define ESC11_MOVE_RELATIVE_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_move_relative_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_relative_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -2920,7 +2923,7 @@ typedef struct esc11_move_absolute_request {
     uint8_t speed;
 } esc11_move_absolute_request;
 
-/** Whether the values of esc11_move_absolute_request are such as may be written. */
+/** Whether the values of esc11_move_absolute_request may be written. */
 static inline esc11_codec_status esc11_move_absolute_request_check(const esc11_move_absolute_request *in)
 {
     if (!(in->position >= (-134217727) && in->position <= 134217727)) {
@@ -2932,14 +2935,14 @@ static inline esc11_codec_status esc11_move_absolute_request_check(const esc11_m
     return ESC11_OK;
 }
 
-/** Writes esc11_move_absolute_request to 5 bytes without any check. */
+/** Writes esc11_move_absolute_request to 5 bytes without checks. */
 static inline void esc11_move_absolute_request_pack(const esc11_move_absolute_request *in, uint8_t *out)
 {
     esc11_store_u32_le(out + 0, (uint32_t)in->position);
     esc11_store_u8(out + 4, in->speed);
 }
 
-/** Reads esc11_move_absolute_request from 5 bytes without any check. */
+/** Reads esc11_move_absolute_request from 5 bytes without checks. */
 static inline void esc11_move_absolute_request_unpack(const uint8_t *in, esc11_move_absolute_request *out)
 {
     out->position = esc11_signed_32(esc11_load_u32_le(in + 0));
@@ -2948,7 +2951,7 @@ static inline void esc11_move_absolute_request_unpack(const uint8_t *in, esc11_m
 
 /**
  * Writes esc11_move_absolute_request: 5 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_absolute_request_encode(const esc11_move_absolute_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -2978,11 +2981,11 @@ static inline esc11_codec_status esc11_move_absolute_request_decode(const uint8_
 }
 
 #define ESC11_MOVE_ABSOLUTE_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_move_absolute_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_absolute_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -3031,7 +3034,7 @@ typedef struct esc11_move_to_point_request {
     uint8_t speed;
 } esc11_move_to_point_request;
 
-/** Whether the values of esc11_move_to_point_request are such as may be written. */
+/** Whether the values of esc11_move_to_point_request may be written. */
 static inline esc11_codec_status esc11_move_to_point_request_check(const esc11_move_to_point_request *in)
 {
     if (!(in->point_number >= 1u && in->point_number <= 31u)) {
@@ -3043,14 +3046,14 @@ static inline esc11_codec_status esc11_move_to_point_request_check(const esc11_m
     return ESC11_OK;
 }
 
-/** Writes esc11_move_to_point_request to 2 bytes without any check. */
+/** Writes esc11_move_to_point_request to 2 bytes without checks. */
 static inline void esc11_move_to_point_request_pack(const esc11_move_to_point_request *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->point_number);
     esc11_store_u8(out + 1, in->speed);
 }
 
-/** Reads esc11_move_to_point_request from 2 bytes without any check. */
+/** Reads esc11_move_to_point_request from 2 bytes without checks. */
 static inline void esc11_move_to_point_request_unpack(const uint8_t *in, esc11_move_to_point_request *out)
 {
     out->point_number = esc11_load_u8(in + 0);
@@ -3059,7 +3062,7 @@ static inline void esc11_move_to_point_request_unpack(const uint8_t *in, esc11_m
 
 /**
  * Writes esc11_move_to_point_request: 2 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_to_point_request_encode(const esc11_move_to_point_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -3089,11 +3092,11 @@ static inline esc11_codec_status esc11_move_to_point_request_decode(const uint8_
 }
 
 #define ESC11_MOVE_TO_POINT_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_move_to_point_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_move_to_point_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -3139,7 +3142,7 @@ typedef struct esc11_grip_open_request {
     uint8_t force;
 } esc11_grip_open_request;
 
-/** Whether the values of esc11_grip_open_request are such as may be written. */
+/** Whether the values of esc11_grip_open_request may be written. */
 static inline esc11_codec_status esc11_grip_open_request_check(const esc11_grip_open_request *in)
 {
     if (!(in->speed <= 100u)) {
@@ -3151,14 +3154,14 @@ static inline esc11_codec_status esc11_grip_open_request_check(const esc11_grip_
     return ESC11_OK;
 }
 
-/** Writes esc11_grip_open_request to 2 bytes without any check. */
+/** Writes esc11_grip_open_request to 2 bytes without checks. */
 static inline void esc11_grip_open_request_pack(const esc11_grip_open_request *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->speed);
     esc11_store_u8(out + 1, in->force);
 }
 
-/** Reads esc11_grip_open_request from 2 bytes without any check. */
+/** Reads esc11_grip_open_request from 2 bytes without checks. */
 static inline void esc11_grip_open_request_unpack(const uint8_t *in, esc11_grip_open_request *out)
 {
     out->speed = esc11_load_u8(in + 0);
@@ -3167,7 +3170,7 @@ static inline void esc11_grip_open_request_unpack(const uint8_t *in, esc11_grip_
 
 /**
  * Writes esc11_grip_open_request: 2 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_grip_open_request_encode(const esc11_grip_open_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -3197,11 +3200,11 @@ static inline esc11_codec_status esc11_grip_open_request_decode(const uint8_t *i
 }
 
 #define ESC11_GRIP_OPEN_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_grip_open_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_grip_open_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -3247,7 +3250,7 @@ typedef struct esc11_grip_close_request {
     uint8_t force;
 } esc11_grip_close_request;
 
-/** Whether the values of esc11_grip_close_request are such as may be written. */
+/** Whether the values of esc11_grip_close_request may be written. */
 static inline esc11_codec_status esc11_grip_close_request_check(const esc11_grip_close_request *in)
 {
     if (!(in->speed <= 100u)) {
@@ -3259,14 +3262,14 @@ static inline esc11_codec_status esc11_grip_close_request_check(const esc11_grip
     return ESC11_OK;
 }
 
-/** Writes esc11_grip_close_request to 2 bytes without any check. */
+/** Writes esc11_grip_close_request to 2 bytes without checks. */
 static inline void esc11_grip_close_request_pack(const esc11_grip_close_request *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->speed);
     esc11_store_u8(out + 1, in->force);
 }
 
-/** Reads esc11_grip_close_request from 2 bytes without any check. */
+/** Reads esc11_grip_close_request from 2 bytes without checks. */
 static inline void esc11_grip_close_request_unpack(const uint8_t *in, esc11_grip_close_request *out)
 {
     out->speed = esc11_load_u8(in + 0);
@@ -3275,7 +3278,7 @@ static inline void esc11_grip_close_request_unpack(const uint8_t *in, esc11_grip
 
 /**
  * Writes esc11_grip_close_request: 2 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_grip_close_request_encode(const esc11_grip_close_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -3305,11 +3308,11 @@ static inline esc11_codec_status esc11_grip_close_request_decode(const uint8_t *
 }
 
 #define ESC11_GRIP_CLOSE_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_grip_close_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_grip_close_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -3363,7 +3366,7 @@ typedef struct esc11_grip_relative_request {
     uint8_t force;
 } esc11_grip_relative_request;
 
-/** Whether the values of esc11_grip_relative_request are such as may be written. */
+/** Whether the values of esc11_grip_relative_request may be written. */
 static inline esc11_codec_status esc11_grip_relative_request_check(const esc11_grip_relative_request *in)
 {
     if (!(in->distance >= (-134217727) && in->distance <= 134217727)) {
@@ -3378,7 +3381,7 @@ static inline esc11_codec_status esc11_grip_relative_request_check(const esc11_g
     return ESC11_OK;
 }
 
-/** Writes esc11_grip_relative_request to 6 bytes without any check. */
+/** Writes esc11_grip_relative_request to 6 bytes without checks. */
 static inline void esc11_grip_relative_request_pack(const esc11_grip_relative_request *in, uint8_t *out)
 {
     esc11_store_u32_le(out + 0, (uint32_t)in->distance);
@@ -3386,7 +3389,7 @@ static inline void esc11_grip_relative_request_pack(const esc11_grip_relative_re
     esc11_store_u8(out + 5, in->force);
 }
 
-/** Reads esc11_grip_relative_request from 6 bytes without any check. */
+/** Reads esc11_grip_relative_request from 6 bytes without checks. */
 static inline void esc11_grip_relative_request_unpack(const uint8_t *in, esc11_grip_relative_request *out)
 {
     out->distance = esc11_signed_32(esc11_load_u32_le(in + 0));
@@ -3396,7 +3399,7 @@ static inline void esc11_grip_relative_request_unpack(const uint8_t *in, esc11_g
 
 /**
  * Writes esc11_grip_relative_request: 6 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_grip_relative_request_encode(const esc11_grip_relative_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -3426,11 +3429,11 @@ static inline esc11_codec_status esc11_grip_relative_request_decode(const uint8_
 }
 
 #define ESC11_GRIP_RELATIVE_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_grip_relative_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_grip_relative_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -3484,7 +3487,7 @@ typedef struct esc11_grip_absolute_request {
     uint8_t force;
 } esc11_grip_absolute_request;
 
-/** Whether the values of esc11_grip_absolute_request are such as may be written. */
+/** Whether the values of esc11_grip_absolute_request may be written. */
 static inline esc11_codec_status esc11_grip_absolute_request_check(const esc11_grip_absolute_request *in)
 {
     if (!(in->position >= (-134217727) && in->position <= 134217727)) {
@@ -3499,7 +3502,7 @@ static inline esc11_codec_status esc11_grip_absolute_request_check(const esc11_g
     return ESC11_OK;
 }
 
-/** Writes esc11_grip_absolute_request to 6 bytes without any check. */
+/** Writes esc11_grip_absolute_request to 6 bytes without checks. */
 static inline void esc11_grip_absolute_request_pack(const esc11_grip_absolute_request *in, uint8_t *out)
 {
     esc11_store_u32_le(out + 0, (uint32_t)in->position);
@@ -3507,7 +3510,7 @@ static inline void esc11_grip_absolute_request_pack(const esc11_grip_absolute_re
     esc11_store_u8(out + 5, in->force);
 }
 
-/** Reads esc11_grip_absolute_request from 6 bytes without any check. */
+/** Reads esc11_grip_absolute_request from 6 bytes without checks. */
 static inline void esc11_grip_absolute_request_unpack(const uint8_t *in, esc11_grip_absolute_request *out)
 {
     out->position = esc11_signed_32(esc11_load_u32_le(in + 0));
@@ -3517,7 +3520,7 @@ static inline void esc11_grip_absolute_request_unpack(const uint8_t *in, esc11_g
 
 /**
  * Writes esc11_grip_absolute_request: 6 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_grip_absolute_request_encode(const esc11_grip_absolute_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -3547,11 +3550,11 @@ static inline esc11_codec_status esc11_grip_absolute_request_decode(const uint8_
 }
 
 #define ESC11_GRIP_ABSOLUTE_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_grip_absolute_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_grip_absolute_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -3612,7 +3615,7 @@ typedef struct esc11_grip_open_with_zone_request {
     uint8_t force;
 } esc11_grip_open_with_zone_request;
 
-/** Whether the values of esc11_grip_open_with_zone_request are such as may be written. */
+/** Whether the values of esc11_grip_open_with_zone_request may be written. */
 static inline esc11_codec_status esc11_grip_open_with_zone_request_check(const esc11_grip_open_with_zone_request *in)
 {
     if (!(in->zone_limit_1 >= (-134217727) && in->zone_limit_1 <= 134217727)) {
@@ -3630,7 +3633,7 @@ static inline esc11_codec_status esc11_grip_open_with_zone_request_check(const e
     return ESC11_OK;
 }
 
-/** Writes esc11_grip_open_with_zone_request to 10 bytes without any check. */
+/** Writes esc11_grip_open_with_zone_request to 10 bytes without checks. */
 static inline void esc11_grip_open_with_zone_request_pack(const esc11_grip_open_with_zone_request *in, uint8_t *out)
 {
     esc11_store_u32_le(out + 0, (uint32_t)in->zone_limit_1);
@@ -3639,7 +3642,7 @@ static inline void esc11_grip_open_with_zone_request_pack(const esc11_grip_open_
     esc11_store_u8(out + 9, in->force);
 }
 
-/** Reads esc11_grip_open_with_zone_request from 10 bytes without any check. */
+/** Reads esc11_grip_open_with_zone_request from 10 bytes without checks. */
 static inline void esc11_grip_open_with_zone_request_unpack(const uint8_t *in, esc11_grip_open_with_zone_request *out)
 {
     out->zone_limit_1 = esc11_signed_32(esc11_load_u32_le(in + 0));
@@ -3650,7 +3653,7 @@ static inline void esc11_grip_open_with_zone_request_unpack(const uint8_t *in, e
 
 /**
  * Writes esc11_grip_open_with_zone_request: 10 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_grip_open_with_zone_request_encode(const esc11_grip_open_with_zone_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -3680,11 +3683,11 @@ static inline esc11_codec_status esc11_grip_open_with_zone_request_decode(const 
 }
 
 #define ESC11_GRIP_OPEN_WITH_ZONE_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_grip_open_with_zone_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_grip_open_with_zone_response_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -3746,7 +3749,7 @@ typedef struct esc11_grip_close_with_zone_request {
     uint8_t force;
 } esc11_grip_close_with_zone_request;
 
-/** Whether the values of esc11_grip_close_with_zone_request are such as may be written. */
+/** Whether the values of esc11_grip_close_with_zone_request may be written. */
 static inline esc11_codec_status esc11_grip_close_with_zone_request_check(const esc11_grip_close_with_zone_request *in)
 {
     if (!(in->zone_limit_1 >= (-134217727) && in->zone_limit_1 <= 134217727)) {
@@ -3764,7 +3767,7 @@ static inline esc11_codec_status esc11_grip_close_with_zone_request_check(const 
     return ESC11_OK;
 }
 
-/** Writes esc11_grip_close_with_zone_request to 10 bytes without any check. */
+/** Writes esc11_grip_close_with_zone_request to 10 bytes without checks. */
 static inline void esc11_grip_close_with_zone_request_pack(const esc11_grip_close_with_zone_request *in, uint8_t *out)
 {
     esc11_store_u32_le(out + 0, (uint32_t)in->zone_limit_1);
@@ -3773,7 +3776,7 @@ static inline void esc11_grip_close_with_zone_request_pack(const esc11_grip_clos
     esc11_store_u8(out + 9, in->force);
 }
 
-/** Reads esc11_grip_close_with_zone_request from 10 bytes without any check. */
+/** Reads esc11_grip_close_with_zone_request from 10 bytes without checks. */
 static inline void esc11_grip_close_with_zone_request_unpack(const uint8_t *in, esc11_grip_close_with_zone_request *out)
 {
     out->zone_limit_1 = esc11_signed_32(esc11_load_u32_le(in + 0));
@@ -3784,7 +3787,7 @@ static inline void esc11_grip_close_with_zone_request_unpack(const uint8_t *in, 
 
 /**
  * Writes esc11_grip_close_with_zone_request: 10 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_grip_close_with_zone_request_encode(const esc11_grip_close_with_zone_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -3814,11 +3817,11 @@ static inline esc11_codec_status esc11_grip_close_with_zone_request_decode(const
 }
 
 #define ESC11_GRIP_CLOSE_WITH_ZONE_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_grip_close_with_zone_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_grip_close_with_zone_response_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -3848,11 +3851,11 @@ static inline esc11_codec_status esc11_grip_close_with_zone_response_decode(cons
 #define ESC11_NO_OPERATION_CODE 48u
 
 #define ESC11_NO_OPERATION_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_no_operation_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_no_operation_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -3873,11 +3876,11 @@ static inline esc11_codec_status esc11_no_operation_request_decode(const uint8_t
 }
 
 #define ESC11_NO_OPERATION_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_no_operation_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_no_operation_response_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -3918,21 +3921,21 @@ typedef struct esc11_set_motor_excitation_request {
     bool excited;
 } esc11_set_motor_excitation_request;
 
-/** Writes esc11_set_motor_excitation_request to 1 bytes without any check. */
+/** Writes esc11_set_motor_excitation_request to 1 byte without checks. */
 static inline void esc11_set_motor_excitation_request_pack(const esc11_set_motor_excitation_request *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, (uint8_t)(in->excited ? 1 : 0));
 }
 
-/** Reads esc11_set_motor_excitation_request from 1 bytes without any check. */
+/** Reads esc11_set_motor_excitation_request from 1 byte without checks. */
 static inline void esc11_set_motor_excitation_request_unpack(const uint8_t *in, esc11_set_motor_excitation_request *out)
 {
     out->excited = esc11_load_u8(in + 0) != 0;
 }
 
 /**
- * Writes esc11_set_motor_excitation_request: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes esc11_set_motor_excitation_request: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_set_motor_excitation_request_encode(const esc11_set_motor_excitation_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -3945,7 +3948,7 @@ static inline esc11_codec_status esc11_set_motor_excitation_request_encode(const
     return ESC11_OK;
 }
 
-/** Reads esc11_set_motor_excitation_request from exactly 1 bytes. */
+/** Reads esc11_set_motor_excitation_request from exactly 1 byte. */
 static inline esc11_codec_status esc11_set_motor_excitation_request_decode(const uint8_t *in, size_t length,
         esc11_set_motor_excitation_request *out)
 {
@@ -3960,11 +3963,11 @@ static inline esc11_codec_status esc11_set_motor_excitation_request_decode(const
 }
 
 #define ESC11_SET_MOTOR_EXCITATION_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_set_motor_excitation_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_set_motor_excitation_response_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -3994,11 +3997,11 @@ static inline esc11_codec_status esc11_set_motor_excitation_response_decode(cons
 #define ESC11_READ_VERSION_CODE 64u
 
 #define ESC11_READ_VERSION_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_read_version_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_version_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -4028,7 +4031,7 @@ typedef struct esc11_read_version_response {
     char version[7];
 } esc11_read_version_response;
 
-/** Whether the values of esc11_read_version_response are such as may be written. */
+/** Whether the values of esc11_read_version_response may be written. */
 static inline esc11_codec_status esc11_read_version_response_check(const esc11_read_version_response *in)
 {
     if (!esc11_is_text(in->version, 6u)) {
@@ -4037,13 +4040,13 @@ static inline esc11_codec_status esc11_read_version_response_check(const esc11_r
     return ESC11_OK;
 }
 
-/** Writes esc11_read_version_response to 6 bytes without any check. */
+/** Writes esc11_read_version_response to 6 bytes without checks. */
 static inline void esc11_read_version_response_pack(const esc11_read_version_response *in, uint8_t *out)
 {
     esc11_put_text(out + 0, in->version, 6u);
 }
 
-/** Reads esc11_read_version_response from 6 bytes without any check. */
+/** Reads esc11_read_version_response from 6 bytes without checks. */
 static inline void esc11_read_version_response_unpack(const uint8_t *in, esc11_read_version_response *out)
 {
     ESC11_COPY(out->version, in + 0, 6u);
@@ -4052,7 +4055,7 @@ static inline void esc11_read_version_response_unpack(const uint8_t *in, esc11_r
 
 /**
  * Writes esc11_read_version_response: 6 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_version_response_encode(const esc11_read_version_response *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -4093,11 +4096,11 @@ static inline esc11_codec_status esc11_read_version_response_decode(const uint8_
 #define ESC11_READ_CURRENT_POSITION_CODE 65u
 
 #define ESC11_READ_CURRENT_POSITION_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_read_current_position_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_current_position_request_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -4129,7 +4132,7 @@ typedef struct esc11_read_current_position_response {
     int32_t position;
 } esc11_read_current_position_response;
 
-/** Whether the values of esc11_read_current_position_response are such as may be written. */
+/** Whether the values of esc11_read_current_position_response may be written. */
 static inline esc11_codec_status esc11_read_current_position_response_check(const esc11_read_current_position_response *in)
 {
     if (!(in->position >= (-134217727) && in->position <= 134217727)) {
@@ -4138,14 +4141,14 @@ static inline esc11_codec_status esc11_read_current_position_response_check(cons
     return ESC11_OK;
 }
 
-/** Writes esc11_read_current_position_response to 4 bytes without any check. */
+/** Writes esc11_read_current_position_response to 4 bytes without checks. */
 static inline void esc11_read_current_position_response_pack(const esc11_read_current_position_response *in,
         uint8_t *out)
 {
     esc11_store_u32_le(out + 0, (uint32_t)in->position);
 }
 
-/** Reads esc11_read_current_position_response from 4 bytes without any check. */
+/** Reads esc11_read_current_position_response from 4 bytes without checks. */
 static inline void esc11_read_current_position_response_unpack(const uint8_t *in,
         esc11_read_current_position_response *out)
 {
@@ -4154,7 +4157,7 @@ static inline void esc11_read_current_position_response_unpack(const uint8_t *in
 
 /**
  * Writes esc11_read_current_position_response: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_current_position_response_encode(const esc11_read_current_position_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4192,11 +4195,11 @@ static inline esc11_codec_status esc11_read_current_position_response_decode(con
 #define ESC11_READ_CURRENT_POINT_NUMBER_CODE 66u
 
 #define ESC11_READ_CURRENT_POINT_NUMBER_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_read_current_point_number_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_current_point_number_request_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -4228,7 +4231,7 @@ typedef struct esc11_read_current_point_number_response {
     uint8_t point_number;
 } esc11_read_current_point_number_response;
 
-/** Whether the values of esc11_read_current_point_number_response are such as may be written. */
+/** Whether the values of esc11_read_current_point_number_response may be written. */
 static inline esc11_codec_status esc11_read_current_point_number_response_check(const esc11_read_current_point_number_response *in)
 {
     if (!(in->point_number >= 1u && in->point_number <= 31u)) {
@@ -4237,14 +4240,14 @@ static inline esc11_codec_status esc11_read_current_point_number_response_check(
     return ESC11_OK;
 }
 
-/** Writes esc11_read_current_point_number_response to 1 bytes without any check. */
+/** Writes esc11_read_current_point_number_response to 1 byte without checks. */
 static inline void esc11_read_current_point_number_response_pack(const esc11_read_current_point_number_response *in,
         uint8_t *out)
 {
     esc11_store_u8(out + 0, in->point_number);
 }
 
-/** Reads esc11_read_current_point_number_response from 1 bytes without any check. */
+/** Reads esc11_read_current_point_number_response from 1 byte without checks. */
 static inline void esc11_read_current_point_number_response_unpack(const uint8_t *in,
         esc11_read_current_point_number_response *out)
 {
@@ -4252,8 +4255,8 @@ static inline void esc11_read_current_point_number_response_unpack(const uint8_t
 }
 
 /**
- * Writes esc11_read_current_point_number_response: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes esc11_read_current_point_number_response: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_current_point_number_response_encode(const esc11_read_current_point_number_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4271,7 +4274,7 @@ static inline esc11_codec_status esc11_read_current_point_number_response_encode
     return ESC11_OK;
 }
 
-/** Reads esc11_read_current_point_number_response from exactly 1 bytes. */
+/** Reads esc11_read_current_point_number_response from exactly 1 byte. */
 static inline esc11_codec_status esc11_read_current_point_number_response_decode(const uint8_t *in, size_t length,
         esc11_read_current_point_number_response *out)
 {
@@ -4300,7 +4303,7 @@ typedef struct esc11_read_parameter_request {
     uint8_t parameter_number;
 } esc11_read_parameter_request;
 
-/** Whether the values of esc11_read_parameter_request are such as may be written. */
+/** Whether the values of esc11_read_parameter_request may be written. */
 static inline esc11_codec_status esc11_read_parameter_request_check(const esc11_read_parameter_request *in)
 {
     if (!(in->parameter_number <= 31u)) {
@@ -4309,21 +4312,21 @@ static inline esc11_codec_status esc11_read_parameter_request_check(const esc11_
     return ESC11_OK;
 }
 
-/** Writes esc11_read_parameter_request to 1 bytes without any check. */
+/** Writes esc11_read_parameter_request to 1 byte without checks. */
 static inline void esc11_read_parameter_request_pack(const esc11_read_parameter_request *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->parameter_number);
 }
 
-/** Reads esc11_read_parameter_request from 1 bytes without any check. */
+/** Reads esc11_read_parameter_request from 1 byte without checks. */
 static inline void esc11_read_parameter_request_unpack(const uint8_t *in, esc11_read_parameter_request *out)
 {
     out->parameter_number = esc11_load_u8(in + 0);
 }
 
 /**
- * Writes esc11_read_parameter_request: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes esc11_read_parameter_request: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_parameter_request_encode(const esc11_read_parameter_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4341,7 +4344,7 @@ static inline esc11_codec_status esc11_read_parameter_request_encode(const esc11
     return ESC11_OK;
 }
 
-/** Reads esc11_read_parameter_request from exactly 1 bytes. */
+/** Reads esc11_read_parameter_request from exactly 1 byte. */
 static inline esc11_codec_status esc11_read_parameter_request_decode(const uint8_t *in, size_t length,
         esc11_read_parameter_request *out)
 {
@@ -4363,13 +4366,13 @@ typedef struct esc11_read_parameter_response {
     uint16_t value;
 } esc11_read_parameter_response;
 
-/** Writes esc11_read_parameter_response to 2 bytes without any check. */
+/** Writes esc11_read_parameter_response to 2 bytes without checks. */
 static inline void esc11_read_parameter_response_pack(const esc11_read_parameter_response *in, uint8_t *out)
 {
     esc11_store_u16_le(out + 0, in->value);
 }
 
-/** Reads esc11_read_parameter_response from 2 bytes without any check. */
+/** Reads esc11_read_parameter_response from 2 bytes without checks. */
 static inline void esc11_read_parameter_response_unpack(const uint8_t *in, esc11_read_parameter_response *out)
 {
     out->value = esc11_load_u16_le(in + 0);
@@ -4377,7 +4380,7 @@ static inline void esc11_read_parameter_response_unpack(const uint8_t *in, esc11
 
 /**
  * Writes esc11_read_parameter_response: 2 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_parameter_response_encode(const esc11_read_parameter_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4420,7 +4423,7 @@ typedef struct esc11_read_point_request {
     uint8_t point_number;
 } esc11_read_point_request;
 
-/** Whether the values of esc11_read_point_request are such as may be written. */
+/** Whether the values of esc11_read_point_request may be written. */
 static inline esc11_codec_status esc11_read_point_request_check(const esc11_read_point_request *in)
 {
     if (!(in->point_number >= 1u && in->point_number <= 31u)) {
@@ -4429,21 +4432,21 @@ static inline esc11_codec_status esc11_read_point_request_check(const esc11_read
     return ESC11_OK;
 }
 
-/** Writes esc11_read_point_request to 1 bytes without any check. */
+/** Writes esc11_read_point_request to 1 byte without checks. */
 static inline void esc11_read_point_request_pack(const esc11_read_point_request *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->point_number);
 }
 
-/** Reads esc11_read_point_request from 1 bytes without any check. */
+/** Reads esc11_read_point_request from 1 byte without checks. */
 static inline void esc11_read_point_request_unpack(const uint8_t *in, esc11_read_point_request *out)
 {
     out->point_number = esc11_load_u8(in + 0);
 }
 
 /**
- * Writes esc11_read_point_request: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes esc11_read_point_request: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_point_request_encode(const esc11_read_point_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -4461,7 +4464,7 @@ static inline esc11_codec_status esc11_read_point_request_encode(const esc11_rea
     return ESC11_OK;
 }
 
-/** Reads esc11_read_point_request from exactly 1 bytes. */
+/** Reads esc11_read_point_request from exactly 1 byte. */
 static inline esc11_codec_status esc11_read_point_request_decode(const uint8_t *in, size_t length,
         esc11_read_point_request *out)
 {
@@ -4481,7 +4484,7 @@ typedef struct esc11_read_point_response {
     esc11_point point;
 } esc11_read_point_response;
 
-/** Whether the values of esc11_read_point_response are such as may be written. */
+/** Whether the values of esc11_read_point_response may be written. */
 static inline esc11_codec_status esc11_read_point_response_check(const esc11_read_point_response *in)
 {
     esc11_codec_status status;
@@ -4492,13 +4495,13 @@ static inline esc11_codec_status esc11_read_point_response_check(const esc11_rea
     return ESC11_OK;
 }
 
-/** Writes esc11_read_point_response to 16 bytes without any check. */
+/** Writes esc11_read_point_response to 16 bytes without checks. */
 static inline void esc11_read_point_response_pack(const esc11_read_point_response *in, uint8_t *out)
 {
     esc11_point_pack(&in->point, out + 0);
 }
 
-/** Reads esc11_read_point_response from 16 bytes without any check. */
+/** Reads esc11_read_point_response from 16 bytes without checks. */
 static inline void esc11_read_point_response_unpack(const uint8_t *in, esc11_read_point_response *out)
 {
     esc11_point_unpack(in + 0, &out->point);
@@ -4506,7 +4509,7 @@ static inline void esc11_read_point_response_unpack(const uint8_t *in, esc11_rea
 
 /**
  * Writes esc11_read_point_response: 16 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_point_response_encode(const esc11_read_point_response *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -4549,11 +4552,11 @@ static inline esc11_codec_status esc11_read_point_response_decode(const uint8_t 
 #define ESC11_READ_HOMING_STATE_CODE 69u
 
 #define ESC11_READ_HOMING_STATE_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_read_homing_state_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_homing_state_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -4583,21 +4586,21 @@ typedef struct esc11_read_homing_state_response {
     bool homing_complete;
 } esc11_read_homing_state_response;
 
-/** Writes esc11_read_homing_state_response to 1 bytes without any check. */
+/** Writes esc11_read_homing_state_response to 1 byte without checks. */
 static inline void esc11_read_homing_state_response_pack(const esc11_read_homing_state_response *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, (uint8_t)(in->homing_complete ? 1 : 0));
 }
 
-/** Reads esc11_read_homing_state_response from 1 bytes without any check. */
+/** Reads esc11_read_homing_state_response from 1 byte without checks. */
 static inline void esc11_read_homing_state_response_unpack(const uint8_t *in, esc11_read_homing_state_response *out)
 {
     out->homing_complete = esc11_load_u8(in + 0) != 0;
 }
 
 /**
- * Writes esc11_read_homing_state_response: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes esc11_read_homing_state_response: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_homing_state_response_encode(const esc11_read_homing_state_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4610,7 +4613,7 @@ static inline esc11_codec_status esc11_read_homing_state_response_encode(const e
     return ESC11_OK;
 }
 
-/** Reads esc11_read_homing_state_response from exactly 1 bytes. */
+/** Reads esc11_read_homing_state_response from exactly 1 byte. */
 static inline esc11_codec_status esc11_read_homing_state_response_decode(const uint8_t *in, size_t length,
         esc11_read_homing_state_response *out)
 {
@@ -4633,11 +4636,11 @@ static inline esc11_codec_status esc11_read_homing_state_response_decode(const u
 #define ESC11_READ_MOTOR_EXCITATION_CODE 70u
 
 #define ESC11_READ_MOTOR_EXCITATION_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_read_motor_excitation_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_motor_excitation_request_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -4670,14 +4673,14 @@ typedef struct esc11_read_motor_excitation_response {
     bool excited;
 } esc11_read_motor_excitation_response;
 
-/** Writes esc11_read_motor_excitation_response to 1 bytes without any check. */
+/** Writes esc11_read_motor_excitation_response to 1 byte without checks. */
 static inline void esc11_read_motor_excitation_response_pack(const esc11_read_motor_excitation_response *in,
         uint8_t *out)
 {
     esc11_store_u8(out + 0, (uint8_t)(in->excited ? 1 : 0));
 }
 
-/** Reads esc11_read_motor_excitation_response from 1 bytes without any check. */
+/** Reads esc11_read_motor_excitation_response from 1 byte without checks. */
 static inline void esc11_read_motor_excitation_response_unpack(const uint8_t *in,
         esc11_read_motor_excitation_response *out)
 {
@@ -4685,8 +4688,8 @@ static inline void esc11_read_motor_excitation_response_unpack(const uint8_t *in
 }
 
 /**
- * Writes esc11_read_motor_excitation_response: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes esc11_read_motor_excitation_response: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_motor_excitation_response_encode(const esc11_read_motor_excitation_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4699,7 +4702,7 @@ static inline esc11_codec_status esc11_read_motor_excitation_response_encode(con
     return ESC11_OK;
 }
 
-/** Reads esc11_read_motor_excitation_response from exactly 1 bytes. */
+/** Reads esc11_read_motor_excitation_response from exactly 1 byte. */
 static inline esc11_codec_status esc11_read_motor_excitation_response_decode(const uint8_t *in, size_t length,
         esc11_read_motor_excitation_response *out)
 {
@@ -4722,11 +4725,11 @@ static inline esc11_codec_status esc11_read_motor_excitation_response_decode(con
 #define ESC11_READ_ALARM_CODE_CODE 71u
 
 #define ESC11_READ_ALARM_CODE_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_read_alarm_code_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_alarm_code_request_encode(uint8_t *out, size_t capacity, size_t *length)
 {
@@ -4757,21 +4760,21 @@ typedef struct esc11_read_alarm_code_response {
     uint8_t alarm_code;
 } esc11_read_alarm_code_response;
 
-/** Writes esc11_read_alarm_code_response to 1 bytes without any check. */
+/** Writes esc11_read_alarm_code_response to 1 byte without checks. */
 static inline void esc11_read_alarm_code_response_pack(const esc11_read_alarm_code_response *in, uint8_t *out)
 {
     esc11_store_u8(out + 0, in->alarm_code);
 }
 
-/** Reads esc11_read_alarm_code_response from 1 bytes without any check. */
+/** Reads esc11_read_alarm_code_response from 1 byte without checks. */
 static inline void esc11_read_alarm_code_response_unpack(const uint8_t *in, esc11_read_alarm_code_response *out)
 {
     out->alarm_code = esc11_load_u8(in + 0);
 }
 
 /**
- * Writes esc11_read_alarm_code_response: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes esc11_read_alarm_code_response: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_alarm_code_response_encode(const esc11_read_alarm_code_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4784,7 +4787,7 @@ static inline esc11_codec_status esc11_read_alarm_code_response_encode(const esc
     return ESC11_OK;
 }
 
-/** Reads esc11_read_alarm_code_response from exactly 1 bytes. */
+/** Reads esc11_read_alarm_code_response from exactly 1 byte. */
 static inline esc11_codec_status esc11_read_alarm_code_response_decode(const uint8_t *in, size_t length,
         esc11_read_alarm_code_response *out)
 {
@@ -4806,11 +4809,11 @@ static inline esc11_codec_status esc11_read_alarm_code_response_decode(const uin
 #define ESC11_READ_ACCUMULATED_TIME_CODE 72u
 
 #define ESC11_READ_ACCUMULATED_TIME_REQUEST_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes esc11_read_accumulated_time_request: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_accumulated_time_request_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -4849,7 +4852,7 @@ typedef struct esc11_read_accumulated_time_response {
     uint8_t minutes;
 } esc11_read_accumulated_time_response;
 
-/** Whether the values of esc11_read_accumulated_time_response are such as may be written. */
+/** Whether the values of esc11_read_accumulated_time_response may be written. */
 static inline esc11_codec_status esc11_read_accumulated_time_response_check(const esc11_read_accumulated_time_response *in)
 {
     if (!(in->minutes <= 60u)) {
@@ -4858,7 +4861,7 @@ static inline esc11_codec_status esc11_read_accumulated_time_response_check(cons
     return ESC11_OK;
 }
 
-/** Writes esc11_read_accumulated_time_response to 3 bytes without any check. */
+/** Writes esc11_read_accumulated_time_response to 3 bytes without checks. */
 static inline void esc11_read_accumulated_time_response_pack(const esc11_read_accumulated_time_response *in,
         uint8_t *out)
 {
@@ -4866,7 +4869,7 @@ static inline void esc11_read_accumulated_time_response_pack(const esc11_read_ac
     esc11_store_u8(out + 2, in->minutes);
 }
 
-/** Reads esc11_read_accumulated_time_response from 3 bytes without any check. */
+/** Reads esc11_read_accumulated_time_response from 3 bytes without checks. */
 static inline void esc11_read_accumulated_time_response_unpack(const uint8_t *in,
         esc11_read_accumulated_time_response *out)
 {
@@ -4876,7 +4879,7 @@ static inline void esc11_read_accumulated_time_response_unpack(const uint8_t *in
 
 /**
  * Writes esc11_read_accumulated_time_response: 3 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline esc11_codec_status esc11_read_accumulated_time_response_encode(const esc11_read_accumulated_time_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4917,14 +4920,14 @@ static inline esc11_codec_status esc11_read_accumulated_time_response_decode(con
 #define ESC11_PAR_PARAMETERS_ACTUATOR_TYPE_MIN 0u
 #define ESC11_PAR_PARAMETERS_ACTUATOR_TYPE_MAX 65535u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline esc11_codec_status esc11_par_parameters_actuator_type_decode(const uint8_t *in, uint16_t *out)
 {
     *out = esc11_load_u16_le(in);
     return ESC11_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline esc11_codec_status esc11_par_parameters_actuator_type_encode(uint16_t value, uint8_t *out)
 {
     esc11_store_u16_le(out, value);
@@ -4943,14 +4946,14 @@ static inline esc11_codec_status esc11_par_parameters_actuator_type_encode(uint1
 #define ESC11_PAR_PARAMETERS_POSITIVE_SOFT_LIMIT_SCALE_NUMERATOR INT64_C(1)
 #define ESC11_PAR_PARAMETERS_POSITIVE_SOFT_LIMIT_SCALE_DENOMINATOR INT64_C(10)
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline esc11_codec_status esc11_par_parameters_positive_soft_limit_decode(const uint8_t *in, uint16_t *out)
 {
     *out = esc11_load_u16_le(in);
     return ESC11_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline esc11_codec_status esc11_par_parameters_positive_soft_limit_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 9999u)) {
@@ -4971,14 +4974,14 @@ static inline esc11_codec_status esc11_par_parameters_positive_soft_limit_encode
 #define ESC11_PAR_PARAMETERS_NEGATIVE_SOFT_LIMIT_SCALE_NUMERATOR INT64_C(1)
 #define ESC11_PAR_PARAMETERS_NEGATIVE_SOFT_LIMIT_SCALE_DENOMINATOR INT64_C(10)
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline esc11_codec_status esc11_par_parameters_negative_soft_limit_decode(const uint8_t *in, int16_t *out)
 {
     *out = esc11_signed_16(esc11_load_u16_le(in));
     return ESC11_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline esc11_codec_status esc11_par_parameters_negative_soft_limit_encode(int16_t value, uint8_t *out)
 {
     if (!(value >= (-9999) && value <= 0)) {
@@ -4999,14 +5002,14 @@ static inline esc11_codec_status esc11_par_parameters_negative_soft_limit_encode
 #define ESC11_PAR_PARAMETERS_STROKE_SCALE_NUMERATOR INT64_C(1)
 #define ESC11_PAR_PARAMETERS_STROKE_SCALE_DENOMINATOR INT64_C(10)
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline esc11_codec_status esc11_par_parameters_stroke_decode(const uint8_t *in, uint16_t *out)
 {
     *out = esc11_load_u16_le(in);
     return ESC11_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline esc11_codec_status esc11_par_parameters_stroke_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 9999u)) {
@@ -5031,23 +5034,26 @@ static inline esc11_codec_status esc11_par_parameters_stroke_encode(uint16_t val
  */
 #define ESC11_PAR_PARAMETERS_HOMING_DIRECTION_NUMBER 5u
 
-/** Reads its value. */
-static inline esc11_codec_status esc11_par_parameters_homing_direction_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value. */
+static inline esc11_codec_status esc11_par_parameters_homing_direction_decode(const uint8_t *in,
+        esc11_homing_direction *out)
 {
-    *out = esc11_load_u16_le(in);
-    if (!esc11_homing_direction_known((int64_t)*out)) {
+    const uint16_t number = esc11_load_u16_le(in);
+    if (!esc11_homing_direction_known((int64_t)number)) {
         return ESC11_ERR_UNKNOWN_VALUE;
     }
+    *out = (esc11_homing_direction)number;
     return ESC11_OK;
 }
 
-/** Writes its value. */
-static inline esc11_codec_status esc11_par_parameters_homing_direction_encode(uint16_t value, uint8_t *out)
+/** Encodes the value. */
+static inline esc11_codec_status esc11_par_parameters_homing_direction_encode(esc11_homing_direction value,
+        uint8_t *out)
 {
     if (!esc11_homing_direction_known((int64_t)value)) {
         return ESC11_ERR_UNKNOWN_VALUE;
     }
-    esc11_store_u16_le(out, value);
+    esc11_store_u16_le(out, (uint16_t)value);
     return ESC11_OK;
 }
 
@@ -5060,14 +5066,14 @@ static inline esc11_codec_status esc11_par_parameters_homing_direction_encode(ui
 #define ESC11_PAR_PARAMETERS_HOMING_SPEED_MIN 1u
 #define ESC11_PAR_PARAMETERS_HOMING_SPEED_MAX 50u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline esc11_codec_status esc11_par_parameters_homing_speed_decode(const uint8_t *in, uint16_t *out)
 {
     *out = esc11_load_u16_le(in);
     return ESC11_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline esc11_codec_status esc11_par_parameters_homing_speed_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 50u)) {
@@ -5088,14 +5094,14 @@ static inline esc11_codec_status esc11_par_parameters_homing_speed_encode(uint16
 #define ESC11_PAR_PARAMETERS_HOME_OFFSET_SCALE_NUMERATOR INT64_C(1)
 #define ESC11_PAR_PARAMETERS_HOME_OFFSET_SCALE_DENOMINATOR INT64_C(10)
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline esc11_codec_status esc11_par_parameters_home_offset_decode(const uint8_t *in, int16_t *out)
 {
     *out = esc11_signed_16(esc11_load_u16_le(in));
     return ESC11_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline esc11_codec_status esc11_par_parameters_home_offset_encode(int16_t value, uint8_t *out)
 {
     if (!(value >= (-9999) && value <= 9999)) {
@@ -5114,14 +5120,14 @@ static inline esc11_codec_status esc11_par_parameters_home_offset_encode(int16_t
 #define ESC11_PAR_PARAMETERS_ACCELERATION_MIN 1u
 #define ESC11_PAR_PARAMETERS_ACCELERATION_MAX 100u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline esc11_codec_status esc11_par_parameters_acceleration_decode(const uint8_t *in, uint16_t *out)
 {
     *out = esc11_load_u16_le(in);
     return ESC11_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline esc11_codec_status esc11_par_parameters_acceleration_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 100u)) {
@@ -5140,14 +5146,14 @@ static inline esc11_codec_status esc11_par_parameters_acceleration_encode(uint16
 #define ESC11_PAR_PARAMETERS_MAXIMUM_PROGRAM_SPEED_MIN 1u
 #define ESC11_PAR_PARAMETERS_MAXIMUM_PROGRAM_SPEED_MAX 100u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline esc11_codec_status esc11_par_parameters_maximum_program_speed_decode(const uint8_t *in, uint16_t *out)
 {
     *out = esc11_load_u16_le(in);
     return ESC11_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline esc11_codec_status esc11_par_parameters_maximum_program_speed_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 100u)) {
@@ -5166,14 +5172,14 @@ static inline esc11_codec_status esc11_par_parameters_maximum_program_speed_enco
 #define ESC11_PAR_PARAMETERS_GRIPPING_SPEED_MIN 1u
 #define ESC11_PAR_PARAMETERS_GRIPPING_SPEED_MAX 100u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline esc11_codec_status esc11_par_parameters_gripping_speed_decode(const uint8_t *in, uint16_t *out)
 {
     *out = esc11_load_u16_le(in);
     return ESC11_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline esc11_codec_status esc11_par_parameters_gripping_speed_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 100u)) {
@@ -5194,14 +5200,14 @@ static inline esc11_codec_status esc11_par_parameters_gripping_speed_encode(uint
 #define ESC11_PAR_PARAMETERS_CONSTANT_SPEED_DISTANCE_SCALE_NUMERATOR INT64_C(1)
 #define ESC11_PAR_PARAMETERS_CONSTANT_SPEED_DISTANCE_SCALE_DENOMINATOR INT64_C(100)
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline esc11_codec_status esc11_par_parameters_constant_speed_distance_decode(const uint8_t *in, uint16_t *out)
 {
     *out = esc11_load_u16_le(in);
     return ESC11_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline esc11_codec_status esc11_par_parameters_constant_speed_distance_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -5222,14 +5228,14 @@ static inline esc11_codec_status esc11_par_parameters_constant_speed_distance_en
 #define ESC11_PAR_PARAMETERS_LIMIT_WIDTH_SCALE_NUMERATOR INT64_C(1)
 #define ESC11_PAR_PARAMETERS_LIMIT_WIDTH_SCALE_DENOMINATOR INT64_C(100)
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline esc11_codec_status esc11_par_parameters_limit_width_decode(const uint8_t *in, uint16_t *out)
 {
     *out = esc11_load_u16_le(in);
     return ESC11_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline esc11_codec_status esc11_par_parameters_limit_width_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 9999u)) {
@@ -5248,7 +5254,7 @@ static inline esc11_codec_status esc11_par_parameters_limit_width_encode(uint16_
 #define ESC11_PAR_PARAMETERS_POSITIONING_COMPLETE_PULSES_MIN 1u
 #define ESC11_PAR_PARAMETERS_POSITIONING_COMPLETE_PULSES_MAX 4000u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline esc11_codec_status esc11_par_parameters_positioning_complete_pulses_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -5256,7 +5262,7 @@ static inline esc11_codec_status esc11_par_parameters_positioning_complete_pulse
     return ESC11_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline esc11_codec_status esc11_par_parameters_positioning_complete_pulses_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 4000u)) {
@@ -5289,23 +5295,24 @@ static inline esc11_codec_status esc11_par_parameters_positioning_complete_pulse
  */
 #define ESC11_PAR_PARAMETERS_HOMING_METHOD_NUMBER 16u
 
-/** Reads its value. */
-static inline esc11_codec_status esc11_par_parameters_homing_method_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value. */
+static inline esc11_codec_status esc11_par_parameters_homing_method_decode(const uint8_t *in, esc11_homing_method *out)
 {
-    *out = esc11_load_u16_le(in);
-    if (!esc11_homing_method_known((int64_t)*out)) {
+    const uint16_t number = esc11_load_u16_le(in);
+    if (!esc11_homing_method_known((int64_t)number)) {
         return ESC11_ERR_UNKNOWN_VALUE;
     }
+    *out = (esc11_homing_method)number;
     return ESC11_OK;
 }
 
-/** Writes its value. */
-static inline esc11_codec_status esc11_par_parameters_homing_method_encode(uint16_t value, uint8_t *out)
+/** Encodes the value. */
+static inline esc11_codec_status esc11_par_parameters_homing_method_encode(esc11_homing_method value, uint8_t *out)
 {
     if (!esc11_homing_method_known((int64_t)value)) {
         return ESC11_ERR_UNKNOWN_VALUE;
     }
-    esc11_store_u16_le(out, value);
+    esc11_store_u16_le(out, (uint16_t)value);
     return ESC11_OK;
 }
 
@@ -5435,7 +5442,7 @@ static inline esc11_codec_status esc11_par_parameters_homing_method_encode(uint1
 /**
  * Two wires, half duplex: the master polls one controller at a time, and a controller answers every packet
  * with its own address. Each packet begins with its length, which is the number of data bytes plus 4.
- * A frame is bytes.
+ * Frames are binary.
  * Note: A response carries a status byte where the request carries the command: which command it answers shows
  * only in the order of the packets.
  * Note: A controller that gets a packet with a communication error drops it and stays silent (7.3 L250).
@@ -5443,7 +5450,7 @@ static inline esc11_codec_status esc11_par_parameters_homing_method_encode(uint1
  * follow is not printed.
  * Source: 6 L188-194; 7.2 L234-238; 8.1 L255-268; 8.2 L270-297
  */
-/** An opened request: what stands before the body, and where the body is. */
+/** An opened request: its header, and where its body is. */
 typedef struct esc11_serial_request_frame {
     /**
      * The controller that is meant.
@@ -5451,7 +5458,7 @@ typedef struct esc11_serial_request_frame {
      * Source: 8.1 L264-265
      */
     uint8_t address;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
     size_t body_length;
@@ -5489,7 +5496,7 @@ static inline esc11_codec_status esc11_serial_request_open(const uint8_t *frame,
     return ESC11_OK;
 }
 
-/** Completes a frame whose body lies at out + 3. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 3. `length` receives the size of the frame. */
 static inline esc11_codec_status esc11_serial_request_close(uint8_t address, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -5514,7 +5521,7 @@ static inline esc11_codec_status esc11_serial_request_close(uint8_t address, uin
     return ESC11_OK;
 }
 
-/** An opened response: what stands before the body, and where the body is. */
+/** An opened response: its header, and where its body is. */
 typedef struct esc11_serial_response_frame {
     /**
      * The controller that answers.
@@ -5554,7 +5561,7 @@ static inline esc11_codec_status esc11_serial_response_open(const uint8_t *frame
     return ESC11_OK;
 }
 
-/** Completes a frame whose body lies at out + 3. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 3. `length` receives the size of the frame. */
 static inline esc11_codec_status esc11_serial_response_close(uint8_t address, uint8_t status_, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -6450,8 +6457,8 @@ static inline esc11_codec_status esc11_serial_encode_read_accumulated_time_respo
 /* ---- Texts of codes, in UTF-8 ---- */
 
 #ifdef ESC11_WITH_TEXTS
-/** The texts of a code. Several causes, or remedies, are parted by line ends.
- * The number is the other one under which the manual knows the code, or -1; printed is how the manual writes it. */
+/** The texts of a code. Line ends separate several causes or remedies. `printed` is the code as the manual writes it;
+ * `number` is the second number that the manual gives the code, or -1. */
 typedef struct esc11_code_text {
     int64_t code;
     int64_t number;
@@ -6463,7 +6470,7 @@ typedef struct esc11_code_text {
     const char *remedies;
 } esc11_code_text;
 
-/** The texts of a code of esc11_alarm_code, or NULL where it is not listed. */
+/** The texts of a code of esc11_alarm_code, or NULL if the code is unknown. */
 static inline const esc11_code_text *esc11_alarm_code_text(int64_t code)
 {
     static const esc11_code_text texts[] = {

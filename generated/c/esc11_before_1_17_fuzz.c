@@ -6,11 +6,10 @@
  *
  *     clang -g -O1 -fsanitize=fuzzer,address,undefined,float-cast-overflow esc11_before_1_17_fuzz.c && ./a.out
  *
- * The first two bytes of an input choose what is fuzzed, and the others are given to it. It stops
- * - where something reads or writes beyond what it was given: that is what the sanitizers see;
- * - where what was decoded and encoded again is not what it was: the same bytes, but for reserved ones and for those
- *   behind the end of a text;
- * - where a frame that was made is not opened again to the same body, or one that was opened is not made again.
+ * The first two bytes of an input select a function, the others are its input. The target stops
+ * - when a function reads or writes out of bounds, which the sanitizers detect;
+ * - when encoding what was decoded gives other bytes, apart from reserved ones and those after the end of a text;
+ * - when opening a frame that was closed gives another body, or closing a frame that was opened gives other bytes.
  */
 #include "esc11_before_1_17.h"
 
@@ -28,7 +27,7 @@ static void hold(bool so)
     }
 }
 
-/* Decodes, encodes, and does both again; then encodes into exactly enough room, and into one byte less. */
+/* Decodes and encodes twice, then encodes into a buffer of the exact size, and into one that is a byte too small. */
 #define RECORD(type, decode, encode, most, exact) \
     do { \
         type value, second; \
@@ -56,7 +55,7 @@ static void hold(bool so)
         free(room); \
     } while (0)
 
-/* Reads any bytes as a record and writes it, twice: the second time changes nothing. */
+/* Unpacks any bytes and packs them, twice: the second time changes nothing. */
 #define PACKED(type, unpack, pack, length) \
     do { \
         type value; \
@@ -72,7 +71,7 @@ static void hold(bool so)
         hold(memcmp(out, again, sizeof out) == 0); \
     } while (0)
 
-/* A record that nobody gives anything: there is one form of it. */
+/* A record without values, which has only one form. */
 #define FIXED(decode, encode, most, exact) \
     do { \
         uint8_t out[(most) + 1u]; \
@@ -562,7 +561,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint16_t, esc11_par_parameters_stroke_decode, esc11_par_parameters_stroke_encode, 2u, 2u);
         break;
     case 125:
-        VALUE(uint16_t, esc11_par_parameters_homing_direction_decode, esc11_par_parameters_homing_direction_encode, 2u, 2u);
+        VALUE(esc11_homing_direction, esc11_par_parameters_homing_direction_decode, esc11_par_parameters_homing_direction_encode, 2u, 2u);
         break;
     case 126:
         VALUE(uint16_t, esc11_par_parameters_homing_speed_decode, esc11_par_parameters_homing_speed_encode, 2u, 2u);
@@ -589,7 +588,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint16_t, esc11_par_parameters_positioning_complete_pulses_decode, esc11_par_parameters_positioning_complete_pulses_encode, 2u, 2u);
         break;
     case 134:
-        VALUE(uint16_t, esc11_par_parameters_homing_method_decode, esc11_par_parameters_homing_method_encode, 2u, 2u);
+        VALUE(esc11_homing_method, esc11_par_parameters_homing_method_decode, esc11_par_parameters_homing_method_encode, 2u, 2u);
         break;
     default:
         break;

@@ -2,8 +2,8 @@
  * Tests esc11_before_1_17.h: ESC11-B, version before-1.17
  * Identity: 3d76276a9d24516b
  *
- * Generated; do not edit. Compile and run: it exits with 0 where all is well. On a machine without an operating system
- * compile it with -ffreestanding: there is no main then, and esc11_selftest is for you to call.
+ * Generated; do not edit. Compile and run it: it exits with 0 if every test passes. On a machine without an operating system
+ * compile it with -ffreestanding; then it has no main, and you call esc11_selftest yourself.
  */
 #define ESC11_WITH_TEXTS
 #include "esc11_before_1_17.h"
@@ -13,7 +13,7 @@
 #define HOSTED
 #endif
 
-/* Tells of each test that fails by the function, and gives their number. */
+/* Calls `tell` for each test that fails, and returns their number. */
 unsigned long esc11_selftest(void (*tell)(const char *what));
 
 static unsigned long passed, failed;
@@ -52,7 +52,7 @@ static bool same_text(const char *left, const char *right)
     return false;
 }
 
-/* Copies by volatile accesses: the compiler cannot know what is copied, so what follows happens when the test runs. */
+/* Copies by volatile accesses: the compiler cannot know what is copied, so the code that follows runs when the test does. */
 static void copy(void *to, const void *from, size_t size)
 {
     volatile uint8_t *target = (uint8_t *)to;
@@ -2289,18 +2289,18 @@ static void test_84(void)
 static void test_85(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    esc11_homing_direction out = ESC11_HOMING_DIRECTION_CLOSE;
+    volatile esc11_homing_direction in = ESC11_HOMING_DIRECTION_OPEN;
+    in = ESC11_HOMING_DIRECTION_OPEN;
     expect(esc11_par_parameters_homing_direction_encode(in, bytes) == ESC11_OK, "parameters.homing_direction 0");
     expect(same_bytes(bytes, "\000\000", 2u), "parameters.homing_direction 0 bytes");
     expect(esc11_par_parameters_homing_direction_decode(bytes, &out) == ESC11_OK, "parameters.homing_direction 0");
-    expect(out == 0u, "parameters.homing_direction 0");
-    in = 1u;
+    expect(out == ESC11_HOMING_DIRECTION_OPEN, "parameters.homing_direction 0");
+    in = ESC11_HOMING_DIRECTION_CLOSE;
     expect(esc11_par_parameters_homing_direction_encode(in, bytes) == ESC11_OK, "parameters.homing_direction 1");
     expect(same_bytes(bytes, "\001\000", 2u), "parameters.homing_direction 1 bytes");
     expect(esc11_par_parameters_homing_direction_decode(bytes, &out) == ESC11_OK, "parameters.homing_direction 1");
-    expect(out == 1u, "parameters.homing_direction 1");
+    expect(out == ESC11_HOMING_DIRECTION_CLOSE, "parameters.homing_direction 1");
 }
 
 static void test_86(void)
@@ -2442,18 +2442,18 @@ static void test_93(void)
 static void test_94(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    esc11_homing_method out = ESC11_HOMING_METHOD_STROKE_END_AND_Z_PHASE;
+    volatile esc11_homing_method in = ESC11_HOMING_METHOD_STROKE_END;
+    in = ESC11_HOMING_METHOD_STROKE_END;
     expect(esc11_par_parameters_homing_method_encode(in, bytes) == ESC11_OK, "parameters.homing_method 0");
     expect(same_bytes(bytes, "\000\000", 2u), "parameters.homing_method 0 bytes");
     expect(esc11_par_parameters_homing_method_decode(bytes, &out) == ESC11_OK, "parameters.homing_method 0");
-    expect(out == 0u, "parameters.homing_method 0");
-    in = 1u;
+    expect(out == ESC11_HOMING_METHOD_STROKE_END, "parameters.homing_method 0");
+    in = ESC11_HOMING_METHOD_STROKE_END_AND_Z_PHASE;
     expect(esc11_par_parameters_homing_method_encode(in, bytes) == ESC11_OK, "parameters.homing_method 1");
     expect(same_bytes(bytes, "\001\000", 2u), "parameters.homing_method 1 bytes");
     expect(esc11_par_parameters_homing_method_decode(bytes, &out) == ESC11_OK, "parameters.homing_method 1");
-    expect(out == 1u, "parameters.homing_method 1");
+    expect(out == ESC11_HOMING_METHOD_STROKE_END_AND_Z_PHASE, "parameters.homing_method 1");
 }
 
 static void test_95(void)

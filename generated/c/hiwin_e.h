@@ -1,12 +1,12 @@
 /*
  * E1/E2 PROFINET (HIWIN), in any of its versions
  *
- * Define HIWIN_E_SELECT before this header is included, or for the compiler, to say which version is meant:
+ * Selects the header of a version. Define HIWIN_E_SELECT before you include this header, or on the command line:
  *
  *     -DHIWIN_E_SELECT=HIWIN_E_SELECT_V2_14_4
  *
- * It takes the header of that version, which may as well be included by itself. HIWIN_E_SELECT_LATEST is the newest
- * version that was known when this was generated.
+ * You can also include the header of a version directly. HIWIN_E_SELECT_LATEST is the newest version that was known when
+ * this header was generated.
  *
  * HIWIN_E_SELECT_BEFORE_2_8_16: hiwin_e_before_2_8_16.h, identity 4dbe16b352e3dda8
  * HIWIN_E_SELECT_V2_8_16: hiwin_e_v2_8_16.h, identity ac11a21ebaed8850
@@ -52,5 +52,5 @@
 #elif HIWIN_E_SELECT + 0 == HIWIN_E_SELECT_V4_14_4
 #include "hiwin_e_v2_14_4.h"
 #else
-#error "HIWIN_E_SELECT is no known version; define it as one of HIWIN_E_SELECT_BEFORE_2_8_16, HIWIN_E_SELECT_V2_8_16, HIWIN_E_SELECT_BEFORE_3_12_5, HIWIN_E_SELECT_V2_12_5, HIWIN_E_SELECT_V3_12_5, HIWIN_E_SELECT_BEFORE_4_14_4, HIWIN_E_SELECT_V2_14_4, HIWIN_E_SELECT_V3_14_4, HIWIN_E_SELECT_V4_14_4 or HIWIN_E_SELECT_LATEST"
+#error "HIWIN_E_SELECT is not a known version; define it as one of HIWIN_E_SELECT_BEFORE_2_8_16, HIWIN_E_SELECT_V2_8_16, HIWIN_E_SELECT_BEFORE_3_12_5, HIWIN_E_SELECT_V2_12_5, HIWIN_E_SELECT_V3_12_5, HIWIN_E_SELECT_BEFORE_4_14_4, HIWIN_E_SELECT_V2_14_4, HIWIN_E_SELECT_V3_14_4, HIWIN_E_SELECT_V4_14_4 or HIWIN_E_SELECT_LATEST"
 #endif

@@ -2,8 +2,8 @@
  * Tests hiwin_e_v2_12_5.h: E1/E2 PROFINET, version 2.12.5
  * Identity: b35f43c8ff45f060
  *
- * Generated; do not edit. Compile and run: it exits with 0 where all is well. On a machine without an operating system
- * compile it with -ffreestanding: there is no main then, and hiwin_e_selftest is for you to call.
+ * Generated; do not edit. Compile and run it: it exits with 0 if every test passes. On a machine without an operating system
+ * compile it with -ffreestanding; then it has no main, and you call hiwin_e_selftest yourself.
  */
 #define HIWIN_E_WITH_TEXTS
 #include "hiwin_e_v2_12_5.h"
@@ -13,7 +13,7 @@
 #define HOSTED
 #endif
 
-/* Tells of each test that fails by the function, and gives their number. */
+/* Calls `tell` for each test that fails, and returns their number. */
 unsigned long hiwin_e_selftest(void (*tell)(const char *what));
 
 static unsigned long passed, failed;
@@ -52,7 +52,7 @@ static bool same_text(const char *left, const char *right)
     return false;
 }
 
-/* Copies by volatile accesses: the compiler cannot know what is copied, so what follows happens when the test runs. */
+/* Copies by volatile accesses: the compiler cannot know what is copied, so the code that follows runs when the test does. */
 static void copy(void *to, const void *from, size_t size)
 {
     volatile uint8_t *target = (uint8_t *)to;
@@ -5617,23 +5617,23 @@ static void test_169(void)
 static void test_170(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    hiwin_e_motor_type out = HIWIN_E_MOTOR_TYPE_ROTARY_SERVO;
+    volatile hiwin_e_motor_type in = HIWIN_E_MOTOR_TYPE_LINEAR;
+    in = HIWIN_E_MOTOR_TYPE_LINEAR;
     expect(hiwin_e_par_drive_parameters_motor_type_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.motor_type 0");
     expect(same_bytes(bytes, "\000\000", 2u), "drive_parameters.motor_type 0 bytes");
     expect(hiwin_e_par_drive_parameters_motor_type_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.motor_type 0");
-    expect(out == 0u, "drive_parameters.motor_type 0");
-    in = 1u;
+    expect(out == HIWIN_E_MOTOR_TYPE_LINEAR, "drive_parameters.motor_type 0");
+    in = HIWIN_E_MOTOR_TYPE_DIRECT_DRIVE;
     expect(hiwin_e_par_drive_parameters_motor_type_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.motor_type 1");
     expect(same_bytes(bytes, "\000\001", 2u), "drive_parameters.motor_type 1 bytes");
     expect(hiwin_e_par_drive_parameters_motor_type_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.motor_type 1");
-    expect(out == 1u, "drive_parameters.motor_type 1");
-    in = 2u;
+    expect(out == HIWIN_E_MOTOR_TYPE_DIRECT_DRIVE, "drive_parameters.motor_type 1");
+    in = HIWIN_E_MOTOR_TYPE_ROTARY_SERVO;
     expect(hiwin_e_par_drive_parameters_motor_type_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.motor_type 2");
     expect(same_bytes(bytes, "\000\002", 2u), "drive_parameters.motor_type 2 bytes");
     expect(hiwin_e_par_drive_parameters_motor_type_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.motor_type 2");
-    expect(out == 2u, "drive_parameters.motor_type 2");
+    expect(out == HIWIN_E_MOTOR_TYPE_ROTARY_SERVO, "drive_parameters.motor_type 2");
 }
 
 static void test_171(void)
@@ -5690,23 +5690,23 @@ static void test_173(void)
 static void test_174(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 1u;
+    hiwin_e_gantry_application_mode out = HIWIN_E_GANTRY_APPLICATION_MODE_CALIBRATE_YAW_AXIS;
+    volatile hiwin_e_gantry_application_mode in = HIWIN_E_GANTRY_APPLICATION_MODE_START;
+    in = HIWIN_E_GANTRY_APPLICATION_MODE_START;
     expect(hiwin_e_par_drive_parameters_gantry_application_mode_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_application_mode 1");
     expect(same_bytes(bytes, "\000\001", 2u), "drive_parameters.gantry_application_mode 1 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_application_mode_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_application_mode 1");
-    expect(out == 1u, "drive_parameters.gantry_application_mode 1");
-    in = 2u;
+    expect(out == HIWIN_E_GANTRY_APPLICATION_MODE_START, "drive_parameters.gantry_application_mode 1");
+    in = HIWIN_E_GANTRY_APPLICATION_MODE_STOP;
     expect(hiwin_e_par_drive_parameters_gantry_application_mode_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_application_mode 2");
     expect(same_bytes(bytes, "\000\002", 2u), "drive_parameters.gantry_application_mode 2 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_application_mode_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_application_mode 2");
-    expect(out == 2u, "drive_parameters.gantry_application_mode 2");
-    in = 11u;
+    expect(out == HIWIN_E_GANTRY_APPLICATION_MODE_STOP, "drive_parameters.gantry_application_mode 2");
+    in = HIWIN_E_GANTRY_APPLICATION_MODE_CALIBRATE_YAW_AXIS;
     expect(hiwin_e_par_drive_parameters_gantry_application_mode_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_application_mode 11");
     expect(same_bytes(bytes, "\000\013", 2u), "drive_parameters.gantry_application_mode 11 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_application_mode_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_application_mode 11");
-    expect(out == 11u, "drive_parameters.gantry_application_mode 11");
+    expect(out == HIWIN_E_GANTRY_APPLICATION_MODE_CALIBRATE_YAW_AXIS, "drive_parameters.gantry_application_mode 11");
 }
 
 static void test_175(void)
@@ -6082,23 +6082,23 @@ static void test_197(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    volatile hiwin_e_gantry_parameter_command in = HIWIN_E_GANTRY_PARAMETER_COMMAND_IDLE;
+    in = HIWIN_E_GANTRY_PARAMETER_COMMAND_IDLE;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_command_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_command 0");
     expect(same_bytes(bytes, "\000\000", 2u), "drive_parameters.gantry_parameter_command 0 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_command_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_command 0");
     expect(out == 0u, "drive_parameters.gantry_parameter_command 0");
-    in = 1u;
+    in = HIWIN_E_GANTRY_PARAMETER_COMMAND_WRITE;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_command_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_command 1");
     expect(same_bytes(bytes, "\000\001", 2u), "drive_parameters.gantry_parameter_command 1 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_command_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_command 1");
     expect(out == 1u, "drive_parameters.gantry_parameter_command 1");
-    in = 2u;
+    in = HIWIN_E_GANTRY_PARAMETER_COMMAND_READ_ONCE;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_command_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_command 2");
     expect(same_bytes(bytes, "\000\002", 2u), "drive_parameters.gantry_parameter_command 2 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_command_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_command 2");
     expect(out == 2u, "drive_parameters.gantry_parameter_command 2");
-    in = 3u;
+    in = HIWIN_E_GANTRY_PARAMETER_COMMAND_READ_CONTINUOUSLY;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_command_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_command 3");
     expect(same_bytes(bytes, "\000\003", 2u), "drive_parameters.gantry_parameter_command 3 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_command_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_command 3");
@@ -6108,53 +6108,53 @@ static void test_197(void)
 static void test_198(void)
 {
     uint8_t bytes[2];
-    int16_t out = 0;
-    volatile int16_t in = 0;
-    in = (-6);
+    hiwin_e_gantry_parameter_status out = HIWIN_E_GANTRY_PARAMETER_STATUS_SUCCEEDED;
+    volatile hiwin_e_gantry_parameter_status in = HIWIN_E_GANTRY_PARAMETER_STATUS_TIMEOUT;
+    in = HIWIN_E_GANTRY_PARAMETER_STATUS_TIMEOUT;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status -6");
     expect(same_bytes(bytes, "\377\372", 2u), "drive_parameters.gantry_parameter_status -6 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status -6");
-    expect(out == (-6), "drive_parameters.gantry_parameter_status -6");
-    in = (-5);
+    expect(out == HIWIN_E_GANTRY_PARAMETER_STATUS_TIMEOUT, "drive_parameters.gantry_parameter_status -6");
+    in = HIWIN_E_GANTRY_PARAMETER_STATUS_COMMAND_NOT_SUPPORTED;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status -5");
     expect(same_bytes(bytes, "\377\373", 2u), "drive_parameters.gantry_parameter_status -5 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status -5");
-    expect(out == (-5), "drive_parameters.gantry_parameter_status -5");
-    in = (-4);
+    expect(out == HIWIN_E_GANTRY_PARAMETER_STATUS_COMMAND_NOT_SUPPORTED, "drive_parameters.gantry_parameter_status -5");
+    in = HIWIN_E_GANTRY_PARAMETER_STATUS_READ_ONLY;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status -4");
     expect(same_bytes(bytes, "\377\374", 2u), "drive_parameters.gantry_parameter_status -4 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status -4");
-    expect(out == (-4), "drive_parameters.gantry_parameter_status -4");
-    in = (-3);
+    expect(out == HIWIN_E_GANTRY_PARAMETER_STATUS_READ_ONLY, "drive_parameters.gantry_parameter_status -4");
+    in = HIWIN_E_GANTRY_PARAMETER_STATUS_VALUE_TOO_LARGE;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status -3");
     expect(same_bytes(bytes, "\377\375", 2u), "drive_parameters.gantry_parameter_status -3 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status -3");
-    expect(out == (-3), "drive_parameters.gantry_parameter_status -3");
-    in = (-2);
+    expect(out == HIWIN_E_GANTRY_PARAMETER_STATUS_VALUE_TOO_LARGE, "drive_parameters.gantry_parameter_status -3");
+    in = HIWIN_E_GANTRY_PARAMETER_STATUS_NOT_ACCESSIBLE;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status -2");
     expect(same_bytes(bytes, "\377\376", 2u), "drive_parameters.gantry_parameter_status -2 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status -2");
-    expect(out == (-2), "drive_parameters.gantry_parameter_status -2");
-    in = (-1);
+    expect(out == HIWIN_E_GANTRY_PARAMETER_STATUS_NOT_ACCESSIBLE, "drive_parameters.gantry_parameter_status -2");
+    in = HIWIN_E_GANTRY_PARAMETER_STATUS_NOT_AVAILABLE;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status -1");
     expect(same_bytes(bytes, "\377\377", 2u), "drive_parameters.gantry_parameter_status -1 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status -1");
-    expect(out == (-1), "drive_parameters.gantry_parameter_status -1");
-    in = 0;
+    expect(out == HIWIN_E_GANTRY_PARAMETER_STATUS_NOT_AVAILABLE, "drive_parameters.gantry_parameter_status -1");
+    in = HIWIN_E_GANTRY_PARAMETER_STATUS_IDLE;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status 0");
     expect(same_bytes(bytes, "\000\000", 2u), "drive_parameters.gantry_parameter_status 0 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status 0");
-    expect(out == 0, "drive_parameters.gantry_parameter_status 0");
-    in = 1;
+    expect(out == HIWIN_E_GANTRY_PARAMETER_STATUS_IDLE, "drive_parameters.gantry_parameter_status 0");
+    in = HIWIN_E_GANTRY_PARAMETER_STATUS_PROCESSING;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status 1");
     expect(same_bytes(bytes, "\000\001", 2u), "drive_parameters.gantry_parameter_status 1 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status 1");
-    expect(out == 1, "drive_parameters.gantry_parameter_status 1");
-    in = 2;
+    expect(out == HIWIN_E_GANTRY_PARAMETER_STATUS_PROCESSING, "drive_parameters.gantry_parameter_status 1");
+    in = HIWIN_E_GANTRY_PARAMETER_STATUS_SUCCEEDED;
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status 2");
     expect(same_bytes(bytes, "\000\002", 2u), "drive_parameters.gantry_parameter_status 2 bytes");
     expect(hiwin_e_par_drive_parameters_gantry_parameter_status_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.gantry_parameter_status 2");
-    expect(out == 2, "drive_parameters.gantry_parameter_status 2");
+    expect(out == HIWIN_E_GANTRY_PARAMETER_STATUS_SUCCEEDED, "drive_parameters.gantry_parameter_status 2");
 }
 
 static void test_199(void)
@@ -6246,13 +6246,13 @@ static void test_204(void)
 {
     uint8_t bytes[4];
     int32_t out = 0;
-    volatile int32_t in = 0;
-    in = 0;
+    volatile hiwin_e_absolute_encoder_initialization in = HIWIN_E_ABSOLUTE_ENCODER_INITIALIZATION_IDLE;
+    in = HIWIN_E_ABSOLUTE_ENCODER_INITIALIZATION_IDLE;
     expect(hiwin_e_par_drive_parameters_absolute_encoder_initialization_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.absolute_encoder_initialization 0");
     expect(same_bytes(bytes, "\000\000\000\000", 4u), "drive_parameters.absolute_encoder_initialization 0 bytes");
     expect(hiwin_e_par_drive_parameters_absolute_encoder_initialization_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.absolute_encoder_initialization 0");
     expect(out == 0, "drive_parameters.absolute_encoder_initialization 0");
-    in = 1;
+    in = HIWIN_E_ABSOLUTE_ENCODER_INITIALIZATION_START;
     expect(hiwin_e_par_drive_parameters_absolute_encoder_initialization_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.absolute_encoder_initialization 1");
     expect(same_bytes(bytes, "\000\000\000\001", 4u), "drive_parameters.absolute_encoder_initialization 1 bytes");
     expect(hiwin_e_par_drive_parameters_absolute_encoder_initialization_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.absolute_encoder_initialization 1");
@@ -6416,23 +6416,23 @@ static void test_214(void)
 {
     uint8_t bytes[2];
     int16_t out = 0;
-    volatile int16_t in = 0;
-    in = (-1);
+    volatile hiwin_e_drive_reset in = HIWIN_E_DRIVE_RESET_FAILED;
+    in = HIWIN_E_DRIVE_RESET_FAILED;
     expect(hiwin_e_par_drive_parameters_drive_reset_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.drive_reset -1");
     expect(same_bytes(bytes, "\377\377", 2u), "drive_parameters.drive_reset -1 bytes");
     expect(hiwin_e_par_drive_parameters_drive_reset_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.drive_reset -1");
     expect(out == (-1), "drive_parameters.drive_reset -1");
-    in = 0;
+    in = HIWIN_E_DRIVE_RESET_IDLE;
     expect(hiwin_e_par_drive_parameters_drive_reset_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.drive_reset 0");
     expect(same_bytes(bytes, "\000\000", 2u), "drive_parameters.drive_reset 0 bytes");
     expect(hiwin_e_par_drive_parameters_drive_reset_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.drive_reset 0");
     expect(out == 0, "drive_parameters.drive_reset 0");
-    in = 1;
+    in = HIWIN_E_DRIVE_RESET_RESET;
     expect(hiwin_e_par_drive_parameters_drive_reset_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.drive_reset 1");
     expect(same_bytes(bytes, "\000\001", 2u), "drive_parameters.drive_reset 1 bytes");
     expect(hiwin_e_par_drive_parameters_drive_reset_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.drive_reset 1");
     expect(out == 1, "drive_parameters.drive_reset 1");
-    in = 2;
+    in = HIWIN_E_DRIVE_RESET_RESET_GANTRY;
     expect(hiwin_e_par_drive_parameters_drive_reset_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.drive_reset 2");
     expect(same_bytes(bytes, "\000\002", 2u), "drive_parameters.drive_reset 2 bytes");
     expect(hiwin_e_par_drive_parameters_drive_reset_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.drive_reset 2");
@@ -6443,13 +6443,13 @@ static void test_215(void)
 {
     uint8_t bytes[2];
     int16_t out = 0;
-    volatile int16_t in = 0;
-    in = 0;
+    volatile hiwin_e_parameter_save in = HIWIN_E_PARAMETER_SAVE_IDLE;
+    in = HIWIN_E_PARAMETER_SAVE_IDLE;
     expect(hiwin_e_par_drive_parameters_parameter_save_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.parameter_save 0");
     expect(same_bytes(bytes, "\000\000", 2u), "drive_parameters.parameter_save 0 bytes");
     expect(hiwin_e_par_drive_parameters_parameter_save_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.parameter_save 0");
     expect(out == 0, "drive_parameters.parameter_save 0");
-    in = 1;
+    in = HIWIN_E_PARAMETER_SAVE_SAVE;
     expect(hiwin_e_par_drive_parameters_parameter_save_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.parameter_save 1");
     expect(same_bytes(bytes, "\000\001", 2u), "drive_parameters.parameter_save 1 bytes");
     expect(hiwin_e_par_drive_parameters_parameter_save_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.parameter_save 1");
@@ -6459,18 +6459,18 @@ static void test_215(void)
 static void test_216(void)
 {
     uint8_t bytes[2];
-    int16_t out = 0;
-    volatile int16_t in = 0;
-    in = 0;
+    hiwin_e_mastership out = HIWIN_E_MASTERSHIP_HOST_CONTROLLER;
+    volatile hiwin_e_mastership in = HIWIN_E_MASTERSHIP_THUNDER;
+    in = HIWIN_E_MASTERSHIP_THUNDER;
     expect(hiwin_e_par_drive_parameters_mastership_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.mastership 0");
     expect(same_bytes(bytes, "\000\000", 2u), "drive_parameters.mastership 0 bytes");
     expect(hiwin_e_par_drive_parameters_mastership_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.mastership 0");
-    expect(out == 0, "drive_parameters.mastership 0");
-    in = 1;
+    expect(out == HIWIN_E_MASTERSHIP_THUNDER, "drive_parameters.mastership 0");
+    in = HIWIN_E_MASTERSHIP_HOST_CONTROLLER;
     expect(hiwin_e_par_drive_parameters_mastership_encode(in, bytes) == HIWIN_E_OK, "drive_parameters.mastership 1");
     expect(same_bytes(bytes, "\000\001", 2u), "drive_parameters.mastership 1 bytes");
     expect(hiwin_e_par_drive_parameters_mastership_decode(bytes, &out) == HIWIN_E_OK, "drive_parameters.mastership 1");
-    expect(out == 1, "drive_parameters.mastership 1");
+    expect(out == HIWIN_E_MASTERSHIP_HOST_CONTROLLER, "drive_parameters.mastership 1");
 }
 
 static void test_217(void)
@@ -6561,23 +6561,23 @@ static void test_221(void)
 static void test_222(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 1u;
+    hiwin_e_operating_mode out = HIWIN_E_OPERATING_MODE_SPEED_WITHOUT_RAMP_GENERATOR;
+    volatile hiwin_e_operating_mode in = HIWIN_E_OPERATING_MODE_SPEED_WITH_RAMP_GENERATOR;
+    in = HIWIN_E_OPERATING_MODE_SPEED_WITH_RAMP_GENERATOR;
     expect(hiwin_e_par_profidrive_parameters_operating_mode_encode(in, bytes) == HIWIN_E_OK, "profidrive_parameters.operating_mode 1");
     expect(same_bytes(bytes, "\000\001", 2u), "profidrive_parameters.operating_mode 1 bytes");
     expect(hiwin_e_par_profidrive_parameters_operating_mode_decode(bytes, &out) == HIWIN_E_OK, "profidrive_parameters.operating_mode 1");
-    expect(out == 1u, "profidrive_parameters.operating_mode 1");
-    in = 2u;
+    expect(out == HIWIN_E_OPERATING_MODE_SPEED_WITH_RAMP_GENERATOR, "profidrive_parameters.operating_mode 1");
+    in = HIWIN_E_OPERATING_MODE_POSITION;
     expect(hiwin_e_par_profidrive_parameters_operating_mode_encode(in, bytes) == HIWIN_E_OK, "profidrive_parameters.operating_mode 2");
     expect(same_bytes(bytes, "\000\002", 2u), "profidrive_parameters.operating_mode 2 bytes");
     expect(hiwin_e_par_profidrive_parameters_operating_mode_decode(bytes, &out) == HIWIN_E_OK, "profidrive_parameters.operating_mode 2");
-    expect(out == 2u, "profidrive_parameters.operating_mode 2");
-    in = 3u;
+    expect(out == HIWIN_E_OPERATING_MODE_POSITION, "profidrive_parameters.operating_mode 2");
+    in = HIWIN_E_OPERATING_MODE_SPEED_WITHOUT_RAMP_GENERATOR;
     expect(hiwin_e_par_profidrive_parameters_operating_mode_encode(in, bytes) == HIWIN_E_OK, "profidrive_parameters.operating_mode 3");
     expect(same_bytes(bytes, "\000\003", 2u), "profidrive_parameters.operating_mode 3 bytes");
     expect(hiwin_e_par_profidrive_parameters_operating_mode_decode(bytes, &out) == HIWIN_E_OK, "profidrive_parameters.operating_mode 3");
-    expect(out == 3u, "profidrive_parameters.operating_mode 3");
+    expect(out == HIWIN_E_OPERATING_MODE_SPEED_WITHOUT_RAMP_GENERATOR, "profidrive_parameters.operating_mode 3");
 }
 
 static void test_223(void)

@@ -3,17 +3,18 @@
  * From: E series drives, PROFINET communication, command manual MD02UC01-2507_V1.7
  * Identity: be1caeb3d1067d6f
  *
- * Generated; do not edit. For C99 and later and C++98 to C++20, freestanding too: any order of bytes, any alignment, an int of
- * 16 bits or more. Headers from this generator are checked by gcc, clang and cppcheck; their self-tests run on x86-64, AArch64,
- * m68k (big-endian; int of 32 and 16 bits) and as code for Cortex-M0, and under sanitizers; their fuzz targets find nothing.
+ * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
+ * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
+ * self-tests pass on x86-64, AArch64, m68k (big-endian; int of 32 and 16 bits) and Cortex-M0, and under sanitizers; their fuzz
+ * targets find nothing.
  *
- * Before it is included there may be defined:
- *   HIWIN_E_WITH_TEXTS for the texts of codes, which take memory
- *   HIWIN_E_WITHOUT_DOUBLE to leave conversions out, which need double
+ * Define before you include it:
+ *   HIWIN_E_WITH_TEXTS adds the texts of codes, which take memory
+ *   HIWIN_E_WITHOUT_DOUBLE leaves out the conversions, which need double
  */
 #ifdef HIWIN_E_INCLUDED
 #ifndef HIWIN_E_VERSION_IS_2_14_4
-#error "another version of this device is included already"
+#error "another version of this device is already included"
 #endif
 #else
 #define HIWIN_E_INCLUDED
@@ -35,18 +36,19 @@
 /* ---- Compilers and machines ---- */
 
 #ifdef __GNUC__
-/** A call of these functions would take more than what they do, even where size counts. */
+/** A call would take more code than the function itself, even with -Os. */
 #define HIWIN_E_INLINE static inline __attribute__((always_inline))
 #define HIWIN_E_LIKELY(test) __builtin_expect(!!(test), 1)
-/** Built in: without string.h, and without a call for a few bytes, where the compiler is a freestanding one. */
+/** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */
+#define HIWIN_E_ENUM_16 __attribute__((__mode__(__HI__)))
+/** Built-in functions need no string.h, and no call for a few bytes, also in freestanding code. */
 #define HIWIN_E_COPY(to, from, size) __builtin_memcpy((to), (from), (size))
 #define HIWIN_E_CLEAR(to, size) __builtin_memset((to), 0, (size))
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && \
     (defined(__x86_64__) || defined(__i386__) || defined(__aarch64__) || defined(__ARM_FEATURE_UNALIGNED))
 /**
- * Numbers are stored at once. The compiler turns loads byte by byte into one by itself, and stores too, but
- * not where it knows that it may change their order: then it makes vectors, which take up to four times as
- * long.
+ * Store a number with one instruction. Compilers merge loads of single bytes by themselves, and mostly stores
+ * too. Where they may reorder stores, they build vectors instead, which take up to four times as long.
  */
 #define HIWIN_E_STORES_AT_ONCE
 #endif
@@ -54,29 +56,30 @@
 #include <string.h>
 #define HIWIN_E_INLINE static inline
 #define HIWIN_E_LIKELY(test) (test)
+#define HIWIN_E_ENUM_16
 #define HIWIN_E_COPY(to, from, size) memcpy((to), (from), (size))
 #define HIWIN_E_CLEAR(to, size) memset((to), 0, (size))
 #endif
 
-/* ---- What functions return ---- */
+/* ---- Results of codec calls ---- */
 
-/** What a function has to say. */
+/** The result of a codec call. */
 typedef enum hiwin_e_codec_status {
-    HIWIN_E_OK = 0, /**< It is done. */
+    HIWIN_E_OK = 0, /**< No error. */
     HIWIN_E_ERR_INCOMPLETE = 1, /**< There are too few bytes. */
-    HIWIN_E_ERR_WRONG_LENGTH = 2, /**< The bytes, or elements, are not as many as they must be. */
-    HIWIN_E_ERR_WRONG_MARK = 3, /**< The frame does not start or end with its mark. */
-    HIWIN_E_ERR_NOT_HEX = 4, /**< A character is no hexadecimal digit. */
-    HIWIN_E_ERR_WRONG_CHECK = 5, /**< The check does not fit the bytes. */
+    HIWIN_E_ERR_WRONG_LENGTH = 2, /**< The number of bytes or elements is wrong. */
+    HIWIN_E_ERR_WRONG_MARK = 3, /**< A delimiter of the frame is missing or wrong. */
+    HIWIN_E_ERR_NOT_HEX = 4, /**< A character is not a hexadecimal digit. */
+    HIWIN_E_ERR_WRONG_CHECK = 5, /**< The checksum does not match. */
     HIWIN_E_ERR_UNKNOWN_CODE = 6, /**< No message has this code. */
-    HIWIN_E_ERR_UNKNOWN_VALUE = 7, /**< The value is none of those that there are. */
-    HIWIN_E_ERR_WRONG_CONST = 8, /**< A constant has another value. */
-    HIWIN_E_ERR_WRONG_MEASURE = 9, /**< A field that holds a size does not fit what it measures. */
-    HIWIN_E_ERR_OUT_OF_RANGE = 10, /**< A value is out of its range. */
+    HIWIN_E_ERR_UNKNOWN_VALUE = 7, /**< The value is not a member of its enum, or the text is not ASCII. */
+    HIWIN_E_ERR_WRONG_CONST = 8, /**< A constant field has another value. */
+    HIWIN_E_ERR_WRONG_MEASURE = 9, /**< A length or count field does not match the data. */
+    HIWIN_E_ERR_OUT_OF_RANGE = 10, /**< A value is out of range. */
     HIWIN_E_ERR_CAPACITY = 11 /**< The buffer is too small. */
 } hiwin_e_codec_status;
 
-/* ---- Numbers and characters, independent of the machine ---- */
+/* ---- Numbers and characters ---- */
 
 HIWIN_E_INLINE uint8_t hiwin_e_load_u8(const uint8_t *in)
 {
@@ -232,7 +235,7 @@ typedef enum hiwin_e_alarm_code {
     HIWIN_E_ALARM_CODE_FIXED_STOP_ALARM = 0xEE0, /**< AL.EE0 Fixed stop 應用警報 Number 78. */
     HIWIN_E_ALARM_CODE_ELECTRONIC_CAM_ALARM = 0xFD0, /**< AL.Fd0 電子凸輪控制系統警報 Number 79. */
     HIWIN_E_ALARM_CODE_MULTI_STATION_ALARM = 0xEF9 /**< AL.EF9 多工位功能警報 Number 80. */
-} hiwin_e_alarm_code;
+} HIWIN_E_ENUM_16 hiwin_e_alarm_code;
 
 /**
  * The same alarms by their internal codes.
@@ -301,7 +304,7 @@ typedef enum hiwin_e_internal_alarm_code {
     HIWIN_E_INTERNAL_ALARM_CODE_FIXED_STOP_ALARM = 78, /**< AL.EE0 Fixed stop 應用警報 */
     HIWIN_E_INTERNAL_ALARM_CODE_ELECTRONIC_CAM_ALARM = 79, /**< AL.Fd0 電子凸輪控制系統警報 */
     HIWIN_E_INTERNAL_ALARM_CODE_MULTI_STATION_ALARM = 80 /**< AL.EF9 多工位功能警報 */
-} hiwin_e_internal_alarm_code;
+} HIWIN_E_ENUM_16 hiwin_e_internal_alarm_code;
 
 /**
  * How the values of a request or a response lie on the wire.
@@ -321,7 +324,7 @@ typedef enum hiwin_e_parameter_format {
     HIWIN_E_PARAMETER_FORMAT_WORD = 66, /**< Word 16 bits, as unsigned_16. */
     HIWIN_E_PARAMETER_FORMAT_DOUBLE_WORD = 67, /**< Double word 32 bits, as unsigned_32. */
     HIWIN_E_PARAMETER_FORMAT_ERROR = 68 /**< Error Not a value but an error number; only in the reply to a refused request. */
-} hiwin_e_parameter_format;
+} HIWIN_E_ENUM_16 hiwin_e_parameter_format;
 
 /** Whether a value is one of hiwin_e_parameter_format. */
 static inline bool hiwin_e_parameter_format_known(int64_t value)
@@ -364,14 +367,14 @@ typedef enum hiwin_e_parameter_error_number {
     HIWIN_E_PARAMETER_ERROR_NUMBER_SERVICE_NOT_SUPPORTED = 33, /**< 不支援此服務 */
     HIWIN_E_PARAMETER_ERROR_NUMBER_TOO_MANY_PARAMETERS = 34, /**< 太多參數請求 */
     HIWIN_E_PARAMETER_ERROR_NUMBER_SEVERAL_PARAMETERS_NOT_SUPPORTED = 35 /**< 不支援多參數存取 */
-} hiwin_e_parameter_error_number;
+} HIWIN_E_ENUM_16 hiwin_e_parameter_error_number;
 
 /** Source: 4.2 L959 */
 typedef enum hiwin_e_motor_type {
     HIWIN_E_MOTOR_TYPE_LINEAR = 0, /**< LM 線性馬達 */
     HIWIN_E_MOTOR_TYPE_DIRECT_DRIVE = 1, /**< DM / TM 直驅馬達 / 力矩馬達 Direct drive motor or torque motor. */
     HIWIN_E_MOTOR_TYPE_ROTARY_SERVO = 2 /**< AC 伺服馬達 */
-} hiwin_e_motor_type;
+} HIWIN_E_ENUM_16 hiwin_e_motor_type;
 
 /** Whether a value is one of hiwin_e_motor_type. */
 static inline bool hiwin_e_motor_type_known(int64_t value)
@@ -384,7 +387,7 @@ typedef enum hiwin_e_gantry_application_mode {
     HIWIN_E_GANTRY_APPLICATION_MODE_START = 1, /**< 啟動龍門控制系統 Starts the gantry control. */
     HIWIN_E_GANTRY_APPLICATION_MODE_STOP = 2, /**< 解除龍門控制系統 Ends the gantry control. */
     HIWIN_E_GANTRY_APPLICATION_MODE_CALIBRATE_YAW_AXIS = 11 /**< 執行旋轉軸校正 Calibrates the yaw axis. */
-} hiwin_e_gantry_application_mode;
+} HIWIN_E_ENUM_16 hiwin_e_gantry_application_mode;
 
 /** Whether a value is one of hiwin_e_gantry_application_mode. */
 static inline bool hiwin_e_gantry_application_mode_known(int64_t value)
@@ -407,7 +410,7 @@ typedef enum hiwin_e_position_trigger_array_control {
     HIWIN_E_POSITION_TRIGGER_ARRAY_CONTROL_CLEAR_STATES = 128, /**< Command: sets the whole array of states to 0. */
     HIWIN_E_POSITION_TRIGGER_ARRAY_CONTROL_SUCCEEDED = 4096, /**< 寫入成功 Result: written. */
     HIWIN_E_POSITION_TRIGGER_ARRAY_CONTROL_FAILED = 8192 /**< 寫入失敗 Result: not written; 306Ch says why. */
-} hiwin_e_position_trigger_array_control;
+} HIWIN_E_ENUM_16 hiwin_e_position_trigger_array_control;
 
 /**
  * Other values may occur.
@@ -421,7 +424,7 @@ typedef enum hiwin_e_position_trigger_status {
     HIWIN_E_POSITION_TRIGGER_STATUS_ARRAY_ASCENDING = 14, /**< 非等間距位置觸發功能執行中 (觸發方向：索引值遞增) Triggers at the positions of the array while the index rises. */
     HIWIN_E_POSITION_TRIGGER_STATUS_WAITING_FOR_FIRST_POSITION = 20, /**< 等待回到第一個設定的觸發位置 Waits until the motor is back at the first position; only when repetition is on (Pt012 = t.□□□1). */
     HIWIN_E_POSITION_TRIGGER_STATUS_DISABLED = 99 /**< 位置觸發功能無效 The position trigger is switched off (Pt00E = t.□□□0). */
-} hiwin_e_position_trigger_status;
+} HIWIN_E_ENUM_16 hiwin_e_position_trigger_status;
 
 /**
  * Other values may occur.
@@ -442,7 +445,7 @@ typedef enum hiwin_e_gantry_parameter_type {
     HIWIN_E_GANTRY_PARAMETER_TYPE_UNSIGNED_16 = 6, /**< U16 */
     HIWIN_E_GANTRY_PARAMETER_TYPE_UNSIGNED_32 = 7, /**< U32 */
     HIWIN_E_GANTRY_PARAMETER_TYPE_FLOATING_POINT_32 = 8 /**< F32 Read and written through 3087h and 3088h. */
-} hiwin_e_gantry_parameter_type;
+} HIWIN_E_ENUM_16 hiwin_e_gantry_parameter_type;
 
 /**
  * Note: The commands 1 and 2 act when the value changes from 0 to them; while 3084h says that data are being
@@ -454,7 +457,7 @@ typedef enum hiwin_e_gantry_parameter_command {
     HIWIN_E_GANTRY_PARAMETER_COMMAND_WRITE = 1, /**< 寫入命令 Writes the value in the input register. */
     HIWIN_E_GANTRY_PARAMETER_COMMAND_READ_ONCE = 2, /**< 單次讀取命令 Reads the value into the output register. */
     HIWIN_E_GANTRY_PARAMETER_COMMAND_READ_CONTINUOUSLY = 3 /**< 持續讀取命令 Reads the value again and again, in no fixed cycle. */
-} hiwin_e_gantry_parameter_command;
+} HIWIN_E_ENUM_16 hiwin_e_gantry_parameter_command;
 
 /** Whether a value is one of hiwin_e_gantry_parameter_command. */
 static inline bool hiwin_e_gantry_parameter_command_known(int64_t value)
@@ -473,7 +476,7 @@ typedef enum hiwin_e_gantry_parameter_status {
     HIWIN_E_GANTRY_PARAMETER_STATUS_IDLE = 0, /**< 未操作狀態 */
     HIWIN_E_GANTRY_PARAMETER_STATUS_PROCESSING = 1, /**< 資料處理中 */
     HIWIN_E_GANTRY_PARAMETER_STATUS_SUCCEEDED = 2 /**< 資料處理成功 */
-} hiwin_e_gantry_parameter_status;
+} HIWIN_E_ENUM_16 hiwin_e_gantry_parameter_status;
 
 /** Whether a value is one of hiwin_e_gantry_parameter_status. */
 static inline bool hiwin_e_gantry_parameter_status_known(int64_t value)
@@ -489,7 +492,7 @@ typedef enum hiwin_e_absolute_encoder_initialization {
     HIWIN_E_ABSOLUTE_ENCODER_INITIALIZATION_SUCCEEDED = 4, /**< 清除多圈數據命令執行成功 */
     HIWIN_E_ABSOLUTE_ENCODER_INITIALIZATION_MOTOR_EXCITED = 16, /**< Refused because the motor is excited; switch it off and try again. */
     HIWIN_E_ABSOLUTE_ENCODER_INITIALIZATION_FAILED = 32 /**< 清除多圈數據命令執行失敗 */
-} hiwin_e_absolute_encoder_initialization;
+} HIWIN_E_ENUM_16 hiwin_e_absolute_encoder_initialization;
 
 /** Whether a value is one of hiwin_e_absolute_encoder_initialization. */
 static inline bool hiwin_e_absolute_encoder_initialization_known(int64_t value)
@@ -512,7 +515,7 @@ typedef enum hiwin_e_drive_reset {
     HIWIN_E_DRIVE_RESET_IDLE = 0, /**< 未操作狀態 */
     HIWIN_E_DRIVE_RESET_RESET = 1, /**< 重置驅動器 Resets the drive. */
     HIWIN_E_DRIVE_RESET_RESET_GANTRY = 2 /**< 重置龍門雙軸驅動器 Resets both drives of the gantry. */
-} hiwin_e_drive_reset;
+} HIWIN_E_ENUM_16 hiwin_e_drive_reset;
 
 /** Whether a value is one of hiwin_e_drive_reset. */
 static inline bool hiwin_e_drive_reset_known(int64_t value)
@@ -524,7 +527,7 @@ static inline bool hiwin_e_drive_reset_known(int64_t value)
 typedef enum hiwin_e_parameter_save {
     HIWIN_E_PARAMETER_SAVE_IDLE = 0, /**< Nothing to do, or done. */
     HIWIN_E_PARAMETER_SAVE_SAVE = 1 /**< Store the parameters. */
-} hiwin_e_parameter_save;
+} HIWIN_E_ENUM_16 hiwin_e_parameter_save;
 
 /** Whether a value is one of hiwin_e_parameter_save. */
 static inline bool hiwin_e_parameter_save_known(int64_t value)
@@ -536,7 +539,7 @@ static inline bool hiwin_e_parameter_save_known(int64_t value)
 typedef enum hiwin_e_mastership {
     HIWIN_E_MASTERSHIP_THUNDER = 0, /**< 設定給Thunder使用 The configuration software. */
     HIWIN_E_MASTERSHIP_HOST_CONTROLLER = 1 /**< 設定給上位控制器使用 The controller on the network. */
-} hiwin_e_mastership;
+} HIWIN_E_ENUM_16 hiwin_e_mastership;
 
 /** Whether a value is one of hiwin_e_mastership. */
 static inline bool hiwin_e_mastership_known(int64_t value)
@@ -552,7 +555,7 @@ typedef enum hiwin_e_operating_mode {
     HIWIN_E_OPERATING_MODE_SPEED_WITH_RAMP_GENERATOR = 1, /**< 有RFG功能的速度模式 Speed mode whose setpoint goes through a ramp function generator (RFG). */
     HIWIN_E_OPERATING_MODE_POSITION = 2, /**< 位置模式 */
     HIWIN_E_OPERATING_MODE_SPEED_WITHOUT_RAMP_GENERATOR = 3 /**< 無RFG功能的速度模式 Speed mode without a ramp function generator. */
-} hiwin_e_operating_mode;
+} HIWIN_E_ENUM_16 hiwin_e_operating_mode;
 
 /** Whether a value is one of hiwin_e_operating_mode. */
 static inline bool hiwin_e_operating_mode_known(int64_t value)
@@ -568,7 +571,7 @@ typedef enum hiwin_e_coast_stop_method {
     HIWIN_E_COAST_STOP_METHOD_DYNAMIC_BRAKE = 0, /**< t.□□□0 動態制動器 Stops by the dynamic brake, and stays braked. */
     HIWIN_E_COAST_STOP_METHOD_DYNAMIC_BRAKE_THEN_FREE = 1, /**< t.□□□1 Stops by the dynamic brake, and runs free then. */
     HIWIN_E_COAST_STOP_METHOD_FREE_RUN = 2 /**< t.□□□2 Free run Runs out freely. */
-} hiwin_e_coast_stop_method;
+} HIWIN_E_ENUM_16 hiwin_e_coast_stop_method;
 
 /** Whether a value is one of hiwin_e_coast_stop_method. */
 static inline bool hiwin_e_coast_stop_method_known(int64_t value)
@@ -600,7 +603,7 @@ typedef enum hiwin_e_warning_code {
     HIWIN_E_WARNING_CODE_POSITIVE_OVERTRAVEL_SERVO_OFF = 0x9A1, /**< AL.9A1 超程 (伺服OFF時檢出P-OT訊號) The signal P-OT while the servo is off. */
     HIWIN_E_WARNING_CODE_NEGATIVE_OVERTRAVEL_SERVO_OFF = 0x9A2, /**< AL.9A2 超程 (伺服OFF時檢出N-OT訊號) The signal N-OT while the servo is off. */
     HIWIN_E_WARNING_CODE_OVERVOLTAGE = 0x9F0 /**< AL.9F0 伺服電壓過高 */
-} hiwin_e_warning_code;
+} HIWIN_E_ENUM_16 hiwin_e_warning_code;
 
 /**
  * Other values may occur.
@@ -612,7 +615,7 @@ typedef enum hiwin_e_encoder_command {
     HIWIN_E_ENCODER_COMMAND_ACTIVATE = 1, /**< 啟用功能 */
     HIWIN_E_ENCODER_COMMAND_READ = 2, /**< 讀值 */
     HIWIN_E_ENCODER_COMMAND_CANCEL = 3 /**< 取消功能 */
-} hiwin_e_encoder_command;
+} HIWIN_E_ENUM_16 hiwin_e_encoder_command;
 
 /**
  * The direction in the setup mode, and the path to an absolute position in the positioning mode.
@@ -623,7 +626,7 @@ typedef enum hiwin_e_positioning_path {
     HIWIN_E_POSITIONING_PATH_POSITIVE = 1, /**< 絕對定位 / MDI 調整模式的方向選擇，正方向 In the positive direction. */
     HIWIN_E_POSITIONING_PATH_NEGATIVE = 2, /**< 絕對定位 / MDI 調整模式的方向選擇，負方向 In the negative direction. */
     HIWIN_E_POSITIONING_PATH_SHORTEST_WITH_BOTH_BITS = 3 /**< The same as 0. */
-} hiwin_e_positioning_path;
+} HIWIN_E_ENUM_16 hiwin_e_positioning_path;
 
 /** Whether a value is one of hiwin_e_positioning_path. */
 static inline bool hiwin_e_positioning_path_known(int64_t value)
@@ -631,7 +634,7 @@ static inline bool hiwin_e_positioning_path_known(int64_t value)
     return HIWIN_E_LIKELY(value >= INT64_C(0) && value <= INT64_C(3));
 }
 
-/* ---- Words of flags ---- */
+/* ---- Bit fields ---- */
 
 /**
  * Parameter 3044h. A bit switches its output on; 0 leaves it to the output's own condition.
@@ -1396,7 +1399,7 @@ static inline bool hiwin_e_control_word_1_enable_operation(uint16_t word)
 /**
  * Resets an alarm.
  * Printed as 警報已確認.
- * Its rising edge counts.
+ * It acts on its rising edge.
  * Source: 3.3.1 L591
  */
 #define HIWIN_E_CONTROL_WORD_1_ACKNOWLEDGE_ALARM_MASK 0x0080u
@@ -1503,7 +1506,7 @@ static inline bool hiwin_e_control_word_1_positioning_no_intermediate_stop(uint1
 
 /**
  * Starts a traversing task.
- * Its rising edge counts.
+ * It acts on its rising edge.
  * Note: Not needed while POS_STW1.12, continuous transfer, is 1 (3.12 L822).
  * Source: 3.3.2 L609
  */
@@ -1517,7 +1520,7 @@ static inline bool hiwin_e_control_word_1_positioning_start_traversing_task(uint
 /**
  * Resets an alarm.
  * Printed as 警報已確認.
- * Its rising edge counts.
+ * It acts on its rising edge.
  * Source: 3.3.2 L610
  */
 #define HIWIN_E_CONTROL_WORD_1_POSITIONING_ACKNOWLEDGE_ALARM_MASK 0x0080u
@@ -1808,7 +1811,7 @@ static inline bool hiwin_e_status_word_1_speed_reached(uint16_t word)
  */
 #define HIWIN_E_STATUS_WORD_1_STATE_OPERATION_MASK 0x0047u
 #define HIWIN_E_STATUS_WORD_1_STATE_OPERATION_VALUE 0x0007u
-/** The states that the word shows. */
+/** The states that the word can show. */
 typedef enum hiwin_e_status_word_1_state {
     HIWIN_E_STATUS_WORD_1_NO_STATE = 0,
     HIWIN_E_STATUS_WORD_1_STATE_SWITCHING_ON_INHIBITED = 1,
@@ -1816,7 +1819,7 @@ typedef enum hiwin_e_status_word_1_state {
     HIWIN_E_STATUS_WORD_1_STATE_SWITCHED_ON = 3,
     HIWIN_E_STATUS_WORD_1_STATE_OPERATION = 4
 } hiwin_e_status_word_1_state;
-/** The first state whose bits the word has, in the order above. */
+/** The first state, in the order above, whose bits match the word. */
 static inline hiwin_e_status_word_1_state hiwin_e_status_word_1_state_of(uint16_t word)
 {
     if ((word & HIWIN_E_STATUS_WORD_1_STATE_SWITCHING_ON_INHIBITED_MASK) == HIWIN_E_STATUS_WORD_1_STATE_SWITCHING_ON_INHIBITED_VALUE) {
@@ -1991,7 +1994,7 @@ static inline bool hiwin_e_status_word_1_positioning_homing_complete(uint16_t wo
 /**
  * The rising edge tells the controller that its traversing task was taken.
  * Printed as Traversing task 已確認.
- * Its rising edge counts.
+ * It acts on its rising edge.
  * Source: 3.5.2 L684
  */
 #define HIWIN_E_STATUS_WORD_1_POSITIONING_TRAVERSING_TASK_ACKNOWLEDGED_MASK 0x1000u
@@ -2037,7 +2040,7 @@ static inline bool hiwin_e_status_word_1_positioning_motor_stopped(uint16_t word
  */
 #define HIWIN_E_STATUS_WORD_1_POSITIONING_STATE_OPERATION_MASK 0x0047u
 #define HIWIN_E_STATUS_WORD_1_POSITIONING_STATE_OPERATION_VALUE 0x0007u
-/** The states that the word shows. */
+/** The states that the word can show. */
 typedef enum hiwin_e_status_word_1_positioning_state {
     HIWIN_E_STATUS_WORD_1_POSITIONING_NO_STATE = 0,
     HIWIN_E_STATUS_WORD_1_POSITIONING_STATE_SWITCHING_ON_INHIBITED = 1,
@@ -2045,7 +2048,7 @@ typedef enum hiwin_e_status_word_1_positioning_state {
     HIWIN_E_STATUS_WORD_1_POSITIONING_STATE_SWITCHED_ON = 3,
     HIWIN_E_STATUS_WORD_1_POSITIONING_STATE_OPERATION = 4
 } hiwin_e_status_word_1_positioning_state;
-/** The first state whose bits the word has, in the order above. */
+/** The first state, in the order above, whose bits match the word. */
 static inline hiwin_e_status_word_1_positioning_state hiwin_e_status_word_1_positioning_state_of(uint16_t word)
 {
     if ((word & HIWIN_E_STATUS_WORD_1_POSITIONING_STATE_SWITCHING_ON_INHIBITED_MASK) == HIWIN_E_STATUS_WORD_1_POSITIONING_STATE_SWITCHING_ON_INHIBITED_VALUE) {
@@ -3257,7 +3260,7 @@ static inline bool hiwin_e_message_word_pulses_enabled(uint16_t word)
 #define HIWIN_E_SIGNAL_POSITION_ERROR_MIN (-2147483647 - 1)
 #define HIWIN_E_SIGNAL_POSITION_ERROR_MAX 2147483647
 
-/* ---- Conversions, which a machine without double leaves out ---- */
+/* ---- Conversions, which need double ---- */
 
 #ifndef HIWIN_E_WITHOUT_DOUBLE
 
@@ -3669,7 +3672,7 @@ typedef struct hiwin_e_parameter_error {
     uint16_t error_number;
 } hiwin_e_parameter_error;
 
-/** Writes hiwin_e_parameter_error to 4 bytes without any check. */
+/** Writes hiwin_e_parameter_error to 4 bytes without checks. */
 static inline void hiwin_e_parameter_error_pack(const hiwin_e_parameter_error *in, uint8_t *out)
 {
     hiwin_e_store_u8(out + 0, 68u);
@@ -3677,7 +3680,7 @@ static inline void hiwin_e_parameter_error_pack(const hiwin_e_parameter_error *i
     hiwin_e_store_u16_be(out + 2, in->error_number);
 }
 
-/** Reads hiwin_e_parameter_error from 4 bytes without any check. */
+/** Reads hiwin_e_parameter_error from 4 bytes without checks. */
 static inline void hiwin_e_parameter_error_unpack(const uint8_t *in, hiwin_e_parameter_error *out)
 {
     out->error_number = hiwin_e_load_u16_be(in + 2);
@@ -3685,7 +3688,7 @@ static inline void hiwin_e_parameter_error_unpack(const uint8_t *in, hiwin_e_par
 
 /**
  * Writes hiwin_e_parameter_error: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_parameter_error_encode(const hiwin_e_parameter_error *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -3749,7 +3752,7 @@ typedef struct hiwin_e_read_parameter_request {
     uint16_t subindex;
 } hiwin_e_read_parameter_request;
 
-/** Writes hiwin_e_read_parameter_request to 6 bytes without any check. */
+/** Writes hiwin_e_read_parameter_request to 6 bytes without checks. */
 static inline void hiwin_e_read_parameter_request_pack(const hiwin_e_read_parameter_request *in, uint8_t *out)
 {
     hiwin_e_store_u8(out + 0, 16u);
@@ -3758,7 +3761,7 @@ static inline void hiwin_e_read_parameter_request_pack(const hiwin_e_read_parame
     hiwin_e_store_u16_be(out + 4, in->subindex);
 }
 
-/** Reads hiwin_e_read_parameter_request from 6 bytes without any check. */
+/** Reads hiwin_e_read_parameter_request from 6 bytes without checks. */
 static inline void hiwin_e_read_parameter_request_unpack(const uint8_t *in, hiwin_e_read_parameter_request *out)
 {
     out->element_count = hiwin_e_load_u8(in + 1);
@@ -3768,7 +3771,7 @@ static inline void hiwin_e_read_parameter_request_unpack(const uint8_t *in, hiwi
 
 /**
  * Writes hiwin_e_read_parameter_request: 6 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_read_parameter_request_encode(const hiwin_e_read_parameter_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -3855,7 +3858,7 @@ typedef struct hiwin_e_read_parameter_response {
 
 /**
  * Writes hiwin_e_read_parameter_response: 3 to 1022 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_read_parameter_response_encode(const hiwin_e_read_parameter_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4143,7 +4146,7 @@ typedef struct hiwin_e_write_parameter_request {
 
 /**
  * Writes hiwin_e_write_parameter_request: 9 to 1028 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_write_parameter_request_encode(const hiwin_e_write_parameter_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4350,11 +4353,11 @@ static inline hiwin_e_codec_status hiwin_e_write_parameter_request_decode(const 
 }
 
 #define HIWIN_E_WRITE_PARAMETER_RESPONSE_SIZE 0u
-/** There is nothing to give: no struct is needed. */
+/** It has no values, so it needs no struct. */
 
 /**
  * Writes hiwin_e_write_parameter_response: 0 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_write_parameter_response_encode(uint8_t *out, size_t capacity,
         size_t *length)
@@ -4413,7 +4416,7 @@ typedef struct hiwin_e_telegram_3_request {
     uint16_t encoder_1_control_word;
 } hiwin_e_telegram_3_request;
 
-/** Writes hiwin_e_telegram_3_request to 10 bytes without any check. */
+/** Writes hiwin_e_telegram_3_request to 10 bytes without checks. */
 static inline void hiwin_e_telegram_3_request_pack(const hiwin_e_telegram_3_request *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, in->control_word_1);
@@ -4422,7 +4425,7 @@ static inline void hiwin_e_telegram_3_request_pack(const hiwin_e_telegram_3_requ
     hiwin_e_store_u16_be(out + 8, in->encoder_1_control_word);
 }
 
-/** Reads hiwin_e_telegram_3_request from 10 bytes without any check. */
+/** Reads hiwin_e_telegram_3_request from 10 bytes without checks. */
 static inline void hiwin_e_telegram_3_request_unpack(const uint8_t *in, hiwin_e_telegram_3_request *out)
 {
     out->control_word_1 = hiwin_e_load_u16_be(in + 0);
@@ -4433,7 +4436,7 @@ static inline void hiwin_e_telegram_3_request_unpack(const uint8_t *in, hiwin_e_
 
 /**
  * Writes hiwin_e_telegram_3_request: 10 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_3_request_encode(const hiwin_e_telegram_3_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -4500,7 +4503,7 @@ typedef struct hiwin_e_telegram_3_response {
     int32_t encoder_1_position_2;
 } hiwin_e_telegram_3_response;
 
-/** Writes hiwin_e_telegram_3_response to 18 bytes without any check. */
+/** Writes hiwin_e_telegram_3_response to 18 bytes without checks. */
 static inline void hiwin_e_telegram_3_response_pack(const hiwin_e_telegram_3_response *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, in->status_word_1);
@@ -4511,7 +4514,7 @@ static inline void hiwin_e_telegram_3_response_pack(const hiwin_e_telegram_3_res
     hiwin_e_store_u32_be(out + 14, (uint32_t)in->encoder_1_position_2);
 }
 
-/** Reads hiwin_e_telegram_3_response from 18 bytes without any check. */
+/** Reads hiwin_e_telegram_3_response from 18 bytes without checks. */
 static inline void hiwin_e_telegram_3_response_unpack(const uint8_t *in, hiwin_e_telegram_3_response *out)
 {
     out->status_word_1 = hiwin_e_load_u16_be(in + 0);
@@ -4524,7 +4527,7 @@ static inline void hiwin_e_telegram_3_response_unpack(const uint8_t *in, hiwin_e
 
 /**
  * Writes hiwin_e_telegram_3_response: 18 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_3_response_encode(const hiwin_e_telegram_3_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4601,7 +4604,7 @@ typedef struct hiwin_e_telegram_5_request {
     int32_t position_controller_gain;
 } hiwin_e_telegram_5_request;
 
-/** Writes hiwin_e_telegram_5_request to 18 bytes without any check. */
+/** Writes hiwin_e_telegram_5_request to 18 bytes without checks. */
 static inline void hiwin_e_telegram_5_request_pack(const hiwin_e_telegram_5_request *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, in->control_word_1);
@@ -4612,7 +4615,7 @@ static inline void hiwin_e_telegram_5_request_pack(const hiwin_e_telegram_5_requ
     hiwin_e_store_u32_be(out + 14, (uint32_t)in->position_controller_gain);
 }
 
-/** Reads hiwin_e_telegram_5_request from 18 bytes without any check. */
+/** Reads hiwin_e_telegram_5_request from 18 bytes without checks. */
 static inline void hiwin_e_telegram_5_request_unpack(const uint8_t *in, hiwin_e_telegram_5_request *out)
 {
     out->control_word_1 = hiwin_e_load_u16_be(in + 0);
@@ -4625,7 +4628,7 @@ static inline void hiwin_e_telegram_5_request_unpack(const uint8_t *in, hiwin_e_
 
 /**
  * Writes hiwin_e_telegram_5_request: 18 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_5_request_encode(const hiwin_e_telegram_5_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -4692,7 +4695,7 @@ typedef struct hiwin_e_telegram_5_response {
     int32_t encoder_1_position_2;
 } hiwin_e_telegram_5_response;
 
-/** Writes hiwin_e_telegram_5_response to 18 bytes without any check. */
+/** Writes hiwin_e_telegram_5_response to 18 bytes without checks. */
 static inline void hiwin_e_telegram_5_response_pack(const hiwin_e_telegram_5_response *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, in->status_word_1);
@@ -4703,7 +4706,7 @@ static inline void hiwin_e_telegram_5_response_pack(const hiwin_e_telegram_5_res
     hiwin_e_store_u32_be(out + 14, (uint32_t)in->encoder_1_position_2);
 }
 
-/** Reads hiwin_e_telegram_5_response from 18 bytes without any check. */
+/** Reads hiwin_e_telegram_5_response from 18 bytes without checks. */
 static inline void hiwin_e_telegram_5_response_unpack(const uint8_t *in, hiwin_e_telegram_5_response *out)
 {
     out->status_word_1 = hiwin_e_load_u16_be(in + 0);
@@ -4716,7 +4719,7 @@ static inline void hiwin_e_telegram_5_response_unpack(const uint8_t *in, hiwin_e
 
 /**
  * Writes hiwin_e_telegram_5_response: 18 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_5_response_encode(const hiwin_e_telegram_5_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4806,7 +4809,7 @@ typedef struct hiwin_e_telegram_9_request {
     uint16_t mdi_mode;
 } hiwin_e_telegram_9_request;
 
-/** Whether the values of hiwin_e_telegram_9_request are such as may be written. */
+/** Whether the values of hiwin_e_telegram_9_request may be written. */
 static inline hiwin_e_codec_status hiwin_e_telegram_9_request_check(const hiwin_e_telegram_9_request *in)
 {
     if (!(in->mdi_velocity >= 0)) {
@@ -4821,7 +4824,7 @@ static inline hiwin_e_codec_status hiwin_e_telegram_9_request_check(const hiwin_
     return HIWIN_E_OK;
 }
 
-/** Writes hiwin_e_telegram_9_request to 20 bytes without any check. */
+/** Writes hiwin_e_telegram_9_request to 20 bytes without checks. */
 static inline void hiwin_e_telegram_9_request_pack(const hiwin_e_telegram_9_request *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, in->control_word_1);
@@ -4834,7 +4837,7 @@ static inline void hiwin_e_telegram_9_request_pack(const hiwin_e_telegram_9_requ
     hiwin_e_store_u16_be(out + 18, in->mdi_mode);
 }
 
-/** Reads hiwin_e_telegram_9_request from 20 bytes without any check. */
+/** Reads hiwin_e_telegram_9_request from 20 bytes without checks. */
 static inline void hiwin_e_telegram_9_request_unpack(const uint8_t *in, hiwin_e_telegram_9_request *out)
 {
     out->control_word_1 = hiwin_e_load_u16_be(in + 0);
@@ -4849,7 +4852,7 @@ static inline void hiwin_e_telegram_9_request_unpack(const uint8_t *in, hiwin_e_
 
 /**
  * Writes hiwin_e_telegram_9_request: 20 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_9_request_encode(const hiwin_e_telegram_9_request *in, uint8_t *out,
         size_t capacity, size_t *length)
@@ -4908,7 +4911,7 @@ typedef struct hiwin_e_telegram_9_response {
     int32_t position_actual_a;
 } hiwin_e_telegram_9_response;
 
-/** Writes hiwin_e_telegram_9_response to 10 bytes without any check. */
+/** Writes hiwin_e_telegram_9_response to 10 bytes without checks. */
 static inline void hiwin_e_telegram_9_response_pack(const hiwin_e_telegram_9_response *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, in->status_word_1);
@@ -4917,7 +4920,7 @@ static inline void hiwin_e_telegram_9_response_pack(const hiwin_e_telegram_9_res
     hiwin_e_store_u32_be(out + 6, (uint32_t)in->position_actual_a);
 }
 
-/** Reads hiwin_e_telegram_9_response from 10 bytes without any check. */
+/** Reads hiwin_e_telegram_9_response from 10 bytes without checks. */
 static inline void hiwin_e_telegram_9_response_unpack(const uint8_t *in, hiwin_e_telegram_9_response *out)
 {
     out->status_word_1 = hiwin_e_load_u16_be(in + 0);
@@ -4928,7 +4931,7 @@ static inline void hiwin_e_telegram_9_response_unpack(const uint8_t *in, hiwin_e
 
 /**
  * Writes hiwin_e_telegram_9_response: 10 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_9_response_encode(const hiwin_e_telegram_9_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -4999,7 +5002,7 @@ typedef struct hiwin_e_telegram_102_request {
     uint16_t encoder_1_control_word;
 } hiwin_e_telegram_102_request;
 
-/** Whether the values of hiwin_e_telegram_102_request are such as may be written. */
+/** Whether the values of hiwin_e_telegram_102_request may be written. */
 static inline hiwin_e_codec_status hiwin_e_telegram_102_request_check(const hiwin_e_telegram_102_request *in)
 {
     if (!(in->torque_reduction <= 16384u)) {
@@ -5008,7 +5011,7 @@ static inline hiwin_e_codec_status hiwin_e_telegram_102_request_check(const hiwi
     return HIWIN_E_OK;
 }
 
-/** Writes hiwin_e_telegram_102_request to 12 bytes without any check. */
+/** Writes hiwin_e_telegram_102_request to 12 bytes without checks. */
 static inline void hiwin_e_telegram_102_request_pack(const hiwin_e_telegram_102_request *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, in->control_word_1);
@@ -5018,7 +5021,7 @@ static inline void hiwin_e_telegram_102_request_pack(const hiwin_e_telegram_102_
     hiwin_e_store_u16_be(out + 10, in->encoder_1_control_word);
 }
 
-/** Reads hiwin_e_telegram_102_request from 12 bytes without any check. */
+/** Reads hiwin_e_telegram_102_request from 12 bytes without checks. */
 static inline void hiwin_e_telegram_102_request_unpack(const uint8_t *in, hiwin_e_telegram_102_request *out)
 {
     out->control_word_1 = hiwin_e_load_u16_be(in + 0);
@@ -5030,7 +5033,7 @@ static inline void hiwin_e_telegram_102_request_unpack(const uint8_t *in, hiwin_
 
 /**
  * Writes hiwin_e_telegram_102_request: 12 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_102_request_encode(const hiwin_e_telegram_102_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -5108,7 +5111,7 @@ typedef struct hiwin_e_telegram_102_response {
     int32_t encoder_1_position_2;
 } hiwin_e_telegram_102_response;
 
-/** Writes hiwin_e_telegram_102_response to 20 bytes without any check. */
+/** Writes hiwin_e_telegram_102_response to 20 bytes without checks. */
 static inline void hiwin_e_telegram_102_response_pack(const hiwin_e_telegram_102_response *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, in->status_word_1);
@@ -5120,7 +5123,7 @@ static inline void hiwin_e_telegram_102_response_pack(const hiwin_e_telegram_102
     hiwin_e_store_u32_be(out + 16, (uint32_t)in->encoder_1_position_2);
 }
 
-/** Reads hiwin_e_telegram_102_response from 20 bytes without any check. */
+/** Reads hiwin_e_telegram_102_response from 20 bytes without checks. */
 static inline void hiwin_e_telegram_102_response_unpack(const uint8_t *in, hiwin_e_telegram_102_response *out)
 {
     out->status_word_1 = hiwin_e_load_u16_be(in + 0);
@@ -5134,7 +5137,7 @@ static inline void hiwin_e_telegram_102_response_unpack(const uint8_t *in, hiwin
 
 /**
  * Writes hiwin_e_telegram_102_response: 20 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_102_response_encode(const hiwin_e_telegram_102_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -5219,7 +5222,7 @@ typedef struct hiwin_e_telegram_105_request {
     int32_t position_controller_gain;
 } hiwin_e_telegram_105_request;
 
-/** Whether the values of hiwin_e_telegram_105_request are such as may be written. */
+/** Whether the values of hiwin_e_telegram_105_request may be written. */
 static inline hiwin_e_codec_status hiwin_e_telegram_105_request_check(const hiwin_e_telegram_105_request *in)
 {
     if (!(in->torque_reduction <= 16384u)) {
@@ -5228,7 +5231,7 @@ static inline hiwin_e_codec_status hiwin_e_telegram_105_request_check(const hiwi
     return HIWIN_E_OK;
 }
 
-/** Writes hiwin_e_telegram_105_request to 20 bytes without any check. */
+/** Writes hiwin_e_telegram_105_request to 20 bytes without checks. */
 static inline void hiwin_e_telegram_105_request_pack(const hiwin_e_telegram_105_request *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, in->control_word_1);
@@ -5240,7 +5243,7 @@ static inline void hiwin_e_telegram_105_request_pack(const hiwin_e_telegram_105_
     hiwin_e_store_u32_be(out + 16, (uint32_t)in->position_controller_gain);
 }
 
-/** Reads hiwin_e_telegram_105_request from 20 bytes without any check. */
+/** Reads hiwin_e_telegram_105_request from 20 bytes without checks. */
 static inline void hiwin_e_telegram_105_request_unpack(const uint8_t *in, hiwin_e_telegram_105_request *out)
 {
     out->control_word_1 = hiwin_e_load_u16_be(in + 0);
@@ -5254,7 +5257,7 @@ static inline void hiwin_e_telegram_105_request_unpack(const uint8_t *in, hiwin_
 
 /**
  * Writes hiwin_e_telegram_105_request: 20 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_105_request_encode(const hiwin_e_telegram_105_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -5332,7 +5335,7 @@ typedef struct hiwin_e_telegram_105_response {
     int32_t encoder_1_position_2;
 } hiwin_e_telegram_105_response;
 
-/** Writes hiwin_e_telegram_105_response to 20 bytes without any check. */
+/** Writes hiwin_e_telegram_105_response to 20 bytes without checks. */
 static inline void hiwin_e_telegram_105_response_pack(const hiwin_e_telegram_105_response *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, in->status_word_1);
@@ -5344,7 +5347,7 @@ static inline void hiwin_e_telegram_105_response_pack(const hiwin_e_telegram_105
     hiwin_e_store_u32_be(out + 16, (uint32_t)in->encoder_1_position_2);
 }
 
-/** Reads hiwin_e_telegram_105_response from 20 bytes without any check. */
+/** Reads hiwin_e_telegram_105_response from 20 bytes without checks. */
 static inline void hiwin_e_telegram_105_response_unpack(const uint8_t *in, hiwin_e_telegram_105_response *out)
 {
     out->status_word_1 = hiwin_e_load_u16_be(in + 0);
@@ -5358,7 +5361,7 @@ static inline void hiwin_e_telegram_105_response_unpack(const uint8_t *in, hiwin
 
 /**
  * Writes hiwin_e_telegram_105_response: 20 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_105_response_encode(const hiwin_e_telegram_105_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -5457,7 +5460,7 @@ typedef struct hiwin_e_telegram_111_request {
     uint16_t mdi_deceleration;
 } hiwin_e_telegram_111_request;
 
-/** Whether the values of hiwin_e_telegram_111_request are such as may be written. */
+/** Whether the values of hiwin_e_telegram_111_request may be written. */
 static inline hiwin_e_codec_status hiwin_e_telegram_111_request_check(const hiwin_e_telegram_111_request *in)
 {
     if (!(in->velocity_override <= 32767u)) {
@@ -5475,7 +5478,7 @@ static inline hiwin_e_codec_status hiwin_e_telegram_111_request_check(const hiwi
     return HIWIN_E_OK;
 }
 
-/** Writes hiwin_e_telegram_111_request to 24 bytes without any check. */
+/** Writes hiwin_e_telegram_111_request to 24 bytes without checks. */
 static inline void hiwin_e_telegram_111_request_pack(const hiwin_e_telegram_111_request *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, in->control_word_1);
@@ -5490,7 +5493,7 @@ static inline void hiwin_e_telegram_111_request_pack(const hiwin_e_telegram_111_
     hiwin_e_store_u16_be(out + 22, 0u);
 }
 
-/** Reads hiwin_e_telegram_111_request from 24 bytes without any check. */
+/** Reads hiwin_e_telegram_111_request from 24 bytes without checks. */
 static inline void hiwin_e_telegram_111_request_unpack(const uint8_t *in, hiwin_e_telegram_111_request *out)
 {
     out->control_word_1 = hiwin_e_load_u16_be(in + 0);
@@ -5506,7 +5509,7 @@ static inline void hiwin_e_telegram_111_request_unpack(const uint8_t *in, hiwin_
 
 /**
  * Writes hiwin_e_telegram_111_request: 24 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_111_request_encode(const hiwin_e_telegram_111_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -5598,7 +5601,7 @@ typedef struct hiwin_e_telegram_111_response {
     uint16_t warning_code;
 } hiwin_e_telegram_111_response;
 
-/** Writes hiwin_e_telegram_111_response to 24 bytes without any check. */
+/** Writes hiwin_e_telegram_111_response to 24 bytes without checks. */
 static inline void hiwin_e_telegram_111_response_pack(const hiwin_e_telegram_111_response *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, in->status_word_1);
@@ -5613,7 +5616,7 @@ static inline void hiwin_e_telegram_111_response_pack(const hiwin_e_telegram_111
     hiwin_e_store_u16_be(out + 22, 0u);
 }
 
-/** Reads hiwin_e_telegram_111_response from 24 bytes without any check. */
+/** Reads hiwin_e_telegram_111_response from 24 bytes without checks. */
 static inline void hiwin_e_telegram_111_response_unpack(const uint8_t *in, hiwin_e_telegram_111_response *out)
 {
     out->status_word_1 = hiwin_e_load_u16_be(in + 0);
@@ -5629,7 +5632,7 @@ static inline void hiwin_e_telegram_111_response_unpack(const uint8_t *in, hiwin
 
 /**
  * Writes hiwin_e_telegram_111_response: 24 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_111_response_encode(const hiwin_e_telegram_111_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -5655,8 +5658,8 @@ static inline hiwin_e_codec_status hiwin_e_telegram_111_response_decode(const ui
 
 /**
  * Printed as HIWIN 報文 750.
- * Torque beside another telegram (HIWIN telegram 750). On cyclic. Sent only beside telegram_3, telegram_5,
- * telegram_9, telegram_102, telegram_105, telegram_111.
+ * Torque beside another telegram (HIWIN telegram 750). On cyclic. Sent only together with telegram_3,
+ * telegram_5, telegram_9, telegram_102, telegram_105, telegram_111.
  * Note: All that it carries to the drive has an effect from firmware 2.12.5 or 3.12.5 on (6.11.1 L1842, 6.11.2
  * L1856).
  * Note: Which firmware has the telegram itself, is in the release notes of the GSD files (L532).
@@ -5692,7 +5695,7 @@ typedef struct hiwin_e_telegram_750_request {
     int16_t negative_torque_limit;
 } hiwin_e_telegram_750_request;
 
-/** Whether the values of hiwin_e_telegram_750_request are such as may be written. */
+/** Whether the values of hiwin_e_telegram_750_request may be written. */
 static inline hiwin_e_codec_status hiwin_e_telegram_750_request_check(const hiwin_e_telegram_750_request *in)
 {
     if (!(in->positive_torque_limit >= 0)) {
@@ -5704,7 +5707,7 @@ static inline hiwin_e_codec_status hiwin_e_telegram_750_request_check(const hiwi
     return HIWIN_E_OK;
 }
 
-/** Writes hiwin_e_telegram_750_request to 6 bytes without any check. */
+/** Writes hiwin_e_telegram_750_request to 6 bytes without checks. */
 static inline void hiwin_e_telegram_750_request_pack(const hiwin_e_telegram_750_request *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, (uint16_t)in->additional_torque);
@@ -5712,7 +5715,7 @@ static inline void hiwin_e_telegram_750_request_pack(const hiwin_e_telegram_750_
     hiwin_e_store_u16_be(out + 4, (uint16_t)in->negative_torque_limit);
 }
 
-/** Reads hiwin_e_telegram_750_request from 6 bytes without any check. */
+/** Reads hiwin_e_telegram_750_request from 6 bytes without checks. */
 static inline void hiwin_e_telegram_750_request_unpack(const uint8_t *in, hiwin_e_telegram_750_request *out)
 {
     out->additional_torque = hiwin_e_signed_16(hiwin_e_load_u16_be(in + 0));
@@ -5722,7 +5725,7 @@ static inline void hiwin_e_telegram_750_request_unpack(const uint8_t *in, hiwin_
 
 /**
  * Writes hiwin_e_telegram_750_request: 6 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_750_request_encode(const hiwin_e_telegram_750_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -5763,13 +5766,13 @@ typedef struct hiwin_e_telegram_750_response {
     int16_t torque_actual;
 } hiwin_e_telegram_750_response;
 
-/** Writes hiwin_e_telegram_750_response to 2 bytes without any check. */
+/** Writes hiwin_e_telegram_750_response to 2 bytes without checks. */
 static inline void hiwin_e_telegram_750_response_pack(const hiwin_e_telegram_750_response *in, uint8_t *out)
 {
     hiwin_e_store_u16_be(out + 0, (uint16_t)in->torque_actual);
 }
 
-/** Reads hiwin_e_telegram_750_response from 2 bytes without any check. */
+/** Reads hiwin_e_telegram_750_response from 2 bytes without checks. */
 static inline void hiwin_e_telegram_750_response_unpack(const uint8_t *in, hiwin_e_telegram_750_response *out)
 {
     out->torque_actual = hiwin_e_signed_16(hiwin_e_load_u16_be(in + 0));
@@ -5777,7 +5780,7 @@ static inline void hiwin_e_telegram_750_response_unpack(const uint8_t *in, hiwin
 
 /**
  * Writes hiwin_e_telegram_750_response: 2 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline hiwin_e_codec_status hiwin_e_telegram_750_response_encode(const hiwin_e_telegram_750_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -5814,23 +5817,26 @@ static inline hiwin_e_codec_status hiwin_e_telegram_750_response_decode(const ui
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_MOTOR_TYPE_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_MOTOR_TYPE_MAX 2u
 
-/** Reads its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_motor_type_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value. */
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_motor_type_decode(const uint8_t *in,
+        hiwin_e_motor_type *out)
 {
-    *out = hiwin_e_load_u16_be(in);
-    if (!hiwin_e_motor_type_known((int64_t)*out)) {
+    const uint16_t number = hiwin_e_load_u16_be(in);
+    if (!hiwin_e_motor_type_known((int64_t)number)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
+    *out = (hiwin_e_motor_type)number;
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_motor_type_encode(uint16_t value, uint8_t *out)
+/** Encodes the value. */
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_motor_type_encode(hiwin_e_motor_type value,
+        uint8_t *out)
 {
     if (!hiwin_e_motor_type_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    hiwin_e_store_u16_be(out, value);
+    hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
 }
 
@@ -5846,7 +5852,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_motor_type_encod
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_INNER_ENCODER_RESOLUTION_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_INNER_ENCODER_RESOLUTION_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_inner_encoder_resolution_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -5854,7 +5860,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_inner_encoder_re
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_inner_encoder_resolution_encode(int32_t value,
         uint8_t *out)
 {
@@ -5874,14 +5880,14 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_inner_encoder_re
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_DIGITAL_OUTPUTS_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_DIGITAL_OUTPUTS_MAX 31u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_digital_outputs_decode(const uint8_t *in, uint16_t *out)
 {
     *out = hiwin_e_load_u16_be(in);
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_digital_outputs_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 31u)) {
@@ -5902,7 +5908,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_digital_outputs_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_SOFTWARE_STATE_12_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_SOFTWARE_STATE_12_MAX 65535u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_software_state_12_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -5910,7 +5916,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_software_state_1
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_software_state_12_encode(uint16_t value, uint8_t *out)
 {
     hiwin_e_store_u16_be(out, value);
@@ -5928,25 +5934,26 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_software_state_1
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_APPLICATION_MODE_MIN 1u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_APPLICATION_MODE_MAX 11u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_application_mode_decode(const uint8_t *in,
-        uint16_t *out)
+        hiwin_e_gantry_application_mode *out)
 {
-    *out = hiwin_e_load_u16_be(in);
-    if (!hiwin_e_gantry_application_mode_known((int64_t)*out)) {
+    const uint16_t number = hiwin_e_load_u16_be(in);
+    if (!hiwin_e_gantry_application_mode_known((int64_t)number)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
+    *out = (hiwin_e_gantry_application_mode)number;
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_application_mode_encode(uint16_t value,
+/** Encodes the value. */
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_application_mode_encode(hiwin_e_gantry_application_mode value,
         uint8_t *out)
 {
     if (!hiwin_e_gantry_application_mode_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    hiwin_e_store_u16_be(out, value);
+    hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
 }
 
@@ -5961,7 +5968,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_applicati
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_YAW_TARGET_POSITION_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_YAW_TARGET_POSITION_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_yaw_target_position_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -5969,7 +5976,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_yaw_target_posit
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_yaw_target_position_encode(int32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -5987,7 +5994,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_yaw_target_posit
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_YAW_FEEDBACK_POSITION_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_YAW_FEEDBACK_POSITION_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_yaw_feedback_position_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -5995,7 +6002,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_yaw_feedback_pos
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_yaw_feedback_position_encode(int32_t value,
         uint8_t *out)
 {
@@ -6014,7 +6021,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_yaw_feedback_pos
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_MASTER_FEEDBACK_POSITION_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_MASTER_FEEDBACK_POSITION_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_master_feedback_position_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -6022,7 +6029,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_master_feedback_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_master_feedback_position_encode(int32_t value,
         uint8_t *out)
 {
@@ -6041,7 +6048,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_master_feedback_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_SLAVE_FEEDBACK_POSITION_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_SLAVE_FEEDBACK_POSITION_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_slave_feedback_position_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -6049,7 +6056,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_slave_feedback_p
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_slave_feedback_position_encode(int32_t value,
         uint8_t *out)
 {
@@ -6069,7 +6076,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_slave_feedback_p
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_REFERENCE_MARK_FUNCTIONS_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_REFERENCE_MARK_FUNCTIONS_MAX 3u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_reference_mark_functions_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6077,7 +6084,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_reference_mark_f
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_reference_mark_functions_encode(uint16_t value,
         uint8_t *out)
 {
@@ -6100,7 +6107,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_reference_mark_f
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_ENABLED_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_ENABLED_MAX 1u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_enabled_decode(const uint8_t *in,
         bool *out)
 {
@@ -6111,7 +6118,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_enabled_encode(bool value,
         uint8_t *out)
 {
@@ -6139,7 +6146,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_SPEED_ANALOG_INPUT_VOLTAGE_MIN (-10000)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_SPEED_ANALOG_INPUT_VOLTAGE_MAX 10000
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_speed_analog_input_voltage_decode(const uint8_t *in,
         int16_t *out)
 {
@@ -6147,7 +6154,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_speed_analog_inp
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_speed_analog_input_voltage_encode(int16_t value,
         uint8_t *out)
 {
@@ -6169,7 +6176,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_speed_analog_inp
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_SPEED_ANALOG_INPUT_OFFSET_MIN (-10000)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_SPEED_ANALOG_INPUT_OFFSET_MAX 10000
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_speed_analog_input_offset_decode(const uint8_t *in,
         int16_t *out)
 {
@@ -6177,7 +6184,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_speed_analog_inp
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_speed_analog_input_offset_encode(int16_t value,
         uint8_t *out)
 {
@@ -6199,7 +6206,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_speed_analog_inp
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_TORQUE_ANALOG_INPUT_VOLTAGE_MIN (-10000)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_TORQUE_ANALOG_INPUT_VOLTAGE_MAX 10000
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_torque_analog_input_voltage_decode(const uint8_t *in,
         int16_t *out)
 {
@@ -6207,7 +6214,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_torque_analog_in
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_torque_analog_input_voltage_encode(int16_t value,
         uint8_t *out)
 {
@@ -6229,7 +6236,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_torque_analog_in
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_TORQUE_ANALOG_INPUT_OFFSET_MIN (-10000)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_TORQUE_ANALOG_INPUT_OFFSET_MAX 10000
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_torque_analog_input_offset_decode(const uint8_t *in,
         int16_t *out)
 {
@@ -6237,7 +6244,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_torque_analog_in
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_torque_analog_input_offset_encode(int16_t value,
         uint8_t *out)
 {
@@ -6260,7 +6267,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_torque_analog_in
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_ANALOG_OUTPUT_1_VOLTAGE_MIN (-10000)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_ANALOG_OUTPUT_1_VOLTAGE_MAX 10000
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_analog_output_1_voltage_decode(const uint8_t *in,
         int16_t *out)
 {
@@ -6268,7 +6275,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_analog_output_1_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_analog_output_1_voltage_encode(int16_t value,
         uint8_t *out)
 {
@@ -6291,7 +6298,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_analog_output_1_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_ANALOG_OUTPUT_2_VOLTAGE_MIN (-10000)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_ANALOG_OUTPUT_2_VOLTAGE_MAX 10000
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_analog_output_2_voltage_decode(const uint8_t *in,
         int16_t *out)
 {
@@ -6299,7 +6306,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_analog_output_2_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_analog_output_2_voltage_encode(int16_t value,
         uint8_t *out)
 {
@@ -6321,7 +6328,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_analog_output_2_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_ARRAY_VALUE_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_ARRAY_VALUE_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_array_value_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -6329,7 +6336,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_array_value_encode(int32_t value,
         uint8_t *out)
 {
@@ -6349,7 +6356,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_ARRAY_INDEX_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_ARRAY_INDEX_MAX 255u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_array_index_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6357,7 +6364,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_array_index_encode(uint16_t value,
         uint8_t *out)
 {
@@ -6379,7 +6386,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_ARRAY_CONTROL_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_ARRAY_CONTROL_MAX 65535u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_array_control_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6387,7 +6394,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_array_control_encode(uint16_t value,
         uint8_t *out)
 {
@@ -6406,7 +6413,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_ERROR_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_ERROR_MAX 65535u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_error_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6414,7 +6421,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_error_encode(uint16_t value,
         uint8_t *out)
 {
@@ -6432,7 +6439,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_STATUS_MIN 0
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_STATUS_MAX 32767
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_status_decode(const uint8_t *in,
         int16_t *out)
 {
@@ -6440,7 +6447,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_status_encode(int16_t value,
         uint8_t *out)
 {
@@ -6462,7 +6469,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_EXPECTED_POSITION_TRIGGER_COUNT_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_EXPECTED_POSITION_TRIGGER_COUNT_MAX 65535u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_expected_position_trigger_count_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6470,7 +6477,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_expected_positio
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_expected_position_trigger_count_encode(uint16_t value,
         uint8_t *out)
 {
@@ -6489,7 +6496,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_expected_positio
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_COUNT_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_POSITION_TRIGGER_COUNT_MAX 65535u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_count_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6497,7 +6504,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger_count_encode(uint16_t value,
         uint8_t *out)
 {
@@ -6516,7 +6523,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_position_trigger
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_REMAINING_POSITION_TRIGGER_COUNT_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_REMAINING_POSITION_TRIGGER_COUNT_MAX 65535u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_remaining_position_trigger_count_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6524,7 +6531,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_remaining_positi
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_remaining_position_trigger_count_encode(uint16_t value,
         uint8_t *out)
 {
@@ -6543,7 +6550,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_remaining_positi
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_PARAMETER_INDEX_MIN 8192u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_PARAMETER_INDEX_MAX 20479u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_index_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6551,7 +6558,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_index_encode(uint16_t value,
         uint8_t *out)
 {
@@ -6573,7 +6580,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_PARAMETER_SUBINDEX_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_PARAMETER_SUBINDEX_MAX 0u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_subindex_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6581,7 +6588,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_subindex_encode(uint16_t value,
         uint8_t *out)
 {
@@ -6604,7 +6611,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_PARAMETER_TYPE_MIN (-3)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_PARAMETER_TYPE_MAX 8
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_type_decode(const uint8_t *in,
         int16_t *out)
 {
@@ -6612,7 +6619,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_type_encode(int16_t value,
         uint8_t *out)
 {
@@ -6634,7 +6641,10 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_PARAMETER_COMMAND_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_PARAMETER_COMMAND_MAX 3u
 
-/** Reads its value. */
+/**
+ * Decodes the value.
+ * An integer, as the device may answer what gantry_parameter_command does not have.
+ */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_command_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6642,14 +6652,14 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_command_encode(uint16_t value,
+/** Encodes the value. */
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_command_encode(hiwin_e_gantry_parameter_command value,
         uint8_t *out)
 {
     if (!hiwin_e_gantry_parameter_command_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    hiwin_e_store_u16_be(out, value);
+    hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
 }
 
@@ -6664,19 +6674,20 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_PARAMETER_STATUS_MIN (-6)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_PARAMETER_STATUS_MAX 2
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_status_decode(const uint8_t *in,
-        int16_t *out)
+        hiwin_e_gantry_parameter_status *out)
 {
-    *out = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
-    if (!hiwin_e_gantry_parameter_status_known((int64_t)*out)) {
+    const int16_t number = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
+    if (!hiwin_e_gantry_parameter_status_known((int64_t)number)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
+    *out = (hiwin_e_gantry_parameter_status)number;
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_status_encode(int16_t value,
+/** Encodes the value. */
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter_status_encode(hiwin_e_gantry_parameter_status value,
         uint8_t *out)
 {
     if (!hiwin_e_gantry_parameter_status_known((int64_t)value)) {
@@ -6698,7 +6709,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_INTEGER_INPUT_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_INTEGER_INPUT_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_integer_input_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -6706,7 +6717,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_integer_i
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_integer_input_encode(int32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -6725,7 +6736,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_integer_i
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_INTEGER_OUTPUT_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_INTEGER_OUTPUT_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_integer_output_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -6733,7 +6744,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_integer_o
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_integer_output_encode(int32_t value,
         uint8_t *out)
 {
@@ -6749,14 +6760,14 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_integer_o
  */
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_FLOAT_INPUT_NUMBER 0x3087u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_float_input_decode(const uint8_t *in, float *out)
 {
     *out = hiwin_e_float_of(hiwin_e_load_u32_be(in));
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_float_input_encode(float value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, hiwin_e_bits_of(value));
@@ -6771,7 +6782,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_float_inp
  */
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GANTRY_FLOAT_OUTPUT_NUMBER 0x3088u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_float_output_decode(const uint8_t *in,
         float *out)
 {
@@ -6779,7 +6790,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_float_out
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_float_output_encode(float value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, hiwin_e_bits_of(value));
@@ -6806,7 +6817,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_float_out
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_DRIVE_WARNINGS_1_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_DRIVE_WARNINGS_1_MAX 65535u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_warnings_1_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6814,7 +6825,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_warnings_1
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_warnings_1_encode(uint16_t value, uint8_t *out)
 {
     hiwin_e_store_u16_be(out, value);
@@ -6832,7 +6843,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_warnings_1
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_DRIVE_WARNINGS_2_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_DRIVE_WARNINGS_2_MAX 65535u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_warnings_2_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -6840,7 +6851,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_warnings_2
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_warnings_2_encode(uint16_t value, uint8_t *out)
 {
     hiwin_e_store_u16_be(out, value);
@@ -6858,7 +6869,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_warnings_2
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_OPERATION_WARNINGS_MIN 0u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_OPERATION_WARNINGS_MAX 4294967295u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_operation_warnings_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -6866,7 +6877,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_operation_warnin
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_operation_warnings_encode(uint32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, value);
@@ -6878,7 +6889,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_operation_warnin
  * be off.
  * Printed as 3200h Absolute encoder initialization.
  * 3200h of drive_parameters. Read and write.
- * Range: 0..2, 4, 16, 32. May be written: 0..1. See absolute_encoder_initialization.
+ * Range: 0..2, 4, 16, 32. Writable: 0..1. See absolute_encoder_initialization.
  * Note: Only 0 and 1 may be written (L1167); the others are states that the drive sets.
  * Source: 4.2 L1167-1175, 1228
  */
@@ -6888,7 +6899,10 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_operation_warnin
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_ABSOLUTE_ENCODER_INITIALIZATION_WRITE_MIN 0
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_ABSOLUTE_ENCODER_INITIALIZATION_WRITE_MAX 1
 
-/** Reads its value. */
+/**
+ * Decodes the value.
+ * An integer, as the device may answer what absolute_encoder_initialization does not have.
+ */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_absolute_encoder_initialization_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -6896,14 +6910,15 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_absolute_encoder
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_absolute_encoder_initialization_encode(int32_t value,
+/** Encodes the value. */
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_absolute_encoder_initialization_encode(hiwin_e_absolute_encoder_initialization value,
         uint8_t *out)
 {
+    const int64_t number = (int64_t)value;
     if (!hiwin_e_absolute_encoder_initialization_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    if (!(value >= 0 && value <= 1)) {
+    if (!(number >= 0 && number <= 1)) {
         return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -6921,7 +6936,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_absolute_encoder
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_1_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_1_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_1_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -6929,7 +6944,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_1_encode(int32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -6947,7 +6962,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_2_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_2_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_2_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -6955,7 +6970,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_2_encode(int32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -6973,7 +6988,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_3_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_3_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_3_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -6981,7 +6996,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_3_encode(int32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -6999,7 +7014,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_4_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_4_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_4_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -7007,7 +7022,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_4_encode(int32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -7025,7 +7040,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_5_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_5_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_5_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -7033,7 +7048,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_5_encode(int32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -7051,7 +7066,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_6_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_6_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_6_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -7059,7 +7074,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_6_encode(int32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -7077,7 +7092,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_7_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_7_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_7_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -7085,7 +7100,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_7_encode(int32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -7103,7 +7118,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_8_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_8_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_8_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -7111,7 +7126,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_8_encode(int32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -7129,7 +7144,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_9_MIN (-2147483647 - 1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_INTEGER_9_MAX 2147483647
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_9_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -7137,7 +7152,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_9_encode(int32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -7153,14 +7168,14 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_integer_
  */
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_FLOAT_0_NUMBER 0x3210u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_0_decode(const uint8_t *in, float *out)
 {
     *out = hiwin_e_float_of(hiwin_e_load_u32_be(in));
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_0_encode(float value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, hiwin_e_bits_of(value));
@@ -7175,14 +7190,14 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_0_
  */
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_FLOAT_1_NUMBER 0x3211u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_1_decode(const uint8_t *in, float *out)
 {
     *out = hiwin_e_float_of(hiwin_e_load_u32_be(in));
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_1_encode(float value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, hiwin_e_bits_of(value));
@@ -7197,14 +7212,14 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_1_
  */
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_FLOAT_2_NUMBER 0x3212u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_2_decode(const uint8_t *in, float *out)
 {
     *out = hiwin_e_float_of(hiwin_e_load_u32_be(in));
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_2_encode(float value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, hiwin_e_bits_of(value));
@@ -7219,14 +7234,14 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_2_
  */
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_FLOAT_3_NUMBER 0x3213u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_3_decode(const uint8_t *in, float *out)
 {
     *out = hiwin_e_float_of(hiwin_e_load_u32_be(in));
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_3_encode(float value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, hiwin_e_bits_of(value));
@@ -7241,14 +7256,14 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_3_
  */
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_GENERAL_FLOAT_4_NUMBER 0x3214u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_4_decode(const uint8_t *in, float *out)
 {
     *out = hiwin_e_float_of(hiwin_e_load_u32_be(in));
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_4_encode(float value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, hiwin_e_bits_of(value));
@@ -7269,15 +7284,19 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_4_
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_DRIVE_RESET_MIN (-1)
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_DRIVE_RESET_MAX 2
 
-/** Reads its value. */
+/**
+ * Decodes the value.
+ * An integer, as the device may answer what drive_reset does not have.
+ */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_decode(const uint8_t *in, int16_t *out)
 {
     *out = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_encode(int16_t value, uint8_t *out)
+/** Encodes the value. */
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_encode(hiwin_e_drive_reset value,
+        uint8_t *out)
 {
     if (!hiwin_e_drive_reset_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
@@ -7297,15 +7316,19 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_enco
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_PARAMETER_SAVE_MIN 0
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_PARAMETER_SAVE_MAX 1
 
-/** Reads its value. */
+/**
+ * Decodes the value.
+ * An integer, as the device may answer what parameter_save does not have.
+ */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_decode(const uint8_t *in, int16_t *out)
 {
     *out = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_encode(int16_t value, uint8_t *out)
+/** Encodes the value. */
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_encode(hiwin_e_parameter_save value,
+        uint8_t *out)
 {
     if (!hiwin_e_parameter_save_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
@@ -7327,18 +7350,21 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_e
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_MASTERSHIP_MIN 0
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_MASTERSHIP_MAX 1
 
-/** Reads its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_mastership_decode(const uint8_t *in, int16_t *out)
+/** Decodes the value. */
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_mastership_decode(const uint8_t *in,
+        hiwin_e_mastership *out)
 {
-    *out = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
-    if (!hiwin_e_mastership_known((int64_t)*out)) {
+    const int16_t number = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
+    if (!hiwin_e_mastership_known((int64_t)number)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
+    *out = (hiwin_e_mastership)number;
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_mastership_encode(int16_t value, uint8_t *out)
+/** Encodes the value. */
+static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_mastership_encode(hiwin_e_mastership value,
+        uint8_t *out)
 {
     if (!hiwin_e_mastership_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
@@ -7351,13 +7377,13 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_mastership_encod
  * The Ut parameters of the drive's panel, to be read under the number 4000h + Ut with sub-index 00h. Only
  * three of them are told here; the others, and their types, are in the manuals of the drives.
  * Printed as 4XXXh 伺服Ut參數.
- * Their numbers on the wire are those of the set and 0x4000.
+ * On the wire, 0x4000 is added to the numbers of the set.
  * Source: 4.2 L1220
  */
 #define HIWIN_E_PAR_MONITORING_PARAMETERS_BASE 0x4000u
 #define HIWIN_E_PAR_MONITORING_PARAMETERS_FIRST 0x0000u
 #define HIWIN_E_PAR_MONITORING_PARAMETERS_LAST 0x0FFFu
-/** A number of the set as it is on the wire: 0x4000 for Ut000. A number that there is not is refused. */
+/** A number of the set as it is on the wire: 0x4000 for Ut000. Other numbers are refused. */
 static inline hiwin_e_codec_status hiwin_e_par_monitoring_parameters_wire_number(uint32_t number, uint16_t *out)
 {
     if (!(number <= 0x0FFFu)) {
@@ -7375,7 +7401,7 @@ static inline hiwin_e_codec_status hiwin_e_par_monitoring_parameters_wire_number
  */
 #define HIWIN_E_PAR_MONITORING_PARAMETERS_DIGITAL_OUTPUT_STATES_NUMBER 0x4005u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_monitoring_parameters_digital_output_states_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7383,7 +7409,7 @@ static inline hiwin_e_codec_status hiwin_e_par_monitoring_parameters_digital_out
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_monitoring_parameters_digital_output_states_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7400,14 +7426,14 @@ static inline hiwin_e_codec_status hiwin_e_par_monitoring_parameters_digital_out
  */
 #define HIWIN_E_PAR_MONITORING_PARAMETERS_ALARM_NUMBER 0x4095u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_monitoring_parameters_alarm_decode(const uint8_t *in, uint16_t *out)
 {
     *out = hiwin_e_load_u16_be(in);
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_monitoring_parameters_alarm_encode(uint16_t value, uint8_t *out)
 {
     hiwin_e_store_u16_be(out, value);
@@ -7423,14 +7449,14 @@ static inline hiwin_e_codec_status hiwin_e_par_monitoring_parameters_alarm_encod
  */
 #define HIWIN_E_PAR_MONITORING_PARAMETERS_WARNING_NUMBER 0x4096u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_monitoring_parameters_warning_decode(const uint8_t *in, uint16_t *out)
 {
     *out = hiwin_e_load_u16_be(in);
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_monitoring_parameters_warning_encode(uint16_t value, uint8_t *out)
 {
     hiwin_e_store_u16_be(out, value);
@@ -7447,7 +7473,7 @@ static inline hiwin_e_codec_status hiwin_e_par_monitoring_parameters_warning_enc
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_TELEGRAM_SELECTION_NUMBER 922u
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_TELEGRAM_SELECTION_DEFAULT 0u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_telegram_selection_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7455,7 +7481,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_telegram_se
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_telegram_selection_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7472,7 +7498,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_telegram_se
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_SIGN_OF_LIFE_FAILURE_TOLERANCE_NUMBER 925u
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_SIGN_OF_LIFE_FAILURE_TOLERANCE_DEFAULT 5u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_sign_of_life_failure_tolerance_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7480,7 +7506,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_sign_of_lif
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_sign_of_life_failure_tolerance_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7496,24 +7522,26 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_sign_of_lif
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_OPERATING_MODE_NUMBER 930u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_operating_mode_decode(const uint8_t *in,
-        uint16_t *out)
+        hiwin_e_operating_mode *out)
 {
-    *out = hiwin_e_load_u16_be(in);
-    if (!hiwin_e_operating_mode_known((int64_t)*out)) {
+    const uint16_t number = hiwin_e_load_u16_be(in);
+    if (!hiwin_e_operating_mode_known((int64_t)number)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
+    *out = (hiwin_e_operating_mode)number;
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
-static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_operating_mode_encode(uint16_t value, uint8_t *out)
+/** Encodes the value. */
+static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_operating_mode_encode(hiwin_e_operating_mode value,
+        uint8_t *out)
 {
     if (!hiwin_e_operating_mode_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    hiwin_e_store_u16_be(out, value);
+    hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
 }
 
@@ -7525,7 +7553,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_operating_m
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ALARM_COUNTER_NUMBER 944u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_counter_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7533,7 +7561,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_count
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_counter_encode(uint16_t value, uint8_t *out)
 {
     hiwin_e_store_u16_be(out, value);
@@ -7552,7 +7580,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_count
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ALARM_CODES_NUMBER 945u
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ALARM_CODES_ELEMENTS 64u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_codes_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7560,7 +7588,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_codes
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_codes_encode(uint16_t value, uint8_t *out)
 {
     hiwin_e_store_u16_be(out, value);
@@ -7577,7 +7605,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_codes
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_INTERNAL_ALARM_CODES_NUMBER 947u
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_INTERNAL_ALARM_CODES_ELEMENTS 64u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_internal_alarm_codes_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7585,7 +7613,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_internal_al
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_internal_alarm_codes_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7602,7 +7630,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_internal_al
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ALARM_BUFFER_CAPACITY_NUMBER 950u
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ALARM_BUFFER_CAPACITY_ELEMENTS 2u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_buffer_capacity_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7610,7 +7638,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_buffe
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_buffer_capacity_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7626,7 +7654,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_buffe
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ALARM_BUFFER_CAPACITY_BLOCK_COUNT_SUBINDEX 0u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_buffer_capacity_block_count_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7634,7 +7662,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_buffe
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_buffer_capacity_block_count_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7650,7 +7678,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_buffe
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ALARM_BUFFER_CAPACITY_ALARMS_PER_BLOCK_SUBINDEX 1u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_buffer_capacity_alarms_per_block_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7658,7 +7686,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_buffe
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_buffer_capacity_alarms_per_block_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7674,7 +7702,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_buffe
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ALARM_BLOCK_COUNTER_NUMBER 952u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_block_counter_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7682,7 +7710,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_block
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_block_counter_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7699,7 +7727,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_alarm_block
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_NUMBER 964u
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_ELEMENTS 7u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7707,7 +7735,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7723,7 +7751,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_MANUFACTURER_SUBINDEX 0u
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_MANUFACTURER_VALUE 2730u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7731,7 +7759,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_encode(uint8_t *out)
 {
     hiwin_e_store_u16_be(out, 2730u);
@@ -7746,7 +7774,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_DRIVE_UNIT_TYPE_SUBINDEX 1u
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_DRIVE_UNIT_TYPE_VALUE 5u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7754,7 +7782,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_encode(uint8_t *out)
 {
     hiwin_e_store_u16_be(out, 5u);
@@ -7771,7 +7799,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_FIRMWARE_VERSION_SUBINDEX 2u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_firmware_version_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7779,7 +7807,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_firmware_version_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7795,7 +7823,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_FIRMWARE_YEAR_SUBINDEX 3u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_firmware_year_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7803,7 +7831,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_firmware_year_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7819,7 +7847,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_FIRMWARE_DAY_AND_MONTH_SUBINDEX 4u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_firmware_day_and_month_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7827,7 +7855,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_firmware_day_and_month_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7843,7 +7871,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_DRIVE_OBJECT_COUNT_SUBINDEX 5u
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_DRIVE_OBJECT_COUNT_VALUE 1u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7851,7 +7879,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_encode(uint8_t *out)
 {
     hiwin_e_store_u16_be(out, 1u);
@@ -7865,7 +7893,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_MINOR_FIRMWARE_VERSION_SUBINDEX 6u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_minor_firmware_version_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -7873,7 +7901,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_minor_firmware_version_encode(uint16_t value,
         uint8_t *out)
 {
@@ -7891,7 +7919,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ENCODER_FORMAT_NUMBER 979u
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ENCODER_FORMAT_ELEMENTS 31u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -7899,7 +7927,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_encode(uint32_t value, uint8_t *out)
 {
     hiwin_e_store_u32_be(out, value);
@@ -7913,7 +7941,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ENCODER_FORMAT_HEADER_SUBINDEX 0u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_header_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -7921,7 +7949,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_header_encode(uint32_t value,
         uint8_t *out)
 {
@@ -7936,7 +7964,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ENCODER_FORMAT_ENCODER_TYPE_SUBINDEX 1u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_encoder_type_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -7944,7 +7972,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_encoder_type_encode(uint32_t value,
         uint8_t *out)
 {
@@ -7959,7 +7987,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ENCODER_FORMAT_ENCODER_RESOLUTION_SUBINDEX 2u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_encoder_resolution_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -7967,7 +7995,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_encoder_resolution_encode(uint32_t value,
         uint8_t *out)
 {
@@ -7983,7 +8011,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ENCODER_FORMAT_ACTUAL_POSITION_1_SHIFT_SUBINDEX 3u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_actual_position_1_shift_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -7991,7 +8019,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_actual_position_1_shift_encode(uint32_t value,
         uint8_t *out)
 {
@@ -8007,7 +8035,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ENCODER_FORMAT_ACTUAL_POSITION_2_SHIFT_SUBINDEX 4u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_actual_position_2_shift_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -8015,7 +8043,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_actual_position_2_shift_encode(uint32_t value,
         uint8_t *out)
 {
@@ -8031,7 +8059,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
  */
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_ENCODER_FORMAT_MAXIMUM_TURN_COUNT_SUBINDEX 5u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_maximum_turn_count_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -8039,7 +8067,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_format_maximum_turn_count_encode(uint32_t value,
         uint8_t *out)
 {
@@ -8052,7 +8080,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
  * Pt100, has the number 2100h. The manual details those that matter for PROFINET; the others are in the
  * manuals of the drives.
  * Printed as 2XXXh 伺服Pt參數.
- * Their numbers on the wire are those of the set and 0x2000.
+ * On the wire, 0x2000 is added to the numbers of the set.
  * Note: Some others are mentioned without their types: Pt006 and Pt007 (what the analog outputs show), Pt00E
  * and Pt230 to Pt232 (position trigger, its end position in Pt232), Pt012 (its repetition), Pt205 (endless
  * rotation), Pt502 and Pt581 (above which speed TGON is on: by default 20 rpm for rotary motors, 20 mm/s for
@@ -8067,7 +8095,7 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_encoder_for
 #define HIWIN_E_PAR_SERVO_PARAMETERS_BASE 0x2000u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_FIRST 0x0000u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_LAST 0x0FFFu
-/** A number of the set as it is on the wire: 0x2000 for Pt000. A number that there is not is refused. */
+/** A number of the set as it is on the wire: 0x2000 for Pt000. Other numbers are refused. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_wire_number(uint32_t number, uint16_t *out)
 {
     if (!(number <= 0x0FFFu)) {
@@ -8087,7 +8115,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_wire_number(uint
  */
 #define HIWIN_E_PAR_SERVO_PARAMETERS_BASIC_FUNCTION_SWITCH_1_NUMBER 0x2001u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_basic_function_switch_1_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8095,7 +8123,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_basic_function_s
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_basic_function_switch_1_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8119,7 +8147,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_basic_function_s
 #define HIWIN_E_PAR_SERVO_PARAMETERS_MODULO_RANGE_UPPER_LIMIT_MAX 2147483647
 #define HIWIN_E_PAR_SERVO_PARAMETERS_MODULO_RANGE_UPPER_LIMIT_DEFAULT 0
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_modulo_range_upper_limit_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -8127,7 +8155,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_modulo_range_upp
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_modulo_range_upper_limit_encode(int32_t value,
         uint8_t *out)
 {
@@ -8154,7 +8182,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_modulo_range_upp
 #define HIWIN_E_PAR_SERVO_PARAMETERS_MODULO_RANGE_LOWER_LIMIT_MAX 0
 #define HIWIN_E_PAR_SERVO_PARAMETERS_MODULO_RANGE_LOWER_LIMIT_DEFAULT 0
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_modulo_range_lower_limit_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -8162,7 +8190,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_modulo_range_low
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_modulo_range_lower_limit_encode(int32_t value,
         uint8_t *out)
 {
@@ -8185,7 +8213,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_modulo_range_low
 #define HIWIN_E_PAR_SERVO_PARAMETERS_QUICK_STOP_DECELERATION_TIME_MAX 10000u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_QUICK_STOP_DECELERATION_TIME_DEFAULT 0u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_quick_stop_deceleration_time_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8193,7 +8221,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_quick_stop_decel
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_quick_stop_deceleration_time_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8217,7 +8245,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_quick_stop_decel
 #define HIWIN_E_PAR_SERVO_PARAMETERS_MAXIMUM_SPEED_ROTARY_MAX 65535u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_MAXIMUM_SPEED_ROTARY_DEFAULT 10000u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_maximum_speed_rotary_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8225,7 +8253,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_maximum_speed_ro
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_maximum_speed_rotary_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8247,7 +8275,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_maximum_speed_ro
 #define HIWIN_E_PAR_SERVO_PARAMETERS_REFERENCE_SPEED_ROTARY_MAX 65535u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_REFERENCE_SPEED_ROTARY_DEFAULT 3000u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_speed_rotary_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8255,7 +8283,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_speed_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_speed_rotary_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8281,7 +8309,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_speed_
 #define HIWIN_E_PAR_SERVO_PARAMETERS_MAXIMUM_SPEED_LINEAR_SCALE_NUMERATOR INT64_C(100)
 #define HIWIN_E_PAR_SERVO_PARAMETERS_MAXIMUM_SPEED_LINEAR_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_maximum_speed_linear_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8289,7 +8317,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_maximum_speed_li
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_maximum_speed_linear_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8316,7 +8344,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_maximum_speed_li
 #define HIWIN_E_PAR_SERVO_PARAMETERS_REFERENCE_SPEED_LINEAR_SCALE_NUMERATOR INT64_C(100)
 #define HIWIN_E_PAR_SERVO_PARAMETERS_REFERENCE_SPEED_LINEAR_SCALE_DENOMINATOR INT64_C(1)
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_speed_linear_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8324,7 +8352,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_speed_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_speed_linear_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8349,7 +8377,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_speed_
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POSITIVE_TORQUE_LIMIT_MAX 800u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POSITIVE_TORQUE_LIMIT_DEFAULT 800u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_torque_limit_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8357,7 +8385,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_torque_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_torque_limit_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8382,7 +8410,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_torque_
 #define HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_TORQUE_LIMIT_MAX 800u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_TORQUE_LIMIT_DEFAULT 800u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_torque_limit_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8390,7 +8418,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_torque_
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_torque_limit_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8417,7 +8445,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_torque_
 #define HIWIN_E_PAR_SERVO_PARAMETERS_REFERENCE_TORQUE_SCALE_NUMERATOR INT64_C(1)
 #define HIWIN_E_PAR_SERVO_PARAMETERS_REFERENCE_TORQUE_SCALE_DENOMINATOR INT64_C(1000)
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_torque_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -8425,7 +8453,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_torque
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_torque_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 2147483647u)) {
@@ -8449,7 +8477,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_torque
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POSITIVE_FIXED_STOP_TOLERANCE_MAX 2147483647u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POSITIVE_FIXED_STOP_TOLERANCE_DEFAULT 100u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -8457,7 +8485,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_fixed_s
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_encode(uint32_t value,
         uint8_t *out)
 {
@@ -8473,7 +8501,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_fixed_s
  * AL.EE0.
  * Printed as Pt42C 反轉 fixed stop 監控容許範圍.
  * Pt42C of servo_parameters. With telegram_111.
- * One count is 1 control unit. Range: 0..2147483647. 0 is as_positive.
+ * One count is 1 control unit. Range: 0..2147483647. 0 means as_positive.
  * Note: Pt42F must not be less than this.
  * Source: 6.12 L1912-1915
  */
@@ -8482,7 +8510,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_fixed_s
 #define HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_FIXED_STOP_TOLERANCE_MAX 2147483647u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_FIXED_STOP_TOLERANCE_DEFAULT 0u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -8490,7 +8518,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_fixed_s
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_encode(uint32_t value,
         uint8_t *out)
 {
@@ -8516,7 +8544,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_fixed_s
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POSITIVE_FIXED_STOP_TORQUE_SCALE_NUMERATOR INT64_C(1)
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POSITIVE_FIXED_STOP_TORQUE_SCALE_DENOMINATOR INT64_C(1000)
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_fixed_stop_torque_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -8524,7 +8552,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_fixed_s
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_fixed_stop_torque_encode(uint32_t value,
         uint8_t *out)
 {
@@ -8539,7 +8567,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_fixed_s
  * The clamping torque, or force, at a fixed stop in the negative direction.
  * Printed as Pt42E 反轉 fixed stop 夾緊轉矩 (推力).
  * Pt42E of servo_parameters. With telegram_111.
- * One count is 0.001 Nm or N. Range: 0..2147483647. 0 is as_positive.
+ * One count is 0.001 Nm or N. Range: 0..2147483647. 0 means as_positive.
  * Source: 6.12 L1922-1925
  */
 #define HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_FIXED_STOP_TORQUE_NUMBER 0x242Eu
@@ -8549,7 +8577,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_fixed_s
 #define HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_FIXED_STOP_TORQUE_SCALE_NUMERATOR INT64_C(1)
 #define HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_FIXED_STOP_TORQUE_SCALE_DENOMINATOR INT64_C(1000)
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_fixed_stop_torque_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -8557,7 +8585,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_fixed_s
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_fixed_stop_torque_encode(uint32_t value,
         uint8_t *out)
 {
@@ -8581,7 +8609,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_fixed_s
 #define HIWIN_E_PAR_SERVO_PARAMETERS_FIXED_STOP_FOLLOWING_ERROR_MAX 2147483647u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_FIXED_STOP_FOLLOWING_ERROR_DEFAULT 1000u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_fixed_stop_following_error_decode(const uint8_t *in,
         uint32_t *out)
 {
@@ -8589,7 +8617,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_fixed_stop_follo
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_fixed_stop_following_error_encode(uint32_t value,
         uint8_t *out)
 {
@@ -8617,14 +8645,14 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_fixed_stop_follo
 #define HIWIN_E_PAR_SERVO_PARAMETERS_REFERENCE_FORCE_SCALE_NUMERATOR INT64_C(1)
 #define HIWIN_E_PAR_SERVO_PARAMETERS_REFERENCE_FORCE_SCALE_DENOMINATOR INT64_C(1000)
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_force_decode(const uint8_t *in, uint32_t *out)
 {
     *out = hiwin_e_load_u32_be(in);
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_force_encode(uint32_t value, uint8_t *out)
 {
     if (!(value <= 2147483647u)) {
@@ -8649,7 +8677,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_reference_force_
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POSITIVE_FORCE_LIMIT_MAX 800u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POSITIVE_FORCE_LIMIT_DEFAULT 30u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_force_limit_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8657,7 +8685,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_force_l
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_force_limit_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8683,7 +8711,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_positive_force_l
 #define HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_FORCE_LIMIT_MAX 800u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_NEGATIVE_FORCE_LIMIT_DEFAULT 30u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_force_limit_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8691,7 +8719,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_force_l
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_force_limit_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8716,7 +8744,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_force_l
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POINT_TO_POINT_SPEED_ROTARY_MAX 10000u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POINT_TO_POINT_SPEED_ROTARY_DEFAULT 600u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_speed_rotary_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8724,7 +8752,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_s
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_speed_rotary_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8747,7 +8775,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_s
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POINT_TO_POINT_ACCELERATION_TIME_MAX 10000u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POINT_TO_POINT_ACCELERATION_TIME_DEFAULT 100u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_acceleration_time_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8755,7 +8783,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_a
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_acceleration_time_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8778,7 +8806,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_a
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POINT_TO_POINT_DECELERATION_TIME_MAX 10000u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POINT_TO_POINT_DECELERATION_TIME_DEFAULT 100u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_deceleration_time_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8786,7 +8814,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_d
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_deceleration_time_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8809,7 +8837,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_d
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POINT_TO_POINT_EMERGENCY_DECELERATION_TIME_MAX 10000u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POINT_TO_POINT_EMERGENCY_DECELERATION_TIME_DEFAULT 10u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8817,7 +8845,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_e
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8840,7 +8868,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_e
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POINT_TO_POINT_DISTANCE_MAX 1073741824
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POINT_TO_POINT_DISTANCE_DEFAULT 32768
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_distance_decode(const uint8_t *in,
         int32_t *out)
 {
@@ -8848,7 +8876,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_d
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_distance_encode(int32_t value,
         uint8_t *out)
 {
@@ -8872,7 +8900,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_d
 #define HIWIN_E_PAR_SERVO_PARAMETERS_JOG_DIRECTION_REVERSED_MAX 1u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_JOG_DIRECTION_REVERSED_DEFAULT 0u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_jog_direction_reversed_decode(const uint8_t *in,
         bool *out)
 {
@@ -8883,7 +8911,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_jog_direction_re
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_jog_direction_reversed_encode(bool value, uint8_t *out)
 {
     hiwin_e_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -8903,7 +8931,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_jog_direction_re
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POINT_TO_POINT_SPEED_LINEAR_MAX 10000u
 #define HIWIN_E_PAR_SERVO_PARAMETERS_POINT_TO_POINT_SPEED_LINEAR_DEFAULT 50u
 
-/** Reads its value. */
+/** Decodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_speed_linear_decode(const uint8_t *in,
         uint16_t *out)
 {
@@ -8911,7 +8939,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_s
     return HIWIN_E_OK;
 }
 
-/** Writes its value. */
+/** Encodes the value. */
 static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_speed_linear_encode(uint16_t value,
         uint8_t *out)
 {
@@ -8928,7 +8956,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_s
  * The data of one telegram in both directions, which the controller and the drive exchange in every cycle.
  * PROFINET carries them in frames of its own; what is decoded here is the data of the telegram alone.
  * Printed as 週期性資料.
- * A frame is bytes.
+ * Frames are binary.
  * Note: One PZD is one word (3.2 L574).
  * Note: Nothing in the data says which telegram they are. It is set up in the drive (7.1 L2023-2025) and in
  * the controller, and parameter 922 holds its number.
@@ -8937,7 +8965,7 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_point_to_point_s
  * Note: The data are valid only while the status byte IOPS that is sent with them is good (2.5.3 L363).
  * Source: 2.5.3 L361-383; 3.2 L516
  */
-/** An opened request: what stands before the body, and where the body is. */
+/** An opened request: its header, and where its body is. */
 typedef struct hiwin_e_cyclic_request_frame {
     const uint8_t *body;
     size_t body_length;
@@ -8954,7 +8982,7 @@ static inline hiwin_e_codec_status hiwin_e_cyclic_request_open(const uint8_t *fr
     return HIWIN_E_OK;
 }
 
-/** Completes a frame whose body lies at out + 0. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 0. `length` receives the size of the frame. */
 static inline hiwin_e_codec_status hiwin_e_cyclic_request_close(size_t body_length, uint8_t *out, size_t capacity,
         size_t *length)
 {
@@ -8967,7 +8995,7 @@ static inline hiwin_e_codec_status hiwin_e_cyclic_request_close(size_t body_leng
     return HIWIN_E_OK;
 }
 
-/** An opened response: what stands before the body, and where the body is. */
+/** An opened response: its header, and where its body is. */
 typedef struct hiwin_e_cyclic_response_frame {
     const uint8_t *body;
     size_t body_length;
@@ -8984,7 +9012,7 @@ static inline hiwin_e_codec_status hiwin_e_cyclic_response_open(const uint8_t *f
     return HIWIN_E_OK;
 }
 
-/** Completes a frame whose body lies at out + 0. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 0. `length` receives the size of the frame. */
 static inline hiwin_e_codec_status hiwin_e_cyclic_response_close(size_t body_length, uint8_t *out, size_t capacity,
         size_t *length)
 {
@@ -9183,7 +9211,7 @@ static inline hiwin_e_codec_status hiwin_e_cyclic_encode_telegram_750_response(c
  * Reads and writes parameters by number, outside of the cyclic data. A request holds one parameter; its
  * response repeats the head of the request, and either gives the values or says why not.
  * Printed as 參數存取.
- * A frame is bytes.
+ * Frames are binary.
  * Note: The drive takes one parameter per request only. One parameter may still give, or take, several
  * elements of its array.
  * Note: The reply to an unknown request ID has the response ID 80h (4.3.6 L1448), whichever ID was sent. It
@@ -9196,7 +9224,7 @@ static inline hiwin_e_codec_status hiwin_e_cyclic_encode_telegram_750_response(c
  * limit.
  * Source: 4.3 L1230-1235; 4.3.1 L1237-1277; 4.3.2 L1279-1319; 4.3.3 L1321-1362; 4.3.4 L1364-1404
  */
-/** An opened request: what stands before the body, and where the body is. */
+/** An opened request: its header, and where its body is. */
 typedef struct hiwin_e_parameter_channel_request_frame {
     /**
      * Chosen by the controller; the response repeats it.
@@ -9204,7 +9232,7 @@ typedef struct hiwin_e_parameter_channel_request_frame {
      * Source: 4.3.1 L1242
      */
     uint8_t request_reference;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
     size_t body_length;
@@ -9235,7 +9263,7 @@ static inline hiwin_e_codec_status hiwin_e_parameter_channel_request_open(const 
     return HIWIN_E_OK;
 }
 
-/** Completes a frame whose body lies at out + 4. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 4. `length` receives the size of the frame. */
 static inline hiwin_e_codec_status hiwin_e_parameter_channel_request_close(uint8_t request_reference, uint32_t code,
         size_t body_length, uint8_t *out, size_t capacity, size_t *length)
 {
@@ -9257,7 +9285,7 @@ static inline hiwin_e_codec_status hiwin_e_parameter_channel_request_close(uint8
     return HIWIN_E_OK;
 }
 
-/** An opened response: what stands before the body, and where the body is. */
+/** An opened response: its header, and where its body is. */
 typedef struct hiwin_e_parameter_channel_response_frame {
     /**
      * The reference of the request.
@@ -9265,9 +9293,9 @@ typedef struct hiwin_e_parameter_channel_response_frame {
      * Source: 4.3.1 L1256
      */
     uint8_t request_reference;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
-    /** The frame refuses a request; its body is an error record. */
+    /** The frame is an exception response; its body is the record of the exception. */
     bool error;
     const uint8_t *body;
     size_t body_length;
@@ -9302,7 +9330,7 @@ static inline hiwin_e_codec_status hiwin_e_parameter_channel_response_open(const
     return HIWIN_E_OK;
 }
 
-/** Completes a frame whose body lies at out + 4. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 4. `length` receives the size of the frame. */
 static inline hiwin_e_codec_status hiwin_e_parameter_channel_response_close(uint8_t request_reference, uint32_t code,
         size_t body_length, uint8_t *out, size_t capacity, size_t *length)
 {
@@ -9379,7 +9407,7 @@ static inline hiwin_e_codec_status hiwin_e_parameter_channel_encode_write_parame
     return hiwin_e_parameter_channel_response_close(request_reference, 2u, 0, out, capacity, length);
 }
 
-/** Writes the whole frame of an error reply to a code. */
+/** Writes the whole frame of an exception response to a code. */
 static inline hiwin_e_codec_status hiwin_e_parameter_channel_encode_error(uint8_t request_reference, uint32_t code,
         const hiwin_e_parameter_error *in, uint8_t *out, size_t capacity, size_t *length)
 {
@@ -9398,8 +9426,8 @@ static inline hiwin_e_codec_status hiwin_e_parameter_channel_encode_error(uint8_
 /* ---- Texts of codes, in UTF-8 ---- */
 
 #ifdef HIWIN_E_WITH_TEXTS
-/** The texts of a code. Several causes, or remedies, are parted by line ends.
- * The number is the other one under which the manual knows the code, or -1; printed is how the manual writes it. */
+/** The texts of a code. Line ends separate several causes or remedies. `printed` is the code as the manual writes it;
+ * `number` is the second number that the manual gives the code, or -1. */
 typedef struct hiwin_e_code_text {
     int64_t code;
     int64_t number;
@@ -9411,7 +9439,7 @@ typedef struct hiwin_e_code_text {
     const char *remedies;
 } hiwin_e_code_text;
 
-/** The texts of a code of hiwin_e_alarm_code, or NULL where it is not listed. */
+/** The texts of a code of hiwin_e_alarm_code, or NULL if the code is unknown. */
 static inline const hiwin_e_code_text *hiwin_e_alarm_code_text(int64_t code)
 {
     static const hiwin_e_code_text texts[] = {
@@ -9485,7 +9513,7 @@ static inline const hiwin_e_code_text *hiwin_e_alarm_code_text(int64_t code)
     return NULL;
 }
 
-/** The texts of a code of hiwin_e_internal_alarm_code, or NULL where it is not listed. */
+/** The texts of a code of hiwin_e_internal_alarm_code, or NULL if the code is unknown. */
 static inline const hiwin_e_code_text *hiwin_e_internal_alarm_code_text(int64_t code)
 {
     static const hiwin_e_code_text texts[] = {
@@ -9559,7 +9587,7 @@ static inline const hiwin_e_code_text *hiwin_e_internal_alarm_code_text(int64_t 
     return NULL;
 }
 
-/** The texts of a code of hiwin_e_parameter_error_number, or NULL where it is not listed. */
+/** The texts of a code of hiwin_e_parameter_error_number, or NULL if the code is unknown. */
 static inline const hiwin_e_code_text *hiwin_e_parameter_error_number_text(int64_t code)
 {
     static const hiwin_e_code_text texts[] = {
@@ -9595,7 +9623,7 @@ static inline const hiwin_e_code_text *hiwin_e_parameter_error_number_text(int64
     return NULL;
 }
 
-/** The texts of a code of hiwin_e_warning_code, or NULL where it is not listed. */
+/** The texts of a code of hiwin_e_warning_code, or NULL if the code is unknown. */
 static inline const hiwin_e_code_text *hiwin_e_warning_code_text(int64_t code)
 {
     static const hiwin_e_code_text texts[] = {

@@ -1,12 +1,12 @@
 /*
  * TC100 (TOYO), in any of its versions
  *
- * Define TC100_SELECT before this header is included, or for the compiler, to say which version is meant:
+ * Selects the header of a version. Define TC100_SELECT before you include this header, or on the command line:
  *
  *     -DTC100_SELECT=TC100_SELECT_V2_0
  *
- * It takes the header of that version, which may as well be included by itself. TC100_SELECT_LATEST is the newest
- * version that was known when this was generated.
+ * You can also include the header of a version directly. TC100_SELECT_LATEST is the newest version that was known when
+ * this header was generated.
  *
  * TC100_SELECT_BEFORE_2_0: tc100_before_2_0.h, identity 6f4511cfdbc65a9f
  * TC100_SELECT_V2_0: tc100_v2_0.h, identity 5a28b0066026c37c
@@ -24,5 +24,5 @@
 #elif TC100_SELECT + 0 == TC100_SELECT_V2_0
 #include "tc100_v2_0.h"
 #else
-#error "TC100_SELECT is no known version; define it as one of TC100_SELECT_BEFORE_2_0, TC100_SELECT_V2_0 or TC100_SELECT_LATEST"
+#error "TC100_SELECT is not a known version; define it as one of TC100_SELECT_BEFORE_2_0, TC100_SELECT_V2_0 or TC100_SELECT_LATEST"
 #endif

@@ -3,17 +3,18 @@
  * From: TC100 series operation manual V.2001
  * Identity: 5a28b0066026c37c
  *
- * Generated; do not edit. For C99 and later and C++98 to C++20, freestanding too: any order of bytes, any alignment, an int of
- * 16 bits or more. Headers from this generator are checked by gcc, clang and cppcheck; their self-tests run on x86-64, AArch64,
- * m68k (big-endian; int of 32 and 16 bits) and as code for Cortex-M0, and under sanitizers; their fuzz targets find nothing.
+ * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
+ * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
+ * self-tests pass on x86-64, AArch64, m68k (big-endian; int of 32 and 16 bits) and Cortex-M0, and under sanitizers; their fuzz
+ * targets find nothing.
  *
- * Before it is included there may be defined:
- *   TC100_WITH_TEXTS for the texts of codes, which take memory
- *   TC100_WIDE_CRC_TABLE for a faster check with a table of 512 bytes
+ * Define before you include it:
+ *   TC100_WITH_TEXTS adds the texts of codes, which take memory
+ *   TC100_WIDE_CRC_TABLE takes a table of 512 bytes for a faster CRC
  */
 #ifdef TC100_INCLUDED
 #ifndef TC100_VERSION_IS_2_0
-#error "another version of this device is included already"
+#error "another version of this device is already included"
 #endif
 #else
 #define TC100_INCLUDED
@@ -35,18 +36,19 @@
 /* ---- Compilers and machines ---- */
 
 #ifdef __GNUC__
-/** A call of these functions would take more than what they do, even where size counts. */
+/** A call would take more code than the function itself, even with -Os. */
 #define TC100_INLINE static inline __attribute__((always_inline))
 #define TC100_LIKELY(test) __builtin_expect(!!(test), 1)
-/** Built in: without string.h, and without a call for a few bytes, where the compiler is a freestanding one. */
+/** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */
+#define TC100_ENUM_16 __attribute__((__mode__(__HI__)))
+/** Built-in functions need no string.h, and no call for a few bytes, also in freestanding code. */
 #define TC100_COPY(to, from, size) __builtin_memcpy((to), (from), (size))
 #define TC100_CLEAR(to, size) __builtin_memset((to), 0, (size))
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && \
     (defined(__x86_64__) || defined(__i386__) || defined(__aarch64__) || defined(__ARM_FEATURE_UNALIGNED))
 /**
- * Numbers are stored at once. The compiler turns loads byte by byte into one by itself, and stores too, but
- * not where it knows that it may change their order: then it makes vectors, which take up to four times as
- * long.
+ * Store a number with one instruction. Compilers merge loads of single bytes by themselves, and mostly stores
+ * too. Where they may reorder stores, they build vectors instead, which take up to four times as long.
  */
 #define TC100_STORES_AT_ONCE
 #endif
@@ -54,29 +56,30 @@
 #include <string.h>
 #define TC100_INLINE static inline
 #define TC100_LIKELY(test) (test)
+#define TC100_ENUM_16
 #define TC100_COPY(to, from, size) memcpy((to), (from), (size))
 #define TC100_CLEAR(to, size) memset((to), 0, (size))
 #endif
 
-/* ---- What functions return ---- */
+/* ---- Results of codec calls ---- */
 
-/** What a function has to say. */
+/** The result of a codec call. */
 typedef enum tc100_codec_status {
-    TC100_OK = 0, /**< It is done. */
+    TC100_OK = 0, /**< No error. */
     TC100_ERR_INCOMPLETE = 1, /**< There are too few bytes. */
-    TC100_ERR_WRONG_LENGTH = 2, /**< The bytes, or elements, are not as many as they must be. */
-    TC100_ERR_WRONG_MARK = 3, /**< The frame does not start or end with its mark. */
-    TC100_ERR_NOT_HEX = 4, /**< A character is no hexadecimal digit. */
-    TC100_ERR_WRONG_CHECK = 5, /**< The check does not fit the bytes. */
+    TC100_ERR_WRONG_LENGTH = 2, /**< The number of bytes or elements is wrong. */
+    TC100_ERR_WRONG_MARK = 3, /**< A delimiter of the frame is missing or wrong. */
+    TC100_ERR_NOT_HEX = 4, /**< A character is not a hexadecimal digit. */
+    TC100_ERR_WRONG_CHECK = 5, /**< The checksum does not match. */
     TC100_ERR_UNKNOWN_CODE = 6, /**< No message has this code. */
-    TC100_ERR_UNKNOWN_VALUE = 7, /**< The value is none of those that there are. */
-    TC100_ERR_WRONG_CONST = 8, /**< A constant has another value. */
-    TC100_ERR_WRONG_MEASURE = 9, /**< A field that holds a size does not fit what it measures. */
-    TC100_ERR_OUT_OF_RANGE = 10, /**< A value is out of its range. */
+    TC100_ERR_UNKNOWN_VALUE = 7, /**< The value is not a member of its enum, or the text is not ASCII. */
+    TC100_ERR_WRONG_CONST = 8, /**< A constant field has another value. */
+    TC100_ERR_WRONG_MEASURE = 9, /**< A length or count field does not match the data. */
+    TC100_ERR_OUT_OF_RANGE = 10, /**< A value is out of range. */
     TC100_ERR_CAPACITY = 11 /**< The buffer is too small. */
 } tc100_codec_status;
 
-/* ---- Numbers and characters, independent of the machine ---- */
+/* ---- Numbers and characters ---- */
 
 TC100_INLINE uint8_t tc100_load_u8(const uint8_t *in)
 {
@@ -194,7 +197,7 @@ static inline bool tc100_is_ascii(const uint8_t *in, size_t size)
     return true;
 }
 
-/** Whether a text of at most size characters has no others than those of ASCII. */
+/** Whether a text of at most `size` characters is ASCII. */
 static inline bool tc100_is_text(const char *text, size_t size)
 {
     size_t at;
@@ -206,7 +209,7 @@ static inline bool tc100_is_text(const char *text, size_t size)
     return true;
 }
 
-/** Writes a text of at most size characters, filled up with zeros. */
+/** Writes a text of at most `size` characters, padded with zeros. */
 static inline void tc100_put_text(uint8_t *out, const char *text, size_t size)
 {
     size_t at;
@@ -236,7 +239,7 @@ static inline uint8_t tc100_hex_digit(uint8_t value)
     return (uint8_t)(value < 10u ? value + 0x30u : value + 0x37u);
 }
 
-/* ---- Checks ---- */
+/* ---- Checksums ---- */
 
 /**
  * CRC-16, polynomial 0xA001 reflected, start value 0xFFFF.
@@ -322,7 +325,7 @@ typedef enum tc100_exception_code {
     TC100_EXCEPTION_CODE_ILLEGAL_FUNCTION = 1, /**< 功能碼錯誤 The function code is none of those that the controller knows. */
     TC100_EXCEPTION_CODE_ILLEGAL_DATA_ADDRESS = 2, /**< 站號錯誤 A register that can only be written was read, one that can only be read was written, or there is no such register. */
     TC100_EXCEPTION_CODE_ILLEGAL_DATA_VALUE = 3 /**< 資料錯誤 A value is out of its range, too many words were asked for, a parameter cannot be changed, or number and data do not fit. */
-} tc100_exception_code;
+} TC100_ENUM_16 tc100_exception_code;
 
 /**
  * What is wrong with the drive or the motor. The servo stays off while an alarm stands (6.3).
@@ -350,7 +353,7 @@ typedef enum tc100_alarm_code {
     TC100_ALARM_CODE_CURRENT_PROTECTION = 14, /**< 保護電流值 */
     TC100_ALARM_CODE_POWER_CYCLE_REQUIRED = 15, /**< 電源再投入 */
     TC100_ALARM_CODE_ACTION_TIMEOUT = 17 /**< 動作超時 */
-} tc100_alarm_code;
+} TC100_ENUM_16 tc100_alarm_code;
 
 /**
  * Why the controller did not carry out a command or accept a value.
@@ -373,13 +376,13 @@ typedef enum tc100_fault_code {
     TC100_FAULT_CODE_PARAMETER_WRITE_NOT_PERMITTED = 11, /**< 參數寫入權限不足 */
     TC100_FAULT_CODE_HOMING_INCOMPLETE = 12, /**< 原點復歸未完成 */
     TC100_FAULT_CODE_BRAKE_RELEASED = 13 /**< 剎車已解除 */
-} tc100_fault_code;
+} TC100_ENUM_16 tc100_fault_code;
 
 /** Source: 5.1 L1164 */
 typedef enum tc100_rotation_direction {
     TC100_ROTATION_DIRECTION_CLOCKWISE = 0, /**< CW */
     TC100_ROTATION_DIRECTION_COUNTERCLOCKWISE = 1 /**< CCW */
-} tc100_rotation_direction;
+} TC100_ENUM_16 tc100_rotation_direction;
 
 /** Whether a value is one of tc100_rotation_direction. */
 static inline bool tc100_rotation_direction_known(int64_t value)
@@ -392,7 +395,7 @@ typedef enum tc100_pulse_input_form {
     TC100_PULSE_INPUT_FORM_CLOCKWISE_AND_COUNTERCLOCKWISE = 0, /**< CW/CCW One pulse train for each direction. */
     TC100_PULSE_INPUT_FORM_PULSE_AND_DIRECTION = 1, /**< PULSE/DIR */
     TC100_PULSE_INPUT_FORM_TWO_PHASES = 2 /**< A 相 /B 相 */
-} tc100_pulse_input_form;
+} TC100_ENUM_16 tc100_pulse_input_form;
 
 /** Whether a value is one of tc100_pulse_input_form. */
 static inline bool tc100_pulse_input_form_known(int64_t value)
@@ -404,7 +407,7 @@ static inline bool tc100_pulse_input_form_known(int64_t value)
 typedef enum tc100_control_mode {
     TC100_CONTROL_MODE_POSITION_MODE = 0, /**< 位置模式 */
     TC100_CONTROL_MODE_TORQUE_MODE = 1 /**< 扭力模式 */
-} tc100_control_mode;
+} TC100_ENUM_16 tc100_control_mode;
 
 /** Whether a value is one of tc100_control_mode. */
 static inline bool tc100_control_mode_known(int64_t value)
@@ -419,7 +422,7 @@ static inline bool tc100_control_mode_known(int64_t value)
 typedef enum tc100_servo_command {
     TC100_SERVO_COMMAND_SERVO_ON = 0, /**< 伺服ON */
     TC100_SERVO_COMMAND_SERVO_OFF = 1 /**< 伺服OFF */
-} tc100_servo_command;
+} TC100_ENUM_16 tc100_servo_command;
 
 /** Whether a value is one of tc100_servo_command. */
 static inline bool tc100_servo_command_known(int64_t value)
@@ -431,7 +434,7 @@ static inline bool tc100_servo_command_known(int64_t value)
 typedef enum tc100_moving_state_rule {
     TC100_MOVING_STATE_RULE_PULSES_SENT = 0, /**< When all pulses of the move have been given out. */
     TC100_MOVING_STATE_RULE_PULSES_SENT_AND_IN_POSITION = 1 /**< When all pulses of the move have been given out and the in position signal is on. */
-} tc100_moving_state_rule;
+} TC100_ENUM_16 tc100_moving_state_rule;
 
 /** Whether a value is one of tc100_moving_state_rule. */
 static inline bool tc100_moving_state_rule_known(int64_t value)
@@ -449,7 +452,7 @@ typedef enum tc100_homing_mode {
     TC100_HOMING_MODE_SENSOR_NEGATIVE = 5, /**< - 方向找 ORG_SIG 信號 Negative direction until the homing sensor. */
     TC100_HOMING_MODE_SENSOR_POSITIVE_THEN_Z_PHASE = 6, /**< + 方向找 ORG_SIG 信號後，反向找 Z 相 Positive direction until the homing sensor, then back to the Z phase. */
     TC100_HOMING_MODE_SENSOR_NEGATIVE_THEN_Z_PHASE = 7 /**< - 方向找 ORG_SIG 信號後，反向找 Z 相 Negative direction until the homing sensor, then back to the Z phase. */
-} tc100_homing_mode;
+} TC100_ENUM_16 tc100_homing_mode;
 
 /** Whether a value is one of tc100_homing_mode. */
 static inline bool tc100_homing_mode_known(int64_t value)
@@ -464,7 +467,7 @@ typedef enum tc100_baud_rate {
     TC100_BAUD_RATE_BAUD_38400 = 2, /**< 38400bps */
     TC100_BAUD_RATE_BAUD_57600 = 3, /**< 57600bps */
     TC100_BAUD_RATE_BAUD_115200 = 4 /**< 115200bps */
-} tc100_baud_rate;
+} TC100_ENUM_16 tc100_baud_rate;
 
 /** Whether a value is one of tc100_baud_rate. */
 static inline bool tc100_baud_rate_known(int64_t value)
@@ -476,7 +479,7 @@ static inline bool tc100_baud_rate_known(int64_t value)
 typedef enum tc100_data_bits {
     TC100_DATA_BITS_EIGHT_BITS = 0, /**< 8bit */
     TC100_DATA_BITS_SEVEN_BITS = 1 /**< 7bit */
-} tc100_data_bits;
+} TC100_ENUM_16 tc100_data_bits;
 
 /** Whether a value is one of tc100_data_bits. */
 static inline bool tc100_data_bits_known(int64_t value)
@@ -489,7 +492,7 @@ typedef enum tc100_parity {
     TC100_PARITY_NO_PARITY = 0, /**< None */
     TC100_PARITY_EVEN_PARITY = 1, /**< Even */
     TC100_PARITY_ODD_PARITY = 2 /**< Odd */
-} tc100_parity;
+} TC100_ENUM_16 tc100_parity;
 
 /** Whether a value is one of tc100_parity. */
 static inline bool tc100_parity_known(int64_t value)
@@ -501,7 +504,7 @@ static inline bool tc100_parity_known(int64_t value)
 typedef enum tc100_protocol {
     TC100_PROTOCOL_MODBUS_ASCII = 0, /**< MODBUS-ASCII */
     TC100_PROTOCOL_MODBUS_RTU = 1 /**< MODBUS-RTU */
-} tc100_protocol;
+} TC100_ENUM_16 tc100_protocol;
 
 /** Whether a value is one of tc100_protocol. */
 static inline bool tc100_protocol_known(int64_t value)
@@ -514,7 +517,7 @@ typedef enum tc100_action_status {
     TC100_ACTION_STATUS_STOPPED = 0, /**< 停止 */
     TC100_ACTION_STATUS_MOVING = 1, /**< 動作中 */
     TC100_ACTION_STATUS_STOPPED_BY_ERROR = 2 /**< 異常停止 An abnormal stop. */
-} tc100_action_status;
+} TC100_ENUM_16 tc100_action_status;
 
 /** Whether a value is one of tc100_action_status. */
 static inline bool tc100_action_status_known(int64_t value)
@@ -526,7 +529,7 @@ static inline bool tc100_action_status_known(int64_t value)
 typedef enum tc100_torque_search_direction {
     TC100_TORQUE_SEARCH_DIRECTION_POSITIVE = 0, /**< + 方向 */
     TC100_TORQUE_SEARCH_DIRECTION_NEGATIVE = 1 /**< - 方向 */
-} tc100_torque_search_direction;
+} TC100_ENUM_16 tc100_torque_search_direction;
 
 /** Whether a value is one of tc100_torque_search_direction. */
 static inline bool tc100_torque_search_direction_known(int64_t value)
@@ -550,7 +553,7 @@ typedef enum tc100_motion_command {
     TC100_MOTION_COMMAND_EMERGENCY_STOP = 9, /**< 緊急停止 */
     TC100_MOTION_COMMAND_JOG_POSITIVE = 11, /**< + JOG Jogs in the positive direction. How long is not described. */
     TC100_MOTION_COMMAND_JOG_NEGATIVE = 12 /**< - JOG Jogs in the negative direction. How long is not described. */
-} tc100_motion_command;
+} TC100_ENUM_16 tc100_motion_command;
 
 /** Whether a value is one of tc100_motion_command. */
 static inline bool tc100_motion_command_known(int64_t value)
@@ -568,7 +571,7 @@ static inline bool tc100_motion_command_known(int64_t value)
 typedef enum tc100_parameter_storage {
     TC100_PARAMETER_STORAGE_PRESENT_PARAMETERS = 0, /**< 當前參數 The parameters as they are. */
     TC100_PARAMETER_STORAGE_DEFAULT_PARAMETERS = 1 /**< 默認數據 The default values. */
-} tc100_parameter_storage;
+} TC100_ENUM_16 tc100_parameter_storage;
 
 /** Whether a value is one of tc100_parameter_storage. */
 static inline bool tc100_parameter_storage_known(int64_t value)
@@ -597,9 +600,9 @@ typedef enum tc100_point_mode {
     TC100_POINT_MODE_ABSOLUTE_MOVE_CONTINUOUS = 13, /**< ABS-R 絶對位置移動 (連續移動) Moves to the position and on to the next point without a stop, changing speed. */
     TC100_POINT_MODE_RELATIVE_MOVE_WITH_TORQUE = 15, /**< INC-T 相對位置移動 [扭力模式] Moves by the distance with the torque limit; stops and reports when more torque is needed. */
     TC100_POINT_MODE_ABSOLUTE_MOVE_WITH_TORQUE = 16 /**< ABS-T 絶對位置移動 [扭力模式] Moves to the position with the torque limit; stops and reports when more torque is needed. */
-} tc100_point_mode;
+} TC100_ENUM_16 tc100_point_mode;
 
-/* ---- Words of flags ---- */
+/* ---- Bit fields ---- */
 
 /**
  * All simulated inputs.
@@ -1067,7 +1070,7 @@ typedef struct tc100_exception {
     uint8_t exception_code;
 } tc100_exception;
 
-/** Whether the values of tc100_exception are such as may be written. */
+/** Whether the values of tc100_exception may be written. */
 static inline tc100_codec_status tc100_exception_check(const tc100_exception *in)
 {
     if (!(in->exception_code >= 1u && in->exception_code <= 3u)) {
@@ -1076,21 +1079,21 @@ static inline tc100_codec_status tc100_exception_check(const tc100_exception *in
     return TC100_OK;
 }
 
-/** Writes tc100_exception to 1 bytes without any check. */
+/** Writes tc100_exception to 1 byte without checks. */
 static inline void tc100_exception_pack(const tc100_exception *in, uint8_t *out)
 {
     tc100_store_u8(out + 0, in->exception_code);
 }
 
-/** Reads tc100_exception from 1 bytes without any check. */
+/** Reads tc100_exception from 1 byte without checks. */
 static inline void tc100_exception_unpack(const uint8_t *in, tc100_exception *out)
 {
     out->exception_code = tc100_load_u8(in + 0);
 }
 
 /**
- * Writes tc100_exception: 1 bytes.
- * Length receives how many bytes were written.
+ * Writes tc100_exception: 1 byte.
+ * `length` receives the number of bytes written.
  */
 static inline tc100_codec_status tc100_exception_encode(const tc100_exception *in, uint8_t *out, size_t capacity,
         size_t *length)
@@ -1108,7 +1111,7 @@ static inline tc100_codec_status tc100_exception_encode(const tc100_exception *i
     return TC100_OK;
 }
 
-/** Reads tc100_exception from exactly 1 bytes. */
+/** Reads tc100_exception from exactly 1 byte. */
 static inline tc100_codec_status tc100_exception_decode(const uint8_t *in, size_t length, tc100_exception *out)
 {
     if (length != 1u) {
@@ -1144,7 +1147,7 @@ typedef struct tc100_point {
     /**
      * The speed, a percentage of the maximum speed 0802H. Homing does not use it.
      * Printed as 移動速度.
-     * One count is 1 %. Range: 0..100. 0 is start_speed.
+     * One count is 1 %. Range: 0..100. 0 means start_speed.
      * Note: Chapter 4 and the software offer 1 to 100 only.
      * Source: 8.2 L1650; 4.1 L804
      */
@@ -1198,13 +1201,13 @@ typedef struct tc100_point {
     /**
      * The point that is executed next.
      * Printed as 下一個步序.
-     * Range: -1, 1..127. -1 is end.
+     * Range: -1, 1..127. -1 means end.
      * Source: 8.2 L1658
      */
     int16_t next_point;
 } tc100_point;
 
-/** Whether the values of tc100_point are such as may be written. */
+/** Whether the values of tc100_point may be written. */
 static inline tc100_codec_status tc100_point_check(const tc100_point *in)
 {
     if (!(in->mode <= 16u)) {
@@ -1231,7 +1234,7 @@ static inline tc100_codec_status tc100_point_check(const tc100_point *in)
     return TC100_OK;
 }
 
-/** Writes tc100_point to 28 bytes without any check. */
+/** Writes tc100_point to 28 bytes without checks. */
 static inline void tc100_point_pack(const tc100_point *in, uint8_t *out)
 {
     tc100_store_u16_be(out + 0, in->mode);
@@ -1247,7 +1250,7 @@ static inline void tc100_point_pack(const tc100_point *in, uint8_t *out)
     tc100_store_u16_be(out + 26, (uint16_t)in->next_point);
 }
 
-/** Reads tc100_point from 28 bytes without any check. */
+/** Reads tc100_point from 28 bytes without checks. */
 static inline void tc100_point_unpack(const uint8_t *in, tc100_point *out)
 {
     out->mode = tc100_load_u16_be(in + 0);
@@ -1264,7 +1267,7 @@ static inline void tc100_point_unpack(const uint8_t *in, tc100_point *out)
 
 /**
  * Writes tc100_point: 28 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline tc100_codec_status tc100_point_encode(const tc100_point *in, uint8_t *out, size_t capacity,
         size_t *length)
@@ -1318,7 +1321,7 @@ typedef struct tc100_read_registers_request {
     uint16_t word_count;
 } tc100_read_registers_request;
 
-/** Whether the values of tc100_read_registers_request are such as may be written. */
+/** Whether the values of tc100_read_registers_request may be written. */
 static inline tc100_codec_status tc100_read_registers_request_check(const tc100_read_registers_request *in)
 {
     if (!(in->word_count >= 1u && in->word_count <= 60u)) {
@@ -1327,14 +1330,14 @@ static inline tc100_codec_status tc100_read_registers_request_check(const tc100_
     return TC100_OK;
 }
 
-/** Writes tc100_read_registers_request to 4 bytes without any check. */
+/** Writes tc100_read_registers_request to 4 bytes without checks. */
 static inline void tc100_read_registers_request_pack(const tc100_read_registers_request *in, uint8_t *out)
 {
     tc100_store_u16_be(out + 0, in->address);
     tc100_store_u16_be(out + 2, in->word_count);
 }
 
-/** Reads tc100_read_registers_request from 4 bytes without any check. */
+/** Reads tc100_read_registers_request from 4 bytes without checks. */
 static inline void tc100_read_registers_request_unpack(const uint8_t *in, tc100_read_registers_request *out)
 {
     out->address = tc100_load_u16_be(in + 0);
@@ -1343,7 +1346,7 @@ static inline void tc100_read_registers_request_unpack(const uint8_t *in, tc100_
 
 /**
  * Writes tc100_read_registers_request: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline tc100_codec_status tc100_read_registers_request_encode(const tc100_read_registers_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -1385,7 +1388,7 @@ typedef struct tc100_read_registers_response {
 
 /**
  * Writes tc100_read_registers_response: 3 to 121 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline tc100_codec_status tc100_read_registers_response_encode(const tc100_read_registers_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -1454,14 +1457,14 @@ typedef struct tc100_write_register_request {
     uint16_t value;
 } tc100_write_register_request;
 
-/** Writes tc100_write_register_request to 4 bytes without any check. */
+/** Writes tc100_write_register_request to 4 bytes without checks. */
 static inline void tc100_write_register_request_pack(const tc100_write_register_request *in, uint8_t *out)
 {
     tc100_store_u16_be(out + 0, in->address);
     tc100_store_u16_be(out + 2, in->value);
 }
 
-/** Reads tc100_write_register_request from 4 bytes without any check. */
+/** Reads tc100_write_register_request from 4 bytes without checks. */
 static inline void tc100_write_register_request_unpack(const uint8_t *in, tc100_write_register_request *out)
 {
     out->address = tc100_load_u16_be(in + 0);
@@ -1470,7 +1473,7 @@ static inline void tc100_write_register_request_unpack(const uint8_t *in, tc100_
 
 /**
  * Writes tc100_write_register_request: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline tc100_codec_status tc100_write_register_request_encode(const tc100_write_register_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -1510,14 +1513,14 @@ typedef struct tc100_write_register_response {
     uint16_t value;
 } tc100_write_register_response;
 
-/** Writes tc100_write_register_response to 4 bytes without any check. */
+/** Writes tc100_write_register_response to 4 bytes without checks. */
 static inline void tc100_write_register_response_pack(const tc100_write_register_response *in, uint8_t *out)
 {
     tc100_store_u16_be(out + 0, in->address);
     tc100_store_u16_be(out + 2, in->value);
 }
 
-/** Reads tc100_write_register_response from 4 bytes without any check. */
+/** Reads tc100_write_register_response from 4 bytes without checks. */
 static inline void tc100_write_register_response_unpack(const uint8_t *in, tc100_write_register_response *out)
 {
     out->address = tc100_load_u16_be(in + 0);
@@ -1526,7 +1529,7 @@ static inline void tc100_write_register_response_unpack(const uint8_t *in, tc100
 
 /**
  * Writes tc100_write_register_response: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline tc100_codec_status tc100_write_register_response_encode(const tc100_write_register_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -1579,7 +1582,7 @@ typedef struct tc100_write_registers_request {
 
 /**
  * Writes tc100_write_registers_request: 7 to 123 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline tc100_codec_status tc100_write_registers_request_encode(const tc100_write_registers_request *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -1646,7 +1649,7 @@ typedef struct tc100_write_registers_response {
     uint16_t word_count;
 } tc100_write_registers_response;
 
-/** Whether the values of tc100_write_registers_response are such as may be written. */
+/** Whether the values of tc100_write_registers_response may be written. */
 static inline tc100_codec_status tc100_write_registers_response_check(const tc100_write_registers_response *in)
 {
     if (!(in->word_count >= 1u && in->word_count <= 59u)) {
@@ -1655,14 +1658,14 @@ static inline tc100_codec_status tc100_write_registers_response_check(const tc10
     return TC100_OK;
 }
 
-/** Writes tc100_write_registers_response to 4 bytes without any check. */
+/** Writes tc100_write_registers_response to 4 bytes without checks. */
 static inline void tc100_write_registers_response_pack(const tc100_write_registers_response *in, uint8_t *out)
 {
     tc100_store_u16_be(out + 0, in->address);
     tc100_store_u16_be(out + 2, in->word_count);
 }
 
-/** Reads tc100_write_registers_response from 4 bytes without any check. */
+/** Reads tc100_write_registers_response from 4 bytes without checks. */
 static inline void tc100_write_registers_response_unpack(const uint8_t *in, tc100_write_registers_response *out)
 {
     out->address = tc100_load_u16_be(in + 0);
@@ -1671,7 +1674,7 @@ static inline void tc100_write_registers_response_unpack(const uint8_t *in, tc10
 
 /**
  * Writes tc100_write_registers_response: 4 bytes.
- * Length receives how many bytes were written.
+ * `length` receives the number of bytes written.
  */
 static inline tc100_codec_status tc100_write_registers_response_encode(const tc100_write_registers_response *in,
         uint8_t *out, size_t capacity, size_t *length)
@@ -1706,20 +1709,20 @@ static inline tc100_codec_status tc100_write_registers_response_decode(const uin
  * Jogs in the positive direction while MANUAL is on.
  * Printed as JOG+ + JOG 移動.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.4 L1193
  */
 #define TC100_REG_JOG_POSITIVE_INPUT_ADDRESS 0x0601u
 #define TC100_REG_JOG_POSITIVE_INPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_jog_positive_input_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_jog_positive_input_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -1730,20 +1733,20 @@ static inline tc100_codec_status tc100_reg_jog_positive_input_encode(uint16_t va
  * Jogs in the negative direction while MANUAL is on.
  * Printed as JOG- - JOG 移動.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.4 L1194
  */
 #define TC100_REG_JOG_NEGATIVE_INPUT_ADDRESS 0x0602u
 #define TC100_REG_JOG_NEGATIVE_INPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_jog_negative_input_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_jog_negative_input_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -1753,20 +1756,20 @@ static inline tc100_codec_status tc100_reg_jog_negative_input_encode(uint16_t va
 /**
  * Printed as MANUAL 手動模式.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.4 L1195
  */
 #define TC100_REG_MANUAL_MODE_INPUT_ADDRESS 0x0603u
 #define TC100_REG_MANUAL_MODE_INPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_manual_mode_input_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_manual_mode_input_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -1777,20 +1780,20 @@ static inline tc100_codec_status tc100_reg_manual_mode_input_encode(uint16_t val
  * Stores the present position in the selected point while MANUAL is on.
  * Printed as TEACH 點位置存入.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.4 L1196
  */
 #define TC100_REG_TEACH_INPUT_ADDRESS 0x0604u
 #define TC100_REG_TEACH_INPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_teach_input_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_teach_input_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -1801,20 +1804,20 @@ static inline tc100_codec_status tc100_reg_teach_input_encode(uint16_t value, ui
  * Pause, interlock.
  * Printed as LOCK 暫停 / 聯鎖.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.4 L1197
  */
 #define TC100_REG_LOCK_INPUT_ADDRESS 0x0607u
 #define TC100_REG_LOCK_INPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_lock_input_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_lock_input_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -1824,20 +1827,20 @@ static inline tc100_codec_status tc100_reg_lock_input_encode(uint16_t value, uin
 /**
  * Printed as PRGSEL4 程式選擇 No.0~127 Bit4.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.4 L1198
  */
 #define TC100_REG_POINT_SELECT_BIT_4_INPUT_ADDRESS 0x060Eu
 #define TC100_REG_POINT_SELECT_BIT_4_INPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_4_input_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_4_input_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -1847,20 +1850,20 @@ static inline tc100_codec_status tc100_reg_point_select_bit_4_input_encode(uint1
 /**
  * Printed as PRGSEL5 程式選擇 No.0~127 Bit5.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.4 L1199
  */
 #define TC100_REG_POINT_SELECT_BIT_5_INPUT_ADDRESS 0x060Fu
 #define TC100_REG_POINT_SELECT_BIT_5_INPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_5_input_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_5_input_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -1870,20 +1873,20 @@ static inline tc100_codec_status tc100_reg_point_select_bit_5_input_encode(uint1
 /**
  * Printed as PRGSEL6 程式選擇 No.0~127 Bit6.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.4 L1200
  */
 #define TC100_REG_POINT_SELECT_BIT_6_INPUT_ADDRESS 0x0610u
 #define TC100_REG_POINT_SELECT_BIT_6_INPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_6_input_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_6_input_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -1893,20 +1896,20 @@ static inline tc100_codec_status tc100_reg_point_select_bit_6_input_encode(uint1
 /**
  * Printed as ORG_SIG 原點復歸用檢出信號.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.4 L1201
  */
 #define TC100_REG_HOMING_SENSOR_INPUT_ADDRESS 0x0611u
 #define TC100_REG_HOMING_SENSOR_INPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_sensor_input_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_sensor_input_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -1917,20 +1920,20 @@ static inline tc100_codec_status tc100_reg_homing_sensor_input_encode(uint16_t v
  * Switches the brake while the servo is off.
  * Printed as BK_OFF 制動 ON/OFF 信號.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.4 L1202
  */
 #define TC100_REG_BRAKE_INPUT_ADDRESS 0x0612u
 #define TC100_REG_BRAKE_INPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_brake_input_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_brake_input_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -1941,20 +1944,20 @@ static inline tc100_codec_status tc100_reg_brake_input_encode(uint16_t value, ui
  * Switches the detection of full count, which is active initially.
  * Printed as FULL_COUNT 切換 FULL-COUNT 判斷.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.4 L1203
  */
 #define TC100_REG_FULL_COUNT_INPUT_ADDRESS 0x0613u
 #define TC100_REG_FULL_COUNT_INPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_full_count_input_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_full_count_input_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -1964,20 +1967,20 @@ static inline tc100_codec_status tc100_reg_full_count_input_encode(uint16_t valu
 /**
  * Printed as INPOSITION Inposition 到位信號.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1209
  */
 #define TC100_REG_IN_POSITION_OUTPUT_ADDRESS 0x0700u
 #define TC100_REG_IN_POSITION_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_in_position_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_in_position_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -1987,20 +1990,20 @@ static inline tc100_codec_status tc100_reg_in_position_output_encode(uint16_t va
 /**
  * Printed as ALARM 錯誤信號.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1210
  */
 #define TC100_REG_ALARM_OUTPUT_ADDRESS 0x0701u
 #define TC100_REG_ALARM_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_alarm_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_alarm_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2011,20 +2014,20 @@ static inline tc100_codec_status tc100_reg_alarm_output_encode(uint16_t value, u
  * Ready for the next point.
  * Printed as READY 準備完成，可執行下一點位.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1211
  */
 #define TC100_REG_READY_OUTPUT_ADDRESS 0x0702u
 #define TC100_REG_READY_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_ready_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_ready_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2034,20 +2037,20 @@ static inline tc100_codec_status tc100_reg_ready_output_encode(uint16_t value, u
 /**
  * Printed as MOVE 移動中.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1212
  */
 #define TC100_REG_MOVING_OUTPUT_ADDRESS 0x0703u
 #define TC100_REG_MOVING_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_moving_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_moving_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2057,20 +2060,20 @@ static inline tc100_codec_status tc100_reg_moving_output_encode(uint16_t value, 
 /**
  * Printed as SERVO-S SERVO ON 狀態.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1213
  */
 #define TC100_REG_SERVO_ON_OUTPUT_ADDRESS 0x0705u
 #define TC100_REG_SERVO_ON_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_servo_on_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_servo_on_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2080,20 +2083,20 @@ static inline tc100_codec_status tc100_reg_servo_on_output_encode(uint16_t value
 /**
  * Printed as PRGSEL0-S 程式選擇 No.0~127 Bit0.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1214
  */
 #define TC100_REG_POINT_SELECT_BIT_0_OUTPUT_ADDRESS 0x0706u
 #define TC100_REG_POINT_SELECT_BIT_0_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_0_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_0_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2103,20 +2106,20 @@ static inline tc100_codec_status tc100_reg_point_select_bit_0_output_encode(uint
 /**
  * Printed as PRGSEL1-S 程式選擇 No.0~127 Bit1.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1215
  */
 #define TC100_REG_POINT_SELECT_BIT_1_OUTPUT_ADDRESS 0x0707u
 #define TC100_REG_POINT_SELECT_BIT_1_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_1_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_1_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2126,20 +2129,20 @@ static inline tc100_codec_status tc100_reg_point_select_bit_1_output_encode(uint
 /**
  * Printed as PRGSEL2-S 程式選擇 No.0~127 Bit2.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1216
  */
 #define TC100_REG_POINT_SELECT_BIT_2_OUTPUT_ADDRESS 0x0708u
 #define TC100_REG_POINT_SELECT_BIT_2_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_2_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_2_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2149,20 +2152,20 @@ static inline tc100_codec_status tc100_reg_point_select_bit_2_output_encode(uint
 /**
  * Printed as PRGSEL3-S 程式選擇 No.0~127 Bit3.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1217
  */
 #define TC100_REG_POINT_SELECT_BIT_3_OUTPUT_ADDRESS 0x0709u
 #define TC100_REG_POINT_SELECT_BIT_3_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_3_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_3_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2172,20 +2175,20 @@ static inline tc100_codec_status tc100_reg_point_select_bit_3_output_encode(uint
 /**
  * Printed as PRGSEL4-S 程式選擇 No.0~127 Bit4.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1218
  */
 #define TC100_REG_POINT_SELECT_BIT_4_OUTPUT_ADDRESS 0x070Au
 #define TC100_REG_POINT_SELECT_BIT_4_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_4_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_4_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2195,20 +2198,20 @@ static inline tc100_codec_status tc100_reg_point_select_bit_4_output_encode(uint
 /**
  * Printed as PRGSEL5-S 程式選擇 No.0~127 Bit5.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1219
  */
 #define TC100_REG_POINT_SELECT_BIT_5_OUTPUT_ADDRESS 0x070Bu
 #define TC100_REG_POINT_SELECT_BIT_5_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_5_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_5_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2218,20 +2221,20 @@ static inline tc100_codec_status tc100_reg_point_select_bit_5_output_encode(uint
 /**
  * Printed as PRGSEL6-S 程式選擇 No.0~127 Bit6.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1220
  */
 #define TC100_REG_POINT_SELECT_BIT_6_OUTPUT_ADDRESS 0x070Cu
 #define TC100_REG_POINT_SELECT_BIT_6_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_6_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_point_select_bit_6_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2242,20 +2245,20 @@ static inline tc100_codec_status tc100_reg_point_select_bit_6_output_encode(uint
  * Called TRQLIM in 6.2 and 7.5.
  * Printed as TRQ_LMT 扭力極限.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1221
  */
 #define TC100_REG_TORQUE_LIMIT_OUTPUT_ADDRESS 0x070Du
 #define TC100_REG_TORQUE_LIMIT_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_torque_limit_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_torque_limit_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2265,7 +2268,7 @@ static inline tc100_codec_status tc100_reg_torque_limit_output_encode(uint16_t v
 /**
  * Printed as ERR0 錯誤編碼 Bit0.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Note: 6.4 says that ERR0 to ERR3 show 16 states in binary. It does not say whether they carry alarms or
  * faults; alarm 17 does not fit four bits.
  * Source: 5.5 L1222
@@ -2273,14 +2276,14 @@ static inline tc100_codec_status tc100_reg_torque_limit_output_encode(uint16_t v
 #define TC100_REG_ERROR_BIT_0_OUTPUT_ADDRESS 0x070Eu
 #define TC100_REG_ERROR_BIT_0_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_error_bit_0_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_error_bit_0_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2290,20 +2293,20 @@ static inline tc100_codec_status tc100_reg_error_bit_0_output_encode(uint16_t va
 /**
  * Printed as ERR1 錯誤編碼 Bit1.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1223
  */
 #define TC100_REG_ERROR_BIT_1_OUTPUT_ADDRESS 0x070Fu
 #define TC100_REG_ERROR_BIT_1_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_error_bit_1_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_error_bit_1_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2313,20 +2316,20 @@ static inline tc100_codec_status tc100_reg_error_bit_1_output_encode(uint16_t va
 /**
  * Printed as ERR2 錯誤編碼 Bit2.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1224
  */
 #define TC100_REG_ERROR_BIT_2_OUTPUT_ADDRESS 0x0710u
 #define TC100_REG_ERROR_BIT_2_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_error_bit_2_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_error_bit_2_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2336,20 +2339,20 @@ static inline tc100_codec_status tc100_reg_error_bit_2_output_encode(uint16_t va
 /**
  * Printed as ERR3 錯誤編碼 Bit3.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1225
  */
 #define TC100_REG_ERROR_BIT_3_OUTPUT_ADDRESS 0x0711u
 #define TC100_REG_ERROR_BIT_3_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_error_bit_3_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_error_bit_3_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2360,20 +2363,20 @@ static inline tc100_codec_status tc100_reg_error_bit_3_output_encode(uint16_t va
  * On while the position is inside the zone of the point.
  * Printed as INRANGE 區間設定範圍內輸出.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1226
  */
 #define TC100_REG_ZONE_OUTPUT_ADDRESS 0x0712u
 #define TC100_REG_ZONE_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_zone_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_zone_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2384,20 +2387,20 @@ static inline tc100_codec_status tc100_reg_zone_output_encode(uint16_t value, ui
  * On near the target, see 011DH; the target is that of a point in mode ABS or INC.
  * Printed as NEAR 當移動至目標位置的範圍內時輸出.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1227
  */
 #define TC100_REG_NEAR_OUTPUT_ADDRESS 0x0713u
 #define TC100_REG_NEAR_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_near_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_near_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2408,20 +2411,20 @@ static inline tc100_codec_status tc100_reg_near_output_encode(uint16_t value, ui
  * On when the position has reached a soft limit.
  * Printed as SOFTLMT 軟體極限輸出燈號.
  * Read and write. A change takes effect after a restart.
- * 0 is not_used.
+ * 0 means not_used.
  * Source: 5.5 L1228
  */
 #define TC100_REG_SOFT_LIMIT_OUTPUT_ADDRESS 0x0714u
 #define TC100_REG_SOFT_LIMIT_OUTPUT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_soft_limit_output_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_soft_limit_output_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -2439,14 +2442,14 @@ static inline tc100_codec_status tc100_reg_soft_limit_output_encode(uint16_t val
 #define TC100_REG_RELATIVE_DISTANCE_WORDS 2u
 #define TC100_REG_RELATIVE_DISTANCE_DEFAULT 0
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_relative_distance_decode(const uint8_t *in, int32_t *out)
 {
     *out = tc100_signed_32(tc100_load_u32_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_relative_distance_encode(int32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, (uint32_t)value);
@@ -2464,14 +2467,14 @@ static inline tc100_codec_status tc100_reg_relative_distance_encode(int32_t valu
 #define TC100_REG_ABSOLUTE_POSITION_WORDS 2u
 #define TC100_REG_ABSOLUTE_POSITION_DEFAULT 0
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_absolute_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = tc100_signed_32(tc100_load_u32_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_absolute_position_encode(int32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, (uint32_t)value);
@@ -2491,23 +2494,26 @@ static inline tc100_codec_status tc100_reg_absolute_position_encode(int32_t valu
 #define TC100_REG_TORQUE_SEARCH_DIRECTION_MIN 0u
 #define TC100_REG_TORQUE_SEARCH_DIRECTION_MAX 1u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_torque_search_direction_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_torque_search_direction_decode(const uint8_t *in,
+        tc100_torque_search_direction *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_torque_search_direction_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_torque_search_direction_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_torque_search_direction)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_torque_search_direction_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_torque_search_direction_encode(tc100_torque_search_direction value,
+        uint8_t *out)
 {
     if (!tc100_torque_search_direction_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -2522,14 +2528,14 @@ static inline tc100_codec_status tc100_reg_torque_search_direction_encode(uint16
 #define TC100_REG_PRESET_POSITION_WORDS 2u
 #define TC100_REG_PRESET_POSITION_DEFAULT 0
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_preset_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = tc100_signed_32(tc100_load_u32_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_preset_position_encode(int32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, (uint32_t)value);
@@ -2549,23 +2555,24 @@ static inline tc100_codec_status tc100_reg_preset_position_encode(int32_t value,
 #define TC100_REG_SERVO_MIN 0u
 #define TC100_REG_SERVO_MAX 1u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_servo_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_servo_decode(const uint8_t *in, tc100_servo_command *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_servo_command_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_servo_command_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_servo_command)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_servo_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_servo_encode(tc100_servo_command value, uint8_t *out)
 {
     if (!tc100_servo_command_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -2573,7 +2580,7 @@ static inline tc100_codec_status tc100_reg_servo_encode(uint16_t value, uint8_t 
  * The speed of relative and absolute moves and of jogging by 201EH, a percentage of the maximum speed 0802H.
  * Printed as MovSpeedSet 位置 / 扭力控制動作速度設定.
  * Read and write.
- * One count is 1 %. Range: 0..100. 0 is start_speed.
+ * One count is 1 %. Range: 0..100. 0 means start_speed.
  * Source: 8.2 L1623
  */
 #define TC100_REG_MOTION_SPEED_ADDRESS 0x2014u
@@ -2581,14 +2588,14 @@ static inline tc100_codec_status tc100_reg_servo_encode(uint16_t value, uint8_t 
 #define TC100_REG_MOTION_SPEED_MIN 0u
 #define TC100_REG_MOTION_SPEED_MAX 100u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_motion_speed_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_motion_speed_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 100u)) {
@@ -2610,20 +2617,23 @@ static inline tc100_codec_status tc100_reg_motion_speed_encode(uint16_t value, u
 #define TC100_REG_MOTION_COMMAND_MIN 0u
 #define TC100_REG_MOTION_COMMAND_MAX 12u
 
-/** Reads its value from the 2 bytes of its words. */
+/**
+ * Decodes the value from the 2 bytes of its words.
+ * An integer, as the device may answer what motion_command does not have.
+ */
 static inline tc100_codec_status tc100_reg_motion_command_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_motion_command_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_motion_command_encode(tc100_motion_command value, uint8_t *out)
 {
     if (!tc100_motion_command_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -2639,14 +2649,14 @@ static inline tc100_codec_status tc100_reg_motion_command_encode(uint16_t value,
 #define TC100_REG_SIMULATED_INPUTS_MIN 0u
 #define TC100_REG_SIMULATED_INPUTS_MAX 16383u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_simulated_inputs_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_simulated_inputs_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 16383u)) {
@@ -2671,7 +2681,7 @@ static inline tc100_codec_status tc100_reg_simulated_inputs_encode(uint16_t valu
 #define TC100_REG_SIMULATED_INPUT_MIN 0u
 #define TC100_REG_SIMULATED_INPUT_MAX 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_simulated_input_decode(const uint8_t *in, bool *out)
 {
     *out = tc100_load_u16_be(in) != 0;
@@ -2681,14 +2691,14 @@ static inline tc100_codec_status tc100_reg_simulated_input_decode(const uint8_t 
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_simulated_input_encode(bool value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)(value ? 1 : 0));
     return TC100_OK;
 }
 
-/** The address of simulated_input by its number; a number that there is not is refused. */
+/** The address of simulated_input by its number; other numbers are refused. */
 static inline tc100_codec_status tc100_reg_simulated_input_at(uint32_t number, uint16_t *address)
 {
     if (number - TC100_REG_SIMULATED_INPUT_FIRST >= TC100_REG_SIMULATED_INPUT_COUNT) {
@@ -2712,20 +2722,23 @@ static inline tc100_codec_status tc100_reg_simulated_input_at(uint32_t number, u
 #define TC100_REG_PARAMETER_STORAGE_MIN 0u
 #define TC100_REG_PARAMETER_STORAGE_MAX 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/**
+ * Decodes the value from the 2 bytes of its words.
+ * An integer, as the device may answer what parameter_storage does not have.
+ */
 static inline tc100_codec_status tc100_reg_parameter_storage_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_parameter_storage_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_parameter_storage_encode(tc100_parameter_storage value, uint8_t *out)
 {
     if (!tc100_parameter_storage_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -2742,14 +2755,14 @@ static inline tc100_codec_status tc100_reg_parameter_storage_encode(uint16_t val
 #define TC100_REG_WRITE_ENABLE_KEY_WORDS 4u
 #define TC100_REG_WRITE_ENABLE_KEY_VALUE UINT64_C(5509644182563149415)
 
-/** Reads its value from the 8 bytes of its words. */
+/** Decodes the value from the 8 bytes of its words. */
 static inline tc100_codec_status tc100_reg_write_enable_key_decode(const uint8_t *in, uint64_t *out)
 {
     *out = tc100_load_u64_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 8 bytes of its words. */
+/** Encodes the value into the 8 bytes of its words. */
 static inline tc100_codec_status tc100_reg_write_enable_key_encode(uint8_t *out)
 {
     tc100_store_u64_be(out, UINT64_C(5509644182563149415));
@@ -2770,14 +2783,14 @@ static inline tc100_codec_status tc100_reg_write_enable_key_encode(uint8_t *out)
 #define TC100_REG_FULL_COUNT_LIMIT_MIN 1u
 #define TC100_REG_FULL_COUNT_LIMIT_MAX 100000u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_full_count_limit_decode(const uint8_t *in, uint32_t *out)
 {
     *out = tc100_load_u32_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_full_count_limit_encode(uint32_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 100000u)) {
@@ -2800,14 +2813,14 @@ static inline tc100_codec_status tc100_reg_full_count_limit_encode(uint32_t valu
 #define TC100_REG_IN_POSITION_ZONE_MIN 0u
 #define TC100_REG_IN_POSITION_ZONE_MAX 1000u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_in_position_zone_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_in_position_zone_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 1000u)) {
@@ -2832,14 +2845,14 @@ static inline tc100_codec_status tc100_reg_in_position_zone_encode(uint16_t valu
 #define TC100_REG_ELECTRONIC_GEAR_NUMERATOR_MAX 10000u
 #define TC100_REG_ELECTRONIC_GEAR_NUMERATOR_DEFAULT 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_electronic_gear_numerator_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_electronic_gear_numerator_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 10000u)) {
@@ -2862,14 +2875,14 @@ static inline tc100_codec_status tc100_reg_electronic_gear_numerator_encode(uint
 #define TC100_REG_ELECTRONIC_GEAR_DENOMINATOR_MAX 10000u
 #define TC100_REG_ELECTRONIC_GEAR_DENOMINATOR_DEFAULT 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_electronic_gear_denominator_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_electronic_gear_denominator_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 10000u)) {
@@ -2891,23 +2904,25 @@ static inline tc100_codec_status tc100_reg_electronic_gear_denominator_encode(ui
 #define TC100_REG_PULSE_ROTATION_DIRECTION_MIN 0u
 #define TC100_REG_PULSE_ROTATION_DIRECTION_MAX 1u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_pulse_rotation_direction_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_pulse_rotation_direction_decode(const uint8_t *in,
+        tc100_rotation_direction *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_rotation_direction_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_rotation_direction_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_rotation_direction)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_pulse_rotation_direction_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_pulse_rotation_direction_encode(tc100_rotation_direction value, uint8_t *out)
 {
     if (!tc100_rotation_direction_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -2924,23 +2939,24 @@ static inline tc100_codec_status tc100_reg_pulse_rotation_direction_encode(uint1
 #define TC100_REG_PULSE_INPUT_FORM_MAX 2u
 #define TC100_REG_PULSE_INPUT_FORM_DEFAULT 0u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_pulse_input_form_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_pulse_input_form_decode(const uint8_t *in, tc100_pulse_input_form *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_pulse_input_form_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_pulse_input_form_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_pulse_input_form)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_pulse_input_form_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_pulse_input_form_encode(tc100_pulse_input_form value, uint8_t *out)
 {
     if (!tc100_pulse_input_form_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -2957,14 +2973,14 @@ static inline tc100_codec_status tc100_reg_pulse_input_form_encode(uint16_t valu
 #define TC100_REG_NEAR_ZONE_MAX 10000u
 #define TC100_REG_NEAR_ZONE_DEFAULT 4u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_near_zone_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_near_zone_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 10000u)) {
@@ -2989,14 +3005,14 @@ static inline tc100_codec_status tc100_reg_near_zone_encode(uint16_t value, uint
 #define TC100_REG_PUSH_TORQUE_POSITIVE_SCALE_NUMERATOR INT64_C(1)
 #define TC100_REG_PUSH_TORQUE_POSITIVE_SCALE_DENOMINATOR INT64_C(10)
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_push_torque_positive_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_push_torque_positive_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 1000u)) {
@@ -3021,14 +3037,14 @@ static inline tc100_codec_status tc100_reg_push_torque_positive_encode(uint16_t 
 #define TC100_REG_PUSH_TORQUE_NEGATIVE_SCALE_NUMERATOR INT64_C(1)
 #define TC100_REG_PUSH_TORQUE_NEGATIVE_SCALE_DENOMINATOR INT64_C(10)
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_push_torque_negative_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_push_torque_negative_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 1000u)) {
@@ -3051,14 +3067,14 @@ static inline tc100_codec_status tc100_reg_push_torque_negative_encode(uint16_t 
 #define TC100_REG_TORQUE_LIMIT_TIME_MIN 0u
 #define TC100_REG_TORQUE_LIMIT_TIME_MAX 10000u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_torque_limit_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_torque_limit_time_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 10000u)) {
@@ -3081,7 +3097,7 @@ static inline tc100_codec_status tc100_reg_torque_limit_time_encode(uint16_t val
 #define TC100_REG_POSITION_CORRECTION_SPEED_LIMIT_ENABLED_MAX 1u
 #define TC100_REG_POSITION_CORRECTION_SPEED_LIMIT_ENABLED_DEFAULT 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_position_correction_speed_limit_enabled_decode(const uint8_t *in, bool *out)
 {
     *out = tc100_load_u16_be(in) != 0;
@@ -3091,7 +3107,7 @@ static inline tc100_codec_status tc100_reg_position_correction_speed_limit_enabl
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_position_correction_speed_limit_enabled_encode(bool value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -3110,14 +3126,14 @@ static inline tc100_codec_status tc100_reg_position_correction_speed_limit_enabl
 #define TC100_REG_POSITION_CORRECTION_SPEED_LIMIT_MAX 500u
 #define TC100_REG_POSITION_CORRECTION_SPEED_LIMIT_DEFAULT 10u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_position_correction_speed_limit_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_position_correction_speed_limit_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 10u && value <= 500u)) {
@@ -3144,14 +3160,14 @@ static inline tc100_codec_status tc100_reg_position_correction_speed_limit_encod
 #define TC100_REG_MAXIMUM_TORQUE_SCALE_NUMERATOR INT64_C(1)
 #define TC100_REG_MAXIMUM_TORQUE_SCALE_DENOMINATOR INT64_C(10)
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_maximum_torque_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_maximum_torque_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 650u)) {
@@ -3174,14 +3190,14 @@ static inline tc100_codec_status tc100_reg_maximum_torque_encode(uint16_t value,
 #define TC100_REG_FULL_TORQUE_TIME_MAX 10000u
 #define TC100_REG_FULL_TORQUE_TIME_DEFAULT 1000u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_full_torque_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_full_torque_time_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 500u && value <= 10000u)) {
@@ -3206,23 +3222,24 @@ static inline tc100_codec_status tc100_reg_full_torque_time_encode(uint16_t valu
 #define TC100_REG_CONTROL_MODE_MAX 1u
 #define TC100_REG_CONTROL_MODE_DEFAULT 0u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_control_mode_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_control_mode_decode(const uint8_t *in, tc100_control_mode *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_control_mode_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_control_mode_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_control_mode)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_control_mode_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_control_mode_encode(tc100_control_mode value, uint8_t *out)
 {
     if (!tc100_control_mode_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3240,23 +3257,24 @@ static inline tc100_codec_status tc100_reg_control_mode_encode(uint16_t value, u
 #define TC100_REG_SERVO_AT_POWER_ON_MAX 1u
 #define TC100_REG_SERVO_AT_POWER_ON_DEFAULT 0u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_servo_at_power_on_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_servo_at_power_on_decode(const uint8_t *in, tc100_servo_command *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_servo_command_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_servo_command_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_servo_command)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_servo_at_power_on_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_servo_at_power_on_encode(tc100_servo_command value, uint8_t *out)
 {
     if (!tc100_servo_command_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3273,7 +3291,7 @@ static inline tc100_codec_status tc100_reg_servo_at_power_on_encode(uint16_t val
 #define TC100_REG_HOMING_REQUIRED_MAX 1u
 #define TC100_REG_HOMING_REQUIRED_DEFAULT 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_required_decode(const uint8_t *in, bool *out)
 {
     *out = tc100_load_u16_be(in) != 0;
@@ -3283,7 +3301,7 @@ static inline tc100_codec_status tc100_reg_homing_required_decode(const uint8_t 
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_required_encode(bool value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -3304,7 +3322,7 @@ static inline tc100_codec_status tc100_reg_homing_required_encode(bool value, ui
 #define TC100_REG_TOTAL_REVOLUTIONS_ENABLED_MAX 1u
 #define TC100_REG_TOTAL_REVOLUTIONS_ENABLED_DEFAULT 0u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_total_revolutions_enabled_decode(const uint8_t *in, bool *out)
 {
     *out = tc100_load_u16_be(in) != 0;
@@ -3314,7 +3332,7 @@ static inline tc100_codec_status tc100_reg_total_revolutions_enabled_decode(cons
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_total_revolutions_enabled_encode(bool value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -3331,14 +3349,14 @@ static inline tc100_codec_status tc100_reg_total_revolutions_enabled_encode(bool
 #define TC100_REG_START_SPEED_ADDRESS 0x0800u
 #define TC100_REG_START_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_start_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = tc100_load_u32_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_start_speed_encode(uint32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, value);
@@ -3356,14 +3374,14 @@ static inline tc100_codec_status tc100_reg_start_speed_encode(uint32_t value, ui
 #define TC100_REG_MAXIMUM_SPEED_ADDRESS 0x0802u
 #define TC100_REG_MAXIMUM_SPEED_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_maximum_speed_decode(const uint8_t *in, uint32_t *out)
 {
     *out = tc100_load_u32_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_maximum_speed_encode(uint32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, value);
@@ -3381,14 +3399,14 @@ static inline tc100_codec_status tc100_reg_maximum_speed_encode(uint32_t value, 
 #define TC100_REG_ACCELERATION_TIME_MIN 1u
 #define TC100_REG_ACCELERATION_TIME_MAX 30000u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_acceleration_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_acceleration_time_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 30000u)) {
@@ -3409,14 +3427,14 @@ static inline tc100_codec_status tc100_reg_acceleration_time_encode(uint16_t val
 #define TC100_REG_DECELERATION_TIME_MIN 1u
 #define TC100_REG_DECELERATION_TIME_MAX 30000u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_deceleration_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_deceleration_time_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 30000u)) {
@@ -3436,14 +3454,14 @@ static inline tc100_codec_status tc100_reg_deceleration_time_encode(uint16_t val
 #define TC100_REG_TORQUE_LIMIT_PRESS_DISTANCE_ADDRESS 0x0807u
 #define TC100_REG_TORQUE_LIMIT_PRESS_DISTANCE_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_torque_limit_press_distance_decode(const uint8_t *in, uint32_t *out)
 {
     *out = tc100_load_u32_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_torque_limit_press_distance_encode(uint32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, value);
@@ -3462,23 +3480,24 @@ static inline tc100_codec_status tc100_reg_torque_limit_press_distance_encode(ui
 #define TC100_REG_MOVING_STATE_RULE_MIN 0u
 #define TC100_REG_MOVING_STATE_RULE_MAX 1u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_moving_state_rule_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_moving_state_rule_decode(const uint8_t *in, tc100_moving_state_rule *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_moving_state_rule_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_moving_state_rule_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_moving_state_rule)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_moving_state_rule_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_moving_state_rule_encode(tc100_moving_state_rule value, uint8_t *out)
 {
     if (!tc100_moving_state_rule_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3498,14 +3517,14 @@ static inline tc100_codec_status tc100_reg_moving_state_rule_encode(uint16_t val
 #define TC100_REG_JOG_SPEED_SCALE_NUMERATOR INT64_C(1)
 #define TC100_REG_JOG_SPEED_SCALE_DENOMINATOR INT64_C(10)
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_jog_speed_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_jog_speed_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 1000u)) {
@@ -3525,14 +3544,14 @@ static inline tc100_codec_status tc100_reg_jog_speed_encode(uint16_t value, uint
 #define TC100_REG_JOG_DISTANCE_ADDRESS 0x0810u
 #define TC100_REG_JOG_DISTANCE_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_jog_distance_decode(const uint8_t *in, uint32_t *out)
 {
     *out = tc100_load_u32_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_jog_distance_encode(uint32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, value);
@@ -3551,14 +3570,14 @@ static inline tc100_codec_status tc100_reg_jog_distance_encode(uint32_t value, u
 #define TC100_REG_JOG_WAIT_TIME_MIN 0u
 #define TC100_REG_JOG_WAIT_TIME_MAX 1000u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_jog_wait_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_jog_wait_time_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 1000u)) {
@@ -3572,21 +3591,21 @@ static inline tc100_codec_status tc100_reg_jog_wait_time_encode(uint16_t value, 
  * The soft limit in the positive direction.
  * Printed as PlusSoftLimit + 方向的軟體極限.
  * Read and write.
- * 0 is no_limit.
+ * 0 means no_limit.
  * Note: The description says mm, and not how many mm one count is.
  * Source: 5.6 L1246
  */
 #define TC100_REG_SOFT_LIMIT_POSITIVE_ADDRESS 0x0813u
 #define TC100_REG_SOFT_LIMIT_POSITIVE_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_soft_limit_positive_decode(const uint8_t *in, int32_t *out)
 {
     *out = tc100_signed_32(tc100_load_u32_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_soft_limit_positive_encode(int32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, (uint32_t)value);
@@ -3597,21 +3616,21 @@ static inline tc100_codec_status tc100_reg_soft_limit_positive_encode(int32_t va
  * The soft limit in the negative direction.
  * Printed as MinusSoftLimit - 方向的軟體極限.
  * Read and write.
- * 0 is no_limit.
+ * 0 means no_limit.
  * Note: The description says mm, and not how many mm one count is.
  * Source: 5.6 L1247
  */
 #define TC100_REG_SOFT_LIMIT_NEGATIVE_ADDRESS 0x0815u
 #define TC100_REG_SOFT_LIMIT_NEGATIVE_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_soft_limit_negative_decode(const uint8_t *in, int32_t *out)
 {
     *out = tc100_signed_32(tc100_load_u32_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_soft_limit_negative_encode(int32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, (uint32_t)value);
@@ -3630,23 +3649,24 @@ static inline tc100_codec_status tc100_reg_soft_limit_negative_encode(int32_t va
 #define TC100_REG_HOMING_MODE_MIN 0u
 #define TC100_REG_HOMING_MODE_MAX 7u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_homing_mode_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_homing_mode_decode(const uint8_t *in, tc100_homing_mode *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_homing_mode_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_homing_mode_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_homing_mode)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_homing_mode_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_homing_mode_encode(tc100_homing_mode value, uint8_t *out)
 {
     if (!tc100_homing_mode_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3654,7 +3674,7 @@ static inline tc100_codec_status tc100_reg_homing_mode_encode(uint16_t value, ui
  * A percentage of the maximum speed 0802H. For homing by torque, 20 or less is advised.
  * Printed as OrgSpeed 原點復歸速度.
  * Read and write.
- * One count is 1 %. Range: 0..100. 0 is start_speed.
+ * One count is 1 %. Range: 0..100. 0 means start_speed.
  * Source: 5.7 L1254
  */
 #define TC100_REG_HOMING_SPEED_ADDRESS 0x0901u
@@ -3662,14 +3682,14 @@ static inline tc100_codec_status tc100_reg_homing_mode_encode(uint16_t value, ui
 #define TC100_REG_HOMING_SPEED_MIN 0u
 #define TC100_REG_HOMING_SPEED_MAX 100u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_speed_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_speed_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 100u)) {
@@ -3691,14 +3711,14 @@ static inline tc100_codec_status tc100_reg_homing_speed_encode(uint16_t value, u
 #define TC100_REG_HOMING_OFFSET_ADDRESS 0x0902u
 #define TC100_REG_HOMING_OFFSET_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_offset_decode(const uint8_t *in, int32_t *out)
 {
     *out = tc100_signed_32(tc100_load_u32_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_offset_encode(int32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, (uint32_t)value);
@@ -3710,7 +3730,7 @@ static inline tc100_codec_status tc100_reg_homing_offset_encode(int32_t value, u
  * speed 0802H.
  * Printed as OrgOffsetSpeed 原點復歸偏移量 移動速度.
  * Read and write.
- * One count is 1 %. Range: 0..100. 0 is start_speed.
+ * One count is 1 %. Range: 0..100. 0 means start_speed.
  * Source: 5.7 L1259
  */
 #define TC100_REG_HOMING_OFFSET_SPEED_ADDRESS 0x0904u
@@ -3718,14 +3738,14 @@ static inline tc100_codec_status tc100_reg_homing_offset_encode(int32_t value, u
 #define TC100_REG_HOMING_OFFSET_SPEED_MIN 0u
 #define TC100_REG_HOMING_OFFSET_SPEED_MAX 100u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_offset_speed_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_offset_speed_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 100u)) {
@@ -3745,14 +3765,14 @@ static inline tc100_codec_status tc100_reg_homing_offset_speed_encode(uint16_t v
 #define TC100_REG_HOMING_POSITION_ADDRESS 0x0905u
 #define TC100_REG_HOMING_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = tc100_signed_32(tc100_load_u32_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_position_encode(int32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, (uint32_t)value);
@@ -3773,14 +3793,14 @@ static inline tc100_codec_status tc100_reg_homing_position_encode(int32_t value,
 #define TC100_REG_HOMING_TORQUE_LIMIT_SCALE_NUMERATOR INT64_C(1)
 #define TC100_REG_HOMING_TORQUE_LIMIT_SCALE_DENOMINATOR INT64_C(10)
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_torque_limit_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_torque_limit_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 1000u)) {
@@ -3801,14 +3821,14 @@ static inline tc100_codec_status tc100_reg_homing_torque_limit_encode(uint16_t v
 #define TC100_REG_HOMING_Z_PHASE_OFFSET_ADDRESS 0x0908u
 #define TC100_REG_HOMING_Z_PHASE_OFFSET_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_z_phase_offset_decode(const uint8_t *in, int32_t *out)
 {
     *out = tc100_signed_32(tc100_load_u32_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_z_phase_offset_encode(int32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, (uint32_t)value);
@@ -3827,14 +3847,14 @@ static inline tc100_codec_status tc100_reg_homing_z_phase_offset_encode(int32_t 
 #define TC100_REG_HOMING_TORQUE_LIMIT_TIME_MIN 0u
 #define TC100_REG_HOMING_TORQUE_LIMIT_TIME_MAX 1000u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_torque_limit_time_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_torque_limit_time_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 1000u)) {
@@ -3856,14 +3876,14 @@ static inline tc100_codec_status tc100_reg_homing_torque_limit_time_encode(uint1
 #define TC100_REG_HOMING_Z_PHASE_SPEED_1_MIN 1u
 #define TC100_REG_HOMING_Z_PHASE_SPEED_1_MAX 100u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_z_phase_speed_1_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_z_phase_speed_1_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 100u)) {
@@ -3885,14 +3905,14 @@ static inline tc100_codec_status tc100_reg_homing_z_phase_speed_1_encode(uint16_
 #define TC100_REG_HOMING_Z_PHASE_SPEED_2_MIN 1u
 #define TC100_REG_HOMING_Z_PHASE_SPEED_2_MAX 100u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_z_phase_speed_2_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_homing_z_phase_speed_2_encode(uint16_t value, uint8_t *out)
 {
     if (!(value >= 1u && value <= 100u)) {
@@ -3914,23 +3934,24 @@ static inline tc100_codec_status tc100_reg_homing_z_phase_speed_2_encode(uint16_
 #define TC100_REG_BAUD_RATE_MAX 4u
 #define TC100_REG_BAUD_RATE_DEFAULT 1u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_baud_rate_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_baud_rate_decode(const uint8_t *in, tc100_baud_rate *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_baud_rate_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_baud_rate_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_baud_rate)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_baud_rate_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_baud_rate_encode(tc100_baud_rate value, uint8_t *out)
 {
     if (!tc100_baud_rate_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3947,23 +3968,24 @@ static inline tc100_codec_status tc100_reg_baud_rate_encode(uint16_t value, uint
 #define TC100_REG_DATA_BITS_MAX 1u
 #define TC100_REG_DATA_BITS_DEFAULT 0u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_data_bits_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_data_bits_decode(const uint8_t *in, tc100_data_bits *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_data_bits_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_data_bits_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_data_bits)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_data_bits_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_data_bits_encode(tc100_data_bits value, uint8_t *out)
 {
     if (!tc100_data_bits_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -3979,23 +4001,24 @@ static inline tc100_codec_status tc100_reg_data_bits_encode(uint16_t value, uint
 #define TC100_REG_PARITY_MAX 2u
 #define TC100_REG_PARITY_DEFAULT 0u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_parity_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_parity_decode(const uint8_t *in, tc100_parity *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_parity_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_parity_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_parity)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_parity_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_parity_encode(tc100_parity value, uint8_t *out)
 {
     if (!tc100_parity_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -4012,7 +4035,7 @@ static inline tc100_codec_status tc100_reg_parity_encode(uint16_t value, uint8_t
 #define TC100_REG_BROADCAST_ENABLED_MAX 1u
 #define TC100_REG_BROADCAST_ENABLED_DEFAULT 0u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_broadcast_enabled_decode(const uint8_t *in, bool *out)
 {
     *out = tc100_load_u16_be(in) != 0;
@@ -4022,7 +4045,7 @@ static inline tc100_codec_status tc100_reg_broadcast_enabled_decode(const uint8_
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_broadcast_enabled_encode(bool value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -4043,23 +4066,24 @@ static inline tc100_codec_status tc100_reg_broadcast_enabled_encode(bool value, 
 #define TC100_REG_PROTOCOL_MAX 1u
 #define TC100_REG_PROTOCOL_DEFAULT 0u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_protocol_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_protocol_decode(const uint8_t *in, tc100_protocol *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_protocol_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_protocol_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_protocol)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_protocol_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_protocol_encode(tc100_protocol value, uint8_t *out)
 {
     if (!tc100_protocol_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -4074,23 +4098,24 @@ static inline tc100_codec_status tc100_reg_protocol_encode(uint16_t value, uint8
 #define TC100_REG_ACTION_STATUS_MIN 0u
 #define TC100_REG_ACTION_STATUS_MAX 2u
 
-/** Reads its value from the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_action_status_decode(const uint8_t *in, uint16_t *out)
+/** Decodes the value from the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_action_status_decode(const uint8_t *in, tc100_action_status *out)
 {
-    *out = tc100_load_u16_be(in);
-    if (!tc100_action_status_known((int64_t)*out)) {
+    const uint16_t number = tc100_load_u16_be(in);
+    if (!tc100_action_status_known((int64_t)number)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
+    *out = (tc100_action_status)number;
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
-static inline tc100_codec_status tc100_reg_action_status_encode(uint16_t value, uint8_t *out)
+/** Encodes the value into the 2 bytes of its words. */
+static inline tc100_codec_status tc100_reg_action_status_encode(tc100_action_status value, uint8_t *out)
 {
     if (!tc100_action_status_known((int64_t)value)) {
         return TC100_ERR_UNKNOWN_VALUE;
     }
-    tc100_store_u16_be(out, value);
+    tc100_store_u16_be(out, (uint16_t)value);
     return TC100_OK;
 }
 
@@ -4106,7 +4131,7 @@ static inline tc100_codec_status tc100_reg_action_status_encode(uint16_t value, 
 #define TC100_REG_IN_POSITION_MIN 0u
 #define TC100_REG_IN_POSITION_MAX 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_in_position_decode(const uint8_t *in, bool *out)
 {
     *out = tc100_load_u16_be(in) != 0;
@@ -4116,7 +4141,7 @@ static inline tc100_codec_status tc100_reg_in_position_decode(const uint8_t *in,
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_in_position_encode(bool value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -4132,7 +4157,7 @@ static inline tc100_codec_status tc100_reg_in_position_encode(bool value, uint8_
 #define TC100_REG_TORQUE_LIMIT_REACHED_ADDRESS 0x1004u
 #define TC100_REG_TORQUE_LIMIT_REACHED_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_torque_limit_reached_decode(const uint8_t *in, bool *out)
 {
     *out = tc100_load_u16_be(in) != 0;
@@ -4142,7 +4167,7 @@ static inline tc100_codec_status tc100_reg_torque_limit_reached_decode(const uin
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_torque_limit_reached_encode(bool value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -4159,14 +4184,14 @@ static inline tc100_codec_status tc100_reg_torque_limit_reached_encode(bool valu
 #define TC100_REG_ALARM_ADDRESS 0x1005u
 #define TC100_REG_ALARM_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_alarm_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_alarm_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -4182,14 +4207,14 @@ static inline tc100_codec_status tc100_reg_alarm_encode(uint16_t value, uint8_t 
 #define TC100_REG_MOTOR_SPEED_ADDRESS 0x1006u
 #define TC100_REG_MOTOR_SPEED_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_motor_speed_decode(const uint8_t *in, int16_t *out)
 {
     *out = tc100_signed_16(tc100_load_u16_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_motor_speed_encode(int16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)value);
@@ -4207,14 +4232,14 @@ static inline tc100_codec_status tc100_reg_motor_speed_encode(int16_t value, uin
 #define TC100_REG_MOTOR_CURRENT_SCALE_NUMERATOR INT64_C(1)
 #define TC100_REG_MOTOR_CURRENT_SCALE_DENOMINATOR INT64_C(10)
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_motor_current_decode(const uint8_t *in, int16_t *out)
 {
     *out = tc100_signed_16(tc100_load_u16_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_motor_current_encode(int16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)value);
@@ -4231,14 +4256,14 @@ static inline tc100_codec_status tc100_reg_motor_current_encode(int16_t value, u
 #define TC100_REG_COMMAND_POSITION_ADDRESS 0x1008u
 #define TC100_REG_COMMAND_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_command_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = tc100_signed_32(tc100_load_u32_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_command_position_encode(int32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, (uint32_t)value);
@@ -4255,14 +4280,14 @@ static inline tc100_codec_status tc100_reg_command_position_encode(int32_t value
 #define TC100_REG_ENCODER_POSITION_ADDRESS 0x100Au
 #define TC100_REG_ENCODER_POSITION_WORDS 2u
 
-/** Reads its value from the 4 bytes of its words. */
+/** Decodes the value from the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_encoder_position_decode(const uint8_t *in, int32_t *out)
 {
     *out = tc100_signed_32(tc100_load_u32_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 4 bytes of its words. */
+/** Encodes the value into the 4 bytes of its words. */
 static inline tc100_codec_status tc100_reg_encoder_position_encode(int32_t value, uint8_t *out)
 {
     tc100_store_u32_be(out, (uint32_t)value);
@@ -4281,7 +4306,7 @@ static inline tc100_codec_status tc100_reg_encoder_position_encode(int32_t value
 #define TC100_REG_SERVO_ON_MIN 0u
 #define TC100_REG_SERVO_ON_MAX 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_servo_on_decode(const uint8_t *in, bool *out)
 {
     *out = tc100_load_u16_be(in) != 0;
@@ -4291,7 +4316,7 @@ static inline tc100_codec_status tc100_reg_servo_on_decode(const uint8_t *in, bo
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_servo_on_encode(bool value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -4308,14 +4333,14 @@ static inline tc100_codec_status tc100_reg_servo_on_encode(bool value, uint8_t *
 #define TC100_REG_FAULT_ADDRESS 0x100Du
 #define TC100_REG_FAULT_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_fault_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_fault_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
@@ -4326,7 +4351,7 @@ static inline tc100_codec_status tc100_reg_fault_encode(uint16_t value, uint8_t 
  * The number of the point that was executed last.
  * Printed as StepNo 程序選擇號碼.
  * Read only.
- * Range: -1..127. -1 is none.
+ * Range: -1..127. -1 means none.
  * Note: The printed range holds 0; points are numbered from 1.
  * Source: 8.2 L1516
  */
@@ -4335,14 +4360,14 @@ static inline tc100_codec_status tc100_reg_fault_encode(uint16_t value, uint8_t 
 #define TC100_REG_EXECUTED_POINT_MIN (-1)
 #define TC100_REG_EXECUTED_POINT_MAX 127
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_executed_point_decode(const uint8_t *in, int16_t *out)
 {
     *out = tc100_signed_16(tc100_load_u16_be(in));
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_executed_point_encode(int16_t value, uint8_t *out)
 {
     if (!(value >= (-1) && value <= 127)) {
@@ -4364,14 +4389,14 @@ static inline tc100_codec_status tc100_reg_executed_point_encode(int16_t value, 
 #define TC100_REG_OUTPUT_STATES_MIN 0u
 #define TC100_REG_OUTPUT_STATES_MAX 1023u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_output_states_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_output_states_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 1023u)) {
@@ -4396,7 +4421,7 @@ static inline tc100_codec_status tc100_reg_output_states_encode(uint16_t value, 
 #define TC100_REG_OUTPUT_STATE_MIN 0u
 #define TC100_REG_OUTPUT_STATE_MAX 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_output_state_decode(const uint8_t *in, bool *out)
 {
     *out = tc100_load_u16_be(in) != 0;
@@ -4406,14 +4431,14 @@ static inline tc100_codec_status tc100_reg_output_state_decode(const uint8_t *in
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_output_state_encode(bool value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)(value ? 1 : 0));
     return TC100_OK;
 }
 
-/** The address of output_state by its number; a number that there is not is refused. */
+/** The address of output_state by its number; other numbers are refused. */
 static inline tc100_codec_status tc100_reg_output_state_at(uint32_t number, uint16_t *address)
 {
     if (number - TC100_REG_OUTPUT_STATE_FIRST >= TC100_REG_OUTPUT_STATE_COUNT) {
@@ -4435,14 +4460,14 @@ static inline tc100_codec_status tc100_reg_output_state_at(uint32_t number, uint
 #define TC100_REG_INPUT_STATES_MIN 0u
 #define TC100_REG_INPUT_STATES_MAX 32767u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_input_states_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_input_states_encode(uint16_t value, uint8_t *out)
 {
     if (!(value <= 32767u)) {
@@ -4467,7 +4492,7 @@ static inline tc100_codec_status tc100_reg_input_states_encode(uint16_t value, u
 #define TC100_REG_INPUT_STATE_MIN 0u
 #define TC100_REG_INPUT_STATE_MAX 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_input_state_decode(const uint8_t *in, bool *out)
 {
     *out = tc100_load_u16_be(in) != 0;
@@ -4477,14 +4502,14 @@ static inline tc100_codec_status tc100_reg_input_state_decode(const uint8_t *in,
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_input_state_encode(bool value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)(value ? 1 : 0));
     return TC100_OK;
 }
 
-/** The address of input_state by its number; a number that there is not is refused. */
+/** The address of input_state by its number; other numbers are refused. */
 static inline tc100_codec_status tc100_reg_input_state_at(uint32_t number, uint16_t *address)
 {
     if (number - TC100_REG_INPUT_STATE_FIRST >= TC100_REG_INPUT_STATE_COUNT) {
@@ -4506,7 +4531,7 @@ static inline tc100_codec_status tc100_reg_input_state_at(uint32_t number, uint1
 #define TC100_REG_Z_PHASE_STATE_MIN 0u
 #define TC100_REG_Z_PHASE_STATE_MAX 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_z_phase_state_decode(const uint8_t *in, bool *out)
 {
     *out = tc100_load_u16_be(in) != 0;
@@ -4516,7 +4541,7 @@ static inline tc100_codec_status tc100_reg_z_phase_state_decode(const uint8_t *i
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_z_phase_state_encode(bool value, uint8_t *out)
 {
     tc100_store_u16_be(out, (uint16_t)(value ? 1 : 0));
@@ -4537,21 +4562,21 @@ static inline tc100_codec_status tc100_reg_z_phase_state_encode(bool value, uint
 #define TC100_REG_ALARM_HISTORY_STRIDE 1u
 #define TC100_REG_ALARM_HISTORY_FIRST 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_alarm_history_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_alarm_history_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
 
-/** The address of alarm_history by its number; a number that there is not is refused. */
+/** The address of alarm_history by its number; other numbers are refused. */
 static inline tc100_codec_status tc100_reg_alarm_history_at(uint32_t number, uint16_t *address)
 {
     if (number - TC100_REG_ALARM_HISTORY_FIRST >= TC100_REG_ALARM_HISTORY_COUNT) {
@@ -4571,7 +4596,7 @@ static inline tc100_codec_status tc100_reg_alarm_history_at(uint32_t number, uin
 #define TC100_REG_MOTOR_TYPE_ADDRESS 0x10D0u
 #define TC100_REG_MOTOR_TYPE_WORDS 16u
 
-/** Reads its value from the 32 bytes of its words. */
+/** Decodes the value from the 32 bytes of its words. */
 static inline tc100_codec_status tc100_reg_motor_type_decode(const uint8_t *in, char out[33])
 {
     TC100_COPY(out, in, 32u);
@@ -4582,7 +4607,7 @@ static inline tc100_codec_status tc100_reg_motor_type_decode(const uint8_t *in, 
     return TC100_OK;
 }
 
-/** Writes its value to the 32 bytes of its words. */
+/** Encodes the value into the 32 bytes of its words. */
 static inline tc100_codec_status tc100_reg_motor_type_encode(const char value[33], uint8_t *out)
 {
     if (!tc100_is_text(value, 32u)) {
@@ -4603,7 +4628,7 @@ static inline tc100_codec_status tc100_reg_motor_type_encode(const char value[33
 #define TC100_REG_CONTROLLER_TYPE_ADDRESS 0x10E0u
 #define TC100_REG_CONTROLLER_TYPE_WORDS 16u
 
-/** Reads its value from the 32 bytes of its words. */
+/** Decodes the value from the 32 bytes of its words. */
 static inline tc100_codec_status tc100_reg_controller_type_decode(const uint8_t *in, char out[33])
 {
     TC100_COPY(out, in, 32u);
@@ -4614,7 +4639,7 @@ static inline tc100_codec_status tc100_reg_controller_type_decode(const uint8_t 
     return TC100_OK;
 }
 
-/** Writes its value to the 32 bytes of its words. */
+/** Encodes the value into the 32 bytes of its words. */
 static inline tc100_codec_status tc100_reg_controller_type_encode(const char value[33], uint8_t *out)
 {
     if (!tc100_is_text(value, 32u)) {
@@ -4635,21 +4660,21 @@ static inline tc100_codec_status tc100_reg_controller_type_encode(const char val
 #define TC100_REG_FIRMWARE_VERSION_ADDRESS 0x10F0u
 #define TC100_REG_FIRMWARE_VERSION_WORDS 1u
 
-/** Reads its value from the 2 bytes of its words. */
+/** Decodes the value from the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_firmware_version_decode(const uint8_t *in, uint16_t *out)
 {
     *out = tc100_load_u16_be(in);
     return TC100_OK;
 }
 
-/** Writes its value to the 2 bytes of its words. */
+/** Encodes the value into the 2 bytes of its words. */
 static inline tc100_codec_status tc100_reg_firmware_version_encode(uint16_t value, uint8_t *out)
 {
     tc100_store_u16_be(out, value);
     return TC100_OK;
 }
 
-/* ---- Tables of records ---- */
+/* ---- Record tables ---- */
 
 /**
  * The points P1 to P127. The table prints the first one whole and the addresses of the second one; the others
@@ -4665,7 +4690,7 @@ static inline tc100_codec_status tc100_reg_firmware_version_encode(uint16_t valu
 #define TC100_TABLE_POINTS_COUNT 127u
 #define TC100_TABLE_POINTS_FIRST 1u
 
-/** The address of an element of points by its number; a number that there is not is refused. */
+/** The address of an element of points by its number; other numbers are refused. */
 static inline tc100_codec_status tc100_table_points_at(uint32_t number, uint16_t *address)
 {
     if (number - TC100_TABLE_POINTS_FIRST >= TC100_TABLE_POINTS_COUNT) {
@@ -4680,16 +4705,16 @@ static inline tc100_codec_status tc100_table_points_at(uint32_t number, uint16_t
 /**
  * RS-485 with two wires, half duplex.
  * Printed as RTU 模式.
- * A frame is bytes.
+ * Frames are binary.
  * Note: The parameter 0A04H chooses between ASCII, as delivered, and RTU. It is that of RS-485; whether USB
  * follows it is not printed.
  * Source: 8.1 L1463-1481; 5.8 L1275; 8.4 L1790, 1851, 1905
  */
-/** An opened request: what stands before the body, and where the body is. */
+/** An opened request: its header, and where its body is. */
 typedef struct tc100_rtu_request_frame {
     /** Source: 8.4 L1796 */
     uint8_t station;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
     size_t body_length;
@@ -4716,7 +4741,7 @@ static inline tc100_codec_status tc100_rtu_request_open(const uint8_t *frame, si
     return TC100_OK;
 }
 
-/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
 static inline tc100_codec_status tc100_rtu_request_close(uint8_t station, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -4737,13 +4762,13 @@ static inline tc100_codec_status tc100_rtu_request_close(uint8_t station, uint32
     return TC100_OK;
 }
 
-/** An opened response: what stands before the body, and where the body is. */
+/** An opened response: its header, and where its body is. */
 typedef struct tc100_rtu_response_frame {
     /** Source: 8.4 L1796 */
     uint8_t station;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
-    /** The frame refuses a request; its body is an error record. */
+    /** The frame is an exception response; its body is the record of the exception. */
     bool error;
     const uint8_t *body;
     size_t body_length;
@@ -4775,7 +4800,7 @@ static inline tc100_codec_status tc100_rtu_response_open(const uint8_t *frame, s
     return TC100_OK;
 }
 
-/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
 static inline tc100_codec_status tc100_rtu_response_close(uint8_t station, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -4892,7 +4917,7 @@ static inline tc100_codec_status tc100_rtu_encode_write_registers_response(uint8
     return tc100_rtu_response_close(station, 16u, body_length, out, capacity, length);
 }
 
-/** Writes the whole frame of an error reply to a code. */
+/** Writes the whole frame of an exception response to a code. */
 static inline tc100_codec_status tc100_rtu_encode_error(uint8_t station, uint32_t code, const tc100_exception *in,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -4911,13 +4936,13 @@ static inline tc100_codec_status tc100_rtu_encode_error(uint8_t station, uint32_
 /**
  * RS-485 with two wires, half duplex, or USB.
  * Printed as ASCII 模式.
- * A frame is hexadecimal characters from 3A to 0D 0A.
+ * Frames are hexadecimal characters; they begin with 3A and end with 0D 0A.
  * Note: The vendor's software needs this mode.
  * Note: In two tables of 8.5 (L2046-2047, L2057-2058) the words for the high and the low byte have slipped
  * onto the rows of the LRC, which is one byte, and of the end mark.
  * Source: 8.1 L1463-1483; 8.5 L2015, 2078, 2136
  */
-/** Takes the marks away and writes the bytes between them. They may replace the frame itself. */
+/** Removes the delimiters and writes the bytes between them. `out` may be the frame itself. */
 static inline tc100_codec_status tc100_ascii_parts(const uint8_t *frame, size_t size, uint8_t *out, size_t capacity,
         size_t *length)
 {
@@ -4947,11 +4972,11 @@ static inline tc100_codec_status tc100_ascii_parts(const uint8_t *frame, size_t 
     return TC100_OK;
 }
 
-/** An opened request: what stands before the body, and where the body is. */
+/** An opened request: its header, and where its body is. */
 typedef struct tc100_ascii_request_frame {
     /** Source: 8.5 L2022 */
     uint8_t station;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
     const uint8_t *body;
     size_t body_length;
@@ -4959,7 +4984,7 @@ typedef struct tc100_ascii_request_frame {
 
 /**
  * Checks a frame and finds its body.
- * The buffer receives the frame's bytes, and the body lies in it.
+ * `buffer` receives the bytes of the frame, and the body points into it.
  */
 static inline tc100_codec_status tc100_ascii_request_open(const uint8_t *frame, size_t size, uint8_t *buffer,
         size_t capacity, tc100_ascii_request_frame *out)
@@ -4987,7 +5012,7 @@ static inline tc100_codec_status tc100_ascii_request_open(const uint8_t *frame, 
     return TC100_OK;
 }
 
-/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
 static inline tc100_codec_status tc100_ascii_request_close(uint8_t station, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -5017,13 +5042,13 @@ static inline tc100_codec_status tc100_ascii_request_close(uint8_t station, uint
     return TC100_OK;
 }
 
-/** An opened response: what stands before the body, and where the body is. */
+/** An opened response: its header, and where its body is. */
 typedef struct tc100_ascii_response_frame {
     /** Source: 8.5 L2022 */
     uint8_t station;
-    /** The code, without the flag of an error reply. */
+    /** The code, without the flag of an exception response. */
     uint32_t code;
-    /** The frame refuses a request; its body is an error record. */
+    /** The frame is an exception response; its body is the record of the exception. */
     bool error;
     const uint8_t *body;
     size_t body_length;
@@ -5031,7 +5056,7 @@ typedef struct tc100_ascii_response_frame {
 
 /**
  * Checks a frame and finds its body.
- * The buffer receives the frame's bytes, and the body lies in it.
+ * `buffer` receives the bytes of the frame, and the body points into it.
  */
 static inline tc100_codec_status tc100_ascii_response_open(const uint8_t *frame, size_t size, uint8_t *buffer,
         size_t capacity, tc100_ascii_response_frame *out)
@@ -5063,7 +5088,7 @@ static inline tc100_codec_status tc100_ascii_response_open(const uint8_t *frame,
     return TC100_OK;
 }
 
-/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+/** Completes a frame whose body is at out + 2. `length` receives the size of the frame. */
 static inline tc100_codec_status tc100_ascii_response_close(uint8_t station, uint32_t code, size_t body_length,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -5189,7 +5214,7 @@ static inline tc100_codec_status tc100_ascii_encode_write_registers_response(uin
     return tc100_ascii_response_close(station, 16u, body_length, out, capacity, length);
 }
 
-/** Writes the whole frame of an error reply to a code. */
+/** Writes the whole frame of an exception response to a code. */
 static inline tc100_codec_status tc100_ascii_encode_error(uint8_t station, uint32_t code, const tc100_exception *in,
         uint8_t *out, size_t capacity, size_t *length)
 {
@@ -5208,8 +5233,8 @@ static inline tc100_codec_status tc100_ascii_encode_error(uint8_t station, uint3
 /* ---- Texts of codes, in UTF-8 ---- */
 
 #ifdef TC100_WITH_TEXTS
-/** The texts of a code. Several causes, or remedies, are parted by line ends.
- * The number is the other one under which the manual knows the code, or -1; printed is how the manual writes it. */
+/** The texts of a code. Line ends separate several causes or remedies. `printed` is the code as the manual writes it;
+ * `number` is the second number that the manual gives the code, or -1. */
 typedef struct tc100_code_text {
     int64_t code;
     int64_t number;
@@ -5221,7 +5246,7 @@ typedef struct tc100_code_text {
     const char *remedies;
 } tc100_code_text;
 
-/** The texts of a code of tc100_exception_code, or NULL where it is not listed. */
+/** The texts of a code of tc100_exception_code, or NULL if the code is unknown. */
 static inline const tc100_code_text *tc100_exception_code_text(int64_t code)
 {
     static const tc100_code_text texts[] = {
@@ -5238,7 +5263,7 @@ static inline const tc100_code_text *tc100_exception_code_text(int64_t code)
     return NULL;
 }
 
-/** The texts of a code of tc100_alarm_code, or NULL where it is not listed. */
+/** The texts of a code of tc100_alarm_code, or NULL if the code is unknown. */
 static inline const tc100_code_text *tc100_alarm_code_text(int64_t code)
 {
     static const tc100_code_text texts[] = {
@@ -5269,7 +5294,7 @@ static inline const tc100_code_text *tc100_alarm_code_text(int64_t code)
     return NULL;
 }
 
-/** The texts of a code of tc100_fault_code, or NULL where it is not listed. */
+/** The texts of a code of tc100_fault_code, or NULL if the code is unknown. */
 static inline const tc100_code_text *tc100_fault_code_text(int64_t code)
 {
     static const tc100_code_text texts[] = {

@@ -2,8 +2,8 @@
  * Tests tc100_v2_0.h: TC100, version 2.0
  * Identity: 5a28b0066026c37c
  *
- * Generated; do not edit. Compile and run: it exits with 0 where all is well. On a machine without an operating system
- * compile it with -ffreestanding: there is no main then, and tc100_selftest is for you to call.
+ * Generated; do not edit. Compile and run it: it exits with 0 if every test passes. On a machine without an operating system
+ * compile it with -ffreestanding; then it has no main, and you call tc100_selftest yourself.
  */
 #define TC100_WITH_TEXTS
 #include "tc100_v2_0.h"
@@ -13,7 +13,7 @@
 #define HOSTED
 #endif
 
-/* Tells of each test that fails by the function, and gives their number. */
+/* Calls `tell` for each test that fails, and returns their number. */
 unsigned long tc100_selftest(void (*tell)(const char *what));
 
 static unsigned long passed, failed;
@@ -52,7 +52,7 @@ static bool same_text(const char *left, const char *right)
     return false;
 }
 
-/* Copies by volatile accesses: the compiler cannot know what is copied, so what follows happens when the test runs. */
+/* Copies by volatile accesses: the compiler cannot know what is copied, so the code that follows runs when the test does. */
 static void copy(void *to, const void *from, size_t size)
 {
     volatile uint8_t *target = (uint8_t *)to;
@@ -1621,18 +1621,18 @@ static void test_59(void)
 static void test_60(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_torque_search_direction out = TC100_TORQUE_SEARCH_DIRECTION_NEGATIVE;
+    volatile tc100_torque_search_direction in = TC100_TORQUE_SEARCH_DIRECTION_POSITIVE;
+    in = TC100_TORQUE_SEARCH_DIRECTION_POSITIVE;
     expect(tc100_reg_torque_search_direction_encode(in, bytes) == TC100_OK, "torque_search_direction 0");
     expect(same_bytes(bytes, "\000\000", 2u), "torque_search_direction 0 bytes");
     expect(tc100_reg_torque_search_direction_decode(bytes, &out) == TC100_OK, "torque_search_direction 0");
-    expect(out == 0u, "torque_search_direction 0");
-    in = 1u;
+    expect(out == TC100_TORQUE_SEARCH_DIRECTION_POSITIVE, "torque_search_direction 0");
+    in = TC100_TORQUE_SEARCH_DIRECTION_NEGATIVE;
     expect(tc100_reg_torque_search_direction_encode(in, bytes) == TC100_OK, "torque_search_direction 1");
     expect(same_bytes(bytes, "\000\001", 2u), "torque_search_direction 1 bytes");
     expect(tc100_reg_torque_search_direction_decode(bytes, &out) == TC100_OK, "torque_search_direction 1");
-    expect(out == 1u, "torque_search_direction 1");
+    expect(out == TC100_TORQUE_SEARCH_DIRECTION_NEGATIVE, "torque_search_direction 1");
 }
 
 static void test_61(void)
@@ -1660,18 +1660,18 @@ static void test_61(void)
 static void test_62(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_servo_command out = TC100_SERVO_COMMAND_SERVO_OFF;
+    volatile tc100_servo_command in = TC100_SERVO_COMMAND_SERVO_ON;
+    in = TC100_SERVO_COMMAND_SERVO_ON;
     expect(tc100_reg_servo_encode(in, bytes) == TC100_OK, "servo 0");
     expect(same_bytes(bytes, "\000\000", 2u), "servo 0 bytes");
     expect(tc100_reg_servo_decode(bytes, &out) == TC100_OK, "servo 0");
-    expect(out == 0u, "servo 0");
-    in = 1u;
+    expect(out == TC100_SERVO_COMMAND_SERVO_ON, "servo 0");
+    in = TC100_SERVO_COMMAND_SERVO_OFF;
     expect(tc100_reg_servo_encode(in, bytes) == TC100_OK, "servo 1");
     expect(same_bytes(bytes, "\000\001", 2u), "servo 1 bytes");
     expect(tc100_reg_servo_decode(bytes, &out) == TC100_OK, "servo 1");
-    expect(out == 1u, "servo 1");
+    expect(out == TC100_SERVO_COMMAND_SERVO_OFF, "servo 1");
 }
 
 static void test_63(void)
@@ -1695,58 +1695,58 @@ static void test_64(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    volatile tc100_motion_command in = TC100_MOTION_COMMAND_RELATIVE_MOVE;
+    in = TC100_MOTION_COMMAND_RELATIVE_MOVE;
     expect(tc100_reg_motion_command_encode(in, bytes) == TC100_OK, "motion_command 0");
     expect(same_bytes(bytes, "\000\000", 2u), "motion_command 0 bytes");
     expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 0");
     expect(out == 0u, "motion_command 0");
-    in = 1u;
+    in = TC100_MOTION_COMMAND_ABSOLUTE_MOVE;
     expect(tc100_reg_motion_command_encode(in, bytes) == TC100_OK, "motion_command 1");
     expect(same_bytes(bytes, "\000\001", 2u), "motion_command 1 bytes");
     expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 1");
     expect(out == 1u, "motion_command 1");
-    in = 2u;
+    in = TC100_MOTION_COMMAND_TORQUE_SEARCH;
     expect(tc100_reg_motion_command_encode(in, bytes) == TC100_OK, "motion_command 2");
     expect(same_bytes(bytes, "\000\002", 2u), "motion_command 2 bytes");
     expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 2");
     expect(out == 2u, "motion_command 2");
-    in = 3u;
+    in = TC100_MOTION_COMMAND_HOMING;
     expect(tc100_reg_motion_command_encode(in, bytes) == TC100_OK, "motion_command 3");
     expect(same_bytes(bytes, "\000\003", 2u), "motion_command 3 bytes");
     expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 3");
     expect(out == 3u, "motion_command 3");
-    in = 4u;
+    in = TC100_MOTION_COMMAND_PRESET_POSITION;
     expect(tc100_reg_motion_command_encode(in, bytes) == TC100_OK, "motion_command 4");
     expect(same_bytes(bytes, "\000\004", 2u), "motion_command 4 bytes");
     expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 4");
     expect(out == 4u, "motion_command 4");
-    in = 6u;
+    in = TC100_MOTION_COMMAND_ALARM_RESET;
     expect(tc100_reg_motion_command_encode(in, bytes) == TC100_OK, "motion_command 6");
     expect(same_bytes(bytes, "\000\006", 2u), "motion_command 6 bytes");
     expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 6");
     expect(out == 6u, "motion_command 6");
-    in = 7u;
+    in = TC100_MOTION_COMMAND_CLEAR_DEVIATION;
     expect(tc100_reg_motion_command_encode(in, bytes) == TC100_OK, "motion_command 7");
     expect(same_bytes(bytes, "\000\007", 2u), "motion_command 7 bytes");
     expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 7");
     expect(out == 7u, "motion_command 7");
-    in = 8u;
+    in = TC100_MOTION_COMMAND_DECELERATE_AND_STOP;
     expect(tc100_reg_motion_command_encode(in, bytes) == TC100_OK, "motion_command 8");
     expect(same_bytes(bytes, "\000\010", 2u), "motion_command 8 bytes");
     expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 8");
     expect(out == 8u, "motion_command 8");
-    in = 9u;
+    in = TC100_MOTION_COMMAND_EMERGENCY_STOP;
     expect(tc100_reg_motion_command_encode(in, bytes) == TC100_OK, "motion_command 9");
     expect(same_bytes(bytes, "\000\011", 2u), "motion_command 9 bytes");
     expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 9");
     expect(out == 9u, "motion_command 9");
-    in = 11u;
+    in = TC100_MOTION_COMMAND_JOG_POSITIVE;
     expect(tc100_reg_motion_command_encode(in, bytes) == TC100_OK, "motion_command 11");
     expect(same_bytes(bytes, "\000\013", 2u), "motion_command 11 bytes");
     expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 11");
     expect(out == 11u, "motion_command 11");
-    in = 12u;
+    in = TC100_MOTION_COMMAND_JOG_NEGATIVE;
     expect(tc100_reg_motion_command_encode(in, bytes) == TC100_OK, "motion_command 12");
     expect(same_bytes(bytes, "\000\014", 2u), "motion_command 12 bytes");
     expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 12");
@@ -1774,13 +1774,13 @@ static void test_66(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    volatile tc100_parameter_storage in = TC100_PARAMETER_STORAGE_PRESENT_PARAMETERS;
+    in = TC100_PARAMETER_STORAGE_PRESENT_PARAMETERS;
     expect(tc100_reg_parameter_storage_encode(in, bytes) == TC100_OK, "parameter_storage 0");
     expect(same_bytes(bytes, "\000\000", 2u), "parameter_storage 0 bytes");
     expect(tc100_reg_parameter_storage_decode(bytes, &out) == TC100_OK, "parameter_storage 0");
     expect(out == 0u, "parameter_storage 0");
-    in = 1u;
+    in = TC100_PARAMETER_STORAGE_DEFAULT_PARAMETERS;
     expect(tc100_reg_parameter_storage_encode(in, bytes) == TC100_OK, "parameter_storage 1");
     expect(same_bytes(bytes, "\000\001", 2u), "parameter_storage 1 bytes");
     expect(tc100_reg_parameter_storage_decode(bytes, &out) == TC100_OK, "parameter_storage 1");
@@ -1871,40 +1871,40 @@ static void test_71(void)
 static void test_72(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_rotation_direction out = TC100_ROTATION_DIRECTION_COUNTERCLOCKWISE;
+    volatile tc100_rotation_direction in = TC100_ROTATION_DIRECTION_CLOCKWISE;
+    in = TC100_ROTATION_DIRECTION_CLOCKWISE;
     expect(tc100_reg_pulse_rotation_direction_encode(in, bytes) == TC100_OK, "pulse_rotation_direction 0");
     expect(same_bytes(bytes, "\000\000", 2u), "pulse_rotation_direction 0 bytes");
     expect(tc100_reg_pulse_rotation_direction_decode(bytes, &out) == TC100_OK, "pulse_rotation_direction 0");
-    expect(out == 0u, "pulse_rotation_direction 0");
-    in = 1u;
+    expect(out == TC100_ROTATION_DIRECTION_CLOCKWISE, "pulse_rotation_direction 0");
+    in = TC100_ROTATION_DIRECTION_COUNTERCLOCKWISE;
     expect(tc100_reg_pulse_rotation_direction_encode(in, bytes) == TC100_OK, "pulse_rotation_direction 1");
     expect(same_bytes(bytes, "\000\001", 2u), "pulse_rotation_direction 1 bytes");
     expect(tc100_reg_pulse_rotation_direction_decode(bytes, &out) == TC100_OK, "pulse_rotation_direction 1");
-    expect(out == 1u, "pulse_rotation_direction 1");
+    expect(out == TC100_ROTATION_DIRECTION_COUNTERCLOCKWISE, "pulse_rotation_direction 1");
 }
 
 static void test_73(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_pulse_input_form out = TC100_PULSE_INPUT_FORM_TWO_PHASES;
+    volatile tc100_pulse_input_form in = TC100_PULSE_INPUT_FORM_CLOCKWISE_AND_COUNTERCLOCKWISE;
+    in = TC100_PULSE_INPUT_FORM_CLOCKWISE_AND_COUNTERCLOCKWISE;
     expect(tc100_reg_pulse_input_form_encode(in, bytes) == TC100_OK, "pulse_input_form 0");
     expect(same_bytes(bytes, "\000\000", 2u), "pulse_input_form 0 bytes");
     expect(tc100_reg_pulse_input_form_decode(bytes, &out) == TC100_OK, "pulse_input_form 0");
-    expect(out == 0u, "pulse_input_form 0");
-    in = 1u;
+    expect(out == TC100_PULSE_INPUT_FORM_CLOCKWISE_AND_COUNTERCLOCKWISE, "pulse_input_form 0");
+    in = TC100_PULSE_INPUT_FORM_PULSE_AND_DIRECTION;
     expect(tc100_reg_pulse_input_form_encode(in, bytes) == TC100_OK, "pulse_input_form 1");
     expect(same_bytes(bytes, "\000\001", 2u), "pulse_input_form 1 bytes");
     expect(tc100_reg_pulse_input_form_decode(bytes, &out) == TC100_OK, "pulse_input_form 1");
-    expect(out == 1u, "pulse_input_form 1");
-    in = 2u;
+    expect(out == TC100_PULSE_INPUT_FORM_PULSE_AND_DIRECTION, "pulse_input_form 1");
+    in = TC100_PULSE_INPUT_FORM_TWO_PHASES;
     expect(tc100_reg_pulse_input_form_encode(in, bytes) == TC100_OK, "pulse_input_form 2");
     expect(same_bytes(bytes, "\000\002", 2u), "pulse_input_form 2 bytes");
     expect(tc100_reg_pulse_input_form_decode(bytes, &out) == TC100_OK, "pulse_input_form 2");
-    expect(out == 2u, "pulse_input_form 2");
+    expect(out == TC100_PULSE_INPUT_FORM_TWO_PHASES, "pulse_input_form 2");
 }
 
 static void test_74(void)
@@ -2029,35 +2029,35 @@ static void test_80(void)
 static void test_81(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_control_mode out = TC100_CONTROL_MODE_TORQUE_MODE;
+    volatile tc100_control_mode in = TC100_CONTROL_MODE_POSITION_MODE;
+    in = TC100_CONTROL_MODE_POSITION_MODE;
     expect(tc100_reg_control_mode_encode(in, bytes) == TC100_OK, "control_mode 0");
     expect(same_bytes(bytes, "\000\000", 2u), "control_mode 0 bytes");
     expect(tc100_reg_control_mode_decode(bytes, &out) == TC100_OK, "control_mode 0");
-    expect(out == 0u, "control_mode 0");
-    in = 1u;
+    expect(out == TC100_CONTROL_MODE_POSITION_MODE, "control_mode 0");
+    in = TC100_CONTROL_MODE_TORQUE_MODE;
     expect(tc100_reg_control_mode_encode(in, bytes) == TC100_OK, "control_mode 1");
     expect(same_bytes(bytes, "\000\001", 2u), "control_mode 1 bytes");
     expect(tc100_reg_control_mode_decode(bytes, &out) == TC100_OK, "control_mode 1");
-    expect(out == 1u, "control_mode 1");
+    expect(out == TC100_CONTROL_MODE_TORQUE_MODE, "control_mode 1");
 }
 
 static void test_82(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_servo_command out = TC100_SERVO_COMMAND_SERVO_OFF;
+    volatile tc100_servo_command in = TC100_SERVO_COMMAND_SERVO_ON;
+    in = TC100_SERVO_COMMAND_SERVO_ON;
     expect(tc100_reg_servo_at_power_on_encode(in, bytes) == TC100_OK, "servo_at_power_on 0");
     expect(same_bytes(bytes, "\000\000", 2u), "servo_at_power_on 0 bytes");
     expect(tc100_reg_servo_at_power_on_decode(bytes, &out) == TC100_OK, "servo_at_power_on 0");
-    expect(out == 0u, "servo_at_power_on 0");
-    in = 1u;
+    expect(out == TC100_SERVO_COMMAND_SERVO_ON, "servo_at_power_on 0");
+    in = TC100_SERVO_COMMAND_SERVO_OFF;
     expect(tc100_reg_servo_at_power_on_encode(in, bytes) == TC100_OK, "servo_at_power_on 1");
     expect(same_bytes(bytes, "\000\001", 2u), "servo_at_power_on 1 bytes");
     expect(tc100_reg_servo_at_power_on_decode(bytes, &out) == TC100_OK, "servo_at_power_on 1");
-    expect(out == 1u, "servo_at_power_on 1");
+    expect(out == TC100_SERVO_COMMAND_SERVO_OFF, "servo_at_power_on 1");
 }
 
 static void test_83(void)
@@ -2148,18 +2148,18 @@ static void test_87(void)
 static void test_88(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_moving_state_rule out = TC100_MOVING_STATE_RULE_PULSES_SENT_AND_IN_POSITION;
+    volatile tc100_moving_state_rule in = TC100_MOVING_STATE_RULE_PULSES_SENT;
+    in = TC100_MOVING_STATE_RULE_PULSES_SENT;
     expect(tc100_reg_moving_state_rule_encode(in, bytes) == TC100_OK, "moving_state_rule 0");
     expect(same_bytes(bytes, "\000\000", 2u), "moving_state_rule 0 bytes");
     expect(tc100_reg_moving_state_rule_decode(bytes, &out) == TC100_OK, "moving_state_rule 0");
-    expect(out == 0u, "moving_state_rule 0");
-    in = 1u;
+    expect(out == TC100_MOVING_STATE_RULE_PULSES_SENT, "moving_state_rule 0");
+    in = TC100_MOVING_STATE_RULE_PULSES_SENT_AND_IN_POSITION;
     expect(tc100_reg_moving_state_rule_encode(in, bytes) == TC100_OK, "moving_state_rule 1");
     expect(same_bytes(bytes, "\000\001", 2u), "moving_state_rule 1 bytes");
     expect(tc100_reg_moving_state_rule_decode(bytes, &out) == TC100_OK, "moving_state_rule 1");
-    expect(out == 1u, "moving_state_rule 1");
+    expect(out == TC100_MOVING_STATE_RULE_PULSES_SENT_AND_IN_POSITION, "moving_state_rule 1");
 }
 
 static void test_89(void)
@@ -2260,48 +2260,48 @@ static void test_93(void)
 static void test_94(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_homing_mode out = TC100_HOMING_MODE_SENSOR_NEGATIVE_THEN_Z_PHASE;
+    volatile tc100_homing_mode in = TC100_HOMING_MODE_TORQUE_POSITIVE;
+    in = TC100_HOMING_MODE_TORQUE_POSITIVE;
     expect(tc100_reg_homing_mode_encode(in, bytes) == TC100_OK, "homing_mode 0");
     expect(same_bytes(bytes, "\000\000", 2u), "homing_mode 0 bytes");
     expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 0");
-    expect(out == 0u, "homing_mode 0");
-    in = 1u;
+    expect(out == TC100_HOMING_MODE_TORQUE_POSITIVE, "homing_mode 0");
+    in = TC100_HOMING_MODE_TORQUE_NEGATIVE;
     expect(tc100_reg_homing_mode_encode(in, bytes) == TC100_OK, "homing_mode 1");
     expect(same_bytes(bytes, "\000\001", 2u), "homing_mode 1 bytes");
     expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 1");
-    expect(out == 1u, "homing_mode 1");
-    in = 2u;
+    expect(out == TC100_HOMING_MODE_TORQUE_NEGATIVE, "homing_mode 1");
+    in = TC100_HOMING_MODE_TORQUE_POSITIVE_THEN_Z_PHASE;
     expect(tc100_reg_homing_mode_encode(in, bytes) == TC100_OK, "homing_mode 2");
     expect(same_bytes(bytes, "\000\002", 2u), "homing_mode 2 bytes");
     expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 2");
-    expect(out == 2u, "homing_mode 2");
-    in = 3u;
+    expect(out == TC100_HOMING_MODE_TORQUE_POSITIVE_THEN_Z_PHASE, "homing_mode 2");
+    in = TC100_HOMING_MODE_TORQUE_NEGATIVE_THEN_Z_PHASE;
     expect(tc100_reg_homing_mode_encode(in, bytes) == TC100_OK, "homing_mode 3");
     expect(same_bytes(bytes, "\000\003", 2u), "homing_mode 3 bytes");
     expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 3");
-    expect(out == 3u, "homing_mode 3");
-    in = 4u;
+    expect(out == TC100_HOMING_MODE_TORQUE_NEGATIVE_THEN_Z_PHASE, "homing_mode 3");
+    in = TC100_HOMING_MODE_SENSOR_POSITIVE;
     expect(tc100_reg_homing_mode_encode(in, bytes) == TC100_OK, "homing_mode 4");
     expect(same_bytes(bytes, "\000\004", 2u), "homing_mode 4 bytes");
     expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 4");
-    expect(out == 4u, "homing_mode 4");
-    in = 5u;
+    expect(out == TC100_HOMING_MODE_SENSOR_POSITIVE, "homing_mode 4");
+    in = TC100_HOMING_MODE_SENSOR_NEGATIVE;
     expect(tc100_reg_homing_mode_encode(in, bytes) == TC100_OK, "homing_mode 5");
     expect(same_bytes(bytes, "\000\005", 2u), "homing_mode 5 bytes");
     expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 5");
-    expect(out == 5u, "homing_mode 5");
-    in = 6u;
+    expect(out == TC100_HOMING_MODE_SENSOR_NEGATIVE, "homing_mode 5");
+    in = TC100_HOMING_MODE_SENSOR_POSITIVE_THEN_Z_PHASE;
     expect(tc100_reg_homing_mode_encode(in, bytes) == TC100_OK, "homing_mode 6");
     expect(same_bytes(bytes, "\000\006", 2u), "homing_mode 6 bytes");
     expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 6");
-    expect(out == 6u, "homing_mode 6");
-    in = 7u;
+    expect(out == TC100_HOMING_MODE_SENSOR_POSITIVE_THEN_Z_PHASE, "homing_mode 6");
+    in = TC100_HOMING_MODE_SENSOR_NEGATIVE_THEN_Z_PHASE;
     expect(tc100_reg_homing_mode_encode(in, bytes) == TC100_OK, "homing_mode 7");
     expect(same_bytes(bytes, "\000\007", 2u), "homing_mode 7 bytes");
     expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 7");
-    expect(out == 7u, "homing_mode 7");
+    expect(out == TC100_HOMING_MODE_SENSOR_NEGATIVE_THEN_Z_PHASE, "homing_mode 7");
 }
 
 static void test_95(void)
@@ -2475,111 +2475,111 @@ static void test_103(void)
 static void test_104(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_baud_rate out = TC100_BAUD_RATE_BAUD_115200;
+    volatile tc100_baud_rate in = TC100_BAUD_RATE_BAUD_9600;
+    in = TC100_BAUD_RATE_BAUD_9600;
     expect(tc100_reg_baud_rate_encode(in, bytes) == TC100_OK, "baud_rate 0");
     expect(same_bytes(bytes, "\000\000", 2u), "baud_rate 0 bytes");
     expect(tc100_reg_baud_rate_decode(bytes, &out) == TC100_OK, "baud_rate 0");
-    expect(out == 0u, "baud_rate 0");
-    in = 1u;
+    expect(out == TC100_BAUD_RATE_BAUD_9600, "baud_rate 0");
+    in = TC100_BAUD_RATE_BAUD_19200;
     expect(tc100_reg_baud_rate_encode(in, bytes) == TC100_OK, "baud_rate 1");
     expect(same_bytes(bytes, "\000\001", 2u), "baud_rate 1 bytes");
     expect(tc100_reg_baud_rate_decode(bytes, &out) == TC100_OK, "baud_rate 1");
-    expect(out == 1u, "baud_rate 1");
-    in = 2u;
+    expect(out == TC100_BAUD_RATE_BAUD_19200, "baud_rate 1");
+    in = TC100_BAUD_RATE_BAUD_38400;
     expect(tc100_reg_baud_rate_encode(in, bytes) == TC100_OK, "baud_rate 2");
     expect(same_bytes(bytes, "\000\002", 2u), "baud_rate 2 bytes");
     expect(tc100_reg_baud_rate_decode(bytes, &out) == TC100_OK, "baud_rate 2");
-    expect(out == 2u, "baud_rate 2");
-    in = 3u;
+    expect(out == TC100_BAUD_RATE_BAUD_38400, "baud_rate 2");
+    in = TC100_BAUD_RATE_BAUD_57600;
     expect(tc100_reg_baud_rate_encode(in, bytes) == TC100_OK, "baud_rate 3");
     expect(same_bytes(bytes, "\000\003", 2u), "baud_rate 3 bytes");
     expect(tc100_reg_baud_rate_decode(bytes, &out) == TC100_OK, "baud_rate 3");
-    expect(out == 3u, "baud_rate 3");
-    in = 4u;
+    expect(out == TC100_BAUD_RATE_BAUD_57600, "baud_rate 3");
+    in = TC100_BAUD_RATE_BAUD_115200;
     expect(tc100_reg_baud_rate_encode(in, bytes) == TC100_OK, "baud_rate 4");
     expect(same_bytes(bytes, "\000\004", 2u), "baud_rate 4 bytes");
     expect(tc100_reg_baud_rate_decode(bytes, &out) == TC100_OK, "baud_rate 4");
-    expect(out == 4u, "baud_rate 4");
+    expect(out == TC100_BAUD_RATE_BAUD_115200, "baud_rate 4");
 }
 
 static void test_105(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_data_bits out = TC100_DATA_BITS_SEVEN_BITS;
+    volatile tc100_data_bits in = TC100_DATA_BITS_EIGHT_BITS;
+    in = TC100_DATA_BITS_EIGHT_BITS;
     expect(tc100_reg_data_bits_encode(in, bytes) == TC100_OK, "data_bits 0");
     expect(same_bytes(bytes, "\000\000", 2u), "data_bits 0 bytes");
     expect(tc100_reg_data_bits_decode(bytes, &out) == TC100_OK, "data_bits 0");
-    expect(out == 0u, "data_bits 0");
-    in = 1u;
+    expect(out == TC100_DATA_BITS_EIGHT_BITS, "data_bits 0");
+    in = TC100_DATA_BITS_SEVEN_BITS;
     expect(tc100_reg_data_bits_encode(in, bytes) == TC100_OK, "data_bits 1");
     expect(same_bytes(bytes, "\000\001", 2u), "data_bits 1 bytes");
     expect(tc100_reg_data_bits_decode(bytes, &out) == TC100_OK, "data_bits 1");
-    expect(out == 1u, "data_bits 1");
+    expect(out == TC100_DATA_BITS_SEVEN_BITS, "data_bits 1");
 }
 
 static void test_106(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_parity out = TC100_PARITY_ODD_PARITY;
+    volatile tc100_parity in = TC100_PARITY_NO_PARITY;
+    in = TC100_PARITY_NO_PARITY;
     expect(tc100_reg_parity_encode(in, bytes) == TC100_OK, "parity 0");
     expect(same_bytes(bytes, "\000\000", 2u), "parity 0 bytes");
     expect(tc100_reg_parity_decode(bytes, &out) == TC100_OK, "parity 0");
-    expect(out == 0u, "parity 0");
-    in = 1u;
+    expect(out == TC100_PARITY_NO_PARITY, "parity 0");
+    in = TC100_PARITY_EVEN_PARITY;
     expect(tc100_reg_parity_encode(in, bytes) == TC100_OK, "parity 1");
     expect(same_bytes(bytes, "\000\001", 2u), "parity 1 bytes");
     expect(tc100_reg_parity_decode(bytes, &out) == TC100_OK, "parity 1");
-    expect(out == 1u, "parity 1");
-    in = 2u;
+    expect(out == TC100_PARITY_EVEN_PARITY, "parity 1");
+    in = TC100_PARITY_ODD_PARITY;
     expect(tc100_reg_parity_encode(in, bytes) == TC100_OK, "parity 2");
     expect(same_bytes(bytes, "\000\002", 2u), "parity 2 bytes");
     expect(tc100_reg_parity_decode(bytes, &out) == TC100_OK, "parity 2");
-    expect(out == 2u, "parity 2");
+    expect(out == TC100_PARITY_ODD_PARITY, "parity 2");
 }
 
 static void test_107(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_protocol out = TC100_PROTOCOL_MODBUS_RTU;
+    volatile tc100_protocol in = TC100_PROTOCOL_MODBUS_ASCII;
+    in = TC100_PROTOCOL_MODBUS_ASCII;
     expect(tc100_reg_protocol_encode(in, bytes) == TC100_OK, "protocol 0");
     expect(same_bytes(bytes, "\000\000", 2u), "protocol 0 bytes");
     expect(tc100_reg_protocol_decode(bytes, &out) == TC100_OK, "protocol 0");
-    expect(out == 0u, "protocol 0");
-    in = 1u;
+    expect(out == TC100_PROTOCOL_MODBUS_ASCII, "protocol 0");
+    in = TC100_PROTOCOL_MODBUS_RTU;
     expect(tc100_reg_protocol_encode(in, bytes) == TC100_OK, "protocol 1");
     expect(same_bytes(bytes, "\000\001", 2u), "protocol 1 bytes");
     expect(tc100_reg_protocol_decode(bytes, &out) == TC100_OK, "protocol 1");
-    expect(out == 1u, "protocol 1");
+    expect(out == TC100_PROTOCOL_MODBUS_RTU, "protocol 1");
 }
 
 static void test_108(void)
 {
     uint8_t bytes[2];
-    uint16_t out = 0;
-    volatile uint16_t in = 0;
-    in = 0u;
+    tc100_action_status out = TC100_ACTION_STATUS_STOPPED_BY_ERROR;
+    volatile tc100_action_status in = TC100_ACTION_STATUS_STOPPED;
+    in = TC100_ACTION_STATUS_STOPPED;
     expect(tc100_reg_action_status_encode(in, bytes) == TC100_OK, "action_status 0");
     expect(same_bytes(bytes, "\000\000", 2u), "action_status 0 bytes");
     expect(tc100_reg_action_status_decode(bytes, &out) == TC100_OK, "action_status 0");
-    expect(out == 0u, "action_status 0");
-    in = 1u;
+    expect(out == TC100_ACTION_STATUS_STOPPED, "action_status 0");
+    in = TC100_ACTION_STATUS_MOVING;
     expect(tc100_reg_action_status_encode(in, bytes) == TC100_OK, "action_status 1");
     expect(same_bytes(bytes, "\000\001", 2u), "action_status 1 bytes");
     expect(tc100_reg_action_status_decode(bytes, &out) == TC100_OK, "action_status 1");
-    expect(out == 1u, "action_status 1");
-    in = 2u;
+    expect(out == TC100_ACTION_STATUS_MOVING, "action_status 1");
+    in = TC100_ACTION_STATUS_STOPPED_BY_ERROR;
     expect(tc100_reg_action_status_encode(in, bytes) == TC100_OK, "action_status 2");
     expect(same_bytes(bytes, "\000\002", 2u), "action_status 2 bytes");
     expect(tc100_reg_action_status_decode(bytes, &out) == TC100_OK, "action_status 2");
-    expect(out == 2u, "action_status 2");
+    expect(out == TC100_ACTION_STATUS_STOPPED_BY_ERROR, "action_status 2");
 }
 
 static void test_109(void)

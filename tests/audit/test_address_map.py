@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.audit.address_map import STATES, Space, spaces_of
-from fieldspec.audit.addresses import poll_rows
-from fieldspec.audit.poll_blocks import ACCESS_UNKNOWN, CLEARED, TOO_LONG, WRITE_ONLY, Polling, polling_of
+from fieldspec.audit.addresses import read_rows
+from fieldspec.layout.read_plan import ACCESS_UNKNOWN, CLEARED, TOO_LONG, WRITE_ONLY, ReadPlan, read_plan
 from layouts import SPECS, all_layouts, layout_at, newest
 from spec_files import gadget
 
@@ -44,13 +44,13 @@ def space(text: str, name: str = "registers") -> Space:
     return spaces[name]
 
 
-def polled(rows: str, most: int = 10, more: str = "") -> Polling:
+def plan_of(rows: str, most: int = 10, more: str = "") -> ReadPlan:
     text = registers(rows, more) + LINK + MESSAGES % (most, most)
-    return polling_of(layout_at(gadget(text), "1"))
+    return read_plan(layout_at(gadget(text), "1"))
 
 
-def blocks(polling: Polling) -> list[tuple[int, int]]:
-    return [(block.start, block.words) for block in polling.blocks]
+def blocks(plan: ReadPlan) -> list[tuple[int, int]]:
+    return [(block.start, block.words) for block in plan.blocks]
 
 
 def states(space_map: Space) -> list[tuple[int, int, str]]:
@@ -138,15 +138,15 @@ def test_the_runs_of_a_block_follow_one_another_without_a_hole(layout) -> None: 
 
 
 def test_a_request_reads_up_to_the_limit_and_divides_no_value() -> None:
-    polling = polled(row(0, "a", "count: 9") + row(9, "wide", "type: u32") + row(11, "b"))
-    assert blocks(polling) == [(0, 9), (9, 3)]
-    limit = polling.limit("")
+    plan = plan_of(row(0, "a", "count: 9") + row(9, "wide", "type: u32") + row(11, "b"))
+    assert blocks(plan) == [(0, 9), (9, 3)]
+    limit = plan.limit("")
     assert limit is not None
     assert limit.words == 10
 
 
 def test_a_request_ends_at_a_hole() -> None:
-    assert blocks(polled(row(0, "a") + row(1, "b") + row(3, "c"))) == [(0, 2), (3, 1)]
+    assert blocks(plan_of(row(0, "a") + row(1, "b") + row(3, "c"))) == [(0, 2), (3, 1)]
 
 
 @pytest.mark.parametrize(
@@ -159,57 +159,57 @@ def test_a_request_ends_at_a_hole() -> None:
 )
 def test_a_request_does_not_touch_what_must_not_be_read(more: str, reason: str) -> None:
     words = 20 if "bytes" in more else 1
-    polling = polled(row(0, "a") + row(1, "b", more) + row(1 + words, "c"))
-    assert blocks(polling) == [(0, 1), (1 + words, 1)]
-    assert [(unit.name, unit.refused) for unit in polling.left_out] == [("b", reason)]
+    plan = plan_of(row(0, "a") + row(1, "b", more) + row(1 + words, "c"))
+    assert blocks(plan) == [(0, 1), (1 + words, 1)]
+    assert [(unit.name, unit.refused) for unit in plan.left_out] == [("b", reason)]
 
 
 def test_a_register_of_which_nothing_says_that_it_can_be_read_is_left_out() -> None:
     text = "registers: [{group: all, section: '1', rows: [{at: 0, name: a, type: u16, source: L1}]}]\n" + LINK
-    polling = polling_of(layout_at(gadget(text + MESSAGES % (10, 10)), "1"))
-    assert [unit.refused for unit in polling.left_out] == [ACCESS_UNKNOWN]
+    plan = read_plan(layout_at(gadget(text + MESSAGES % (10, 10)), "1"))
+    assert [unit.refused for unit in plan.left_out] == [ACCESS_UNKNOWN]
 
 
 def test_reserved_words_are_read_between_values_and_not_at_the_ends() -> None:
     spare = "reserved: true"
     rows = row(0, "s0", spare) + row(1, "a") + row(2, "s1", spare) + row(3, "b") + row(4, "s2", spare)
-    (block,) = polled(rows).blocks
+    (block,) = plan_of(rows).blocks
     assert (block.start, block.words, block.reserved, block.names) == (1, 3, 1, ("a", "b"))
 
 
 def test_the_least_of_what_bounds_a_request_is_the_limit() -> None:
     text = registers(row(0, "a")) + LINK + MESSAGES % (10, 4)
-    polling = polling_of(layout_at(gadget(text), "1"))
-    assert [(limit.words, limit.from_manual) for limit in polling.limits] == [(4, True)]
+    plan = read_plan(layout_at(gadget(text), "1"))
+    assert [(limit.words, limit.from_manual) for limit in plan.limits] == [(4, True)]
 
 
 def test_a_limit_of_the_protocol_is_told_from_one_of_the_manual() -> None:
-    assert [(read_limit.words, read_limit.from_manual) for read_limit in polling_of(newest(SPECS, "ck10")).limits] == [
+    assert [(read_limit.words, read_limit.from_manual) for read_limit in read_plan(newest(SPECS, "ck10")).limits] == [
         (125, False)
     ]
-    (own,) = polling_of(newest(SPECS, "tc100")).limits
+    (own,) = read_plan(newest(SPECS, "tc100")).limits
     assert (own.words, own.from_manual, [source.text() for source in own.sources]) == (60, True, ["8.5 L2026-2027"])
 
 
 @pytest.mark.parametrize("device", ["tc100", "ck10"])
-def test_the_poll_blocks_of_a_device_hold_every_readable_value_once(device: str) -> None:
+def test_the_blocks_of_a_device_hold_every_readable_value_once(device: str) -> None:
     layout = newest(SPECS, device)
-    polling = polling_of(layout)
-    names = [name for block in polling.blocks for name in block.names]
+    plan = read_plan(layout)
+    names = [name for block in plan.blocks for name in block.names]
     assert len(names) == len(set(names))
-    left_out = {unit.name for unit in polling.left_out}
+    left_out = {unit.name for unit in plan.left_out}
     assert {
         register.name for register in layout.device.registers() if register.count == 1 and not register.reserved
     } <= {
         *names,
         *left_out,
     }
-    limit = polling.limit("")
+    limit = plan.limit("")
     assert limit is not None
-    assert all(block.words <= (limit.words or 0) for block in polling.blocks)
+    assert all(block.words <= (limit.words or 0) for block in plan.blocks)
 
 
 def test_equal_requests_at_equal_distances_are_one_row() -> None:
-    rows = poll_rows(polling_of(newest(SPECS, "tc100")).blocks)
-    (points,) = [poll_row for poll_row in rows if poll_row.times > 1]
+    rows = read_rows(read_plan(newest(SPECS, "tc100")).blocks)
+    (points,) = [read_row for read_row in rows if read_row.times > 1]
     assert (points.first.start, points.first.words, points.times, points.apart) == (0x9010, 14, 127, 16)

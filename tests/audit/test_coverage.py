@@ -97,9 +97,7 @@ def test_an_erratum_accounts_for_nothing_else() -> None:
 def test_a_line_with_a_number_is_accounted_for_without_a_pattern() -> None:
     manual = gauge.MANUAL.replace("\n2 Frames", "Wait 50 ms after each write.\n2 Frames")
     (messages,) = gauge.finding_texts(gauge.covered(cited=manual))
-    assert (
-        messages == "manual_accounted: line 10 of the manual, section 1, has numbers, and nothing in the spec cites it"
-    )
+    assert messages == "manual_accounted: line 10 of the manual, section 1, has numbers, and no fact cites it"
     noted = gauge.DEVICE + "notes:\n  - {name: wait, text: Wait 50 ms., source: 1 L10}\n"
     assert gauge.finding_texts(gauge.covered(noted, cited=manual)) == []
 
@@ -171,7 +169,7 @@ UNSOUND = [
     ("a section that is not there", 'sections: ["2"], each', 'sections: ["7"], each', "there is no section 7"),
     ("lines that are not there", "lines: 6-7", "lines: 6-70", "there are no lines 6 to 70"),
     ("a column that is not there", "{code:decimal} :", "{colour} :", "nothing is called `colour`"),
-    ("sections out of order", "line: 11", "line: 2", "out of the order"),
+    ("sections out of order", "line: 11", "line: 2", "not in the order of the manual"),
 ]
 
 
@@ -183,7 +181,7 @@ def test_a_plan_that_is_wrong_is_found(old: str, new: str, message: str) -> None
 
 def test_an_exception_that_nothing_needs_is_found() -> None:
     audit = gauge.AUDIT + "  unprinted:\n    - {facts: [registers/level], reason: No reason.}\n"
-    assert ["does hold them" in text for text in gauge.finding_texts(gauge.covered(audit=audit))] == [True]
+    assert ["contain them" in text for text in gauge.finding_texts(gauge.covered(audit=audit))] == [True]
 
 
 def test_a_device_without_a_plan_says_so() -> None:

@@ -60,9 +60,7 @@ def test_a_row_that_an_edition_changes_is_found_at_its_place() -> None:
 
 def test_a_line_that_an_edition_adds_below_a_heading_is_no_heading() -> None:
     messages = gauge.finding_texts(gauge.covered(manual=edition(insert={4: "Since 2031 there are 7 registers.\n"})))
-    assert messages == [
-        "manual_accounted: line 4 of the manual, section 1, has numbers, and nothing in the spec cites it"
-    ]
+    assert messages == ["manual_accounted: line 4 of the manual, section 1, has numbers, and no fact cites it"]
 
 
 def test_a_line_that_is_left_out_for_what_it_says_is_looked_at_where_an_edition_changes_it() -> None:

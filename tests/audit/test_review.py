@@ -70,7 +70,7 @@ def test_a_fact_that_changes_after_the_review_is_told(run: CommandLine) -> None:
     change(run, "name: b, type: u16", "name: b, type: i16")
     texts = dict(rows_since(run))
     assert texts["1"] == "as it was"
-    assert texts["2"] == "1 facts are new or say something else; 1 are gone or said something else"
+    assert texts["2"] == "1 facts are new or changed; 1 were removed or changed"
     tables = run.json("audit", "gadget")["sections"]["sign_off"]["tables"]
     assert [row["fact"] for row in tables["changed_since"]] == ["registers/b"]
 
@@ -163,7 +163,7 @@ def with_review(**changed: str) -> DeviceSpec:
     ("changed", "message"),
     [
         ({}, []),
-        ({"date": "2026-02-30"}, ["there is no day 2026-02-30"]),
+        ({"date": "2026-02-30"}, ["there is no date 2026-02-30"]),
         ({"facts": "'*!'"}, ["these are not the hashes of facts"]),
         ({"state": "0123456789abcdef"}, ["the state of section 1 is 0123456789abcdef"]),
     ],

@@ -51,3 +51,16 @@ def test_the_version_may_be_named_in_the_program(tmp_path: Path) -> None:
 def test_an_unknown_or_missing_version_stops_the_compiler(flags: tuple[str, ...], tmp_path: Path) -> None:
     with pytest.raises(AssertionError, match="one of ESC11_SELECT_BEFORE_1_17, ESC11_SELECT_V1_17 or"):
         program(tmp_path, "gcc", *flags)
+
+
+def test_the_header_of_a_device_with_one_version_is_that_version(tmp_path: Path) -> None:
+    versions = layouts(SPECS)["ck10"]
+    assert len(versions) == 1
+    for path, text in files(versions).items():
+        (tmp_path / path).write_text(text, encoding="utf-8", newline="\n")
+    source = tmp_path / "program.c"
+    source.write_text(PROGRAM.replace("esc11", "ck10").replace("ESC11", "CK10"), encoding="utf-8")
+    for flags in ((), ("-DCK10_SELECT=CK10_SELECT_V1",), ("-DCK10_SELECT=CK10_SELECT_LATEST",)):
+        compilation = compiled("gcc", source, tmp_path / "program", "-Wno-unused-function", *flags)
+        output = subprocess.run([str(compilation)], capture_output=True, text=True, check=True).stdout.split()
+        assert output == [versions[0].device.version, versions[0].identity]

@@ -19,10 +19,11 @@ from drawing import drawn_bytes, drawn_value, drawn_values
 from loaded import COMPUTING, DEVICES, NAMES, WAY_NAMES, WAYS, computing, judged, proof_by, words_in
 from proving import Proof, without
 
+from fieldspec.backends.vectors.backend import idle_vectors
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.plc.routines.enums import enum_routines
-from fieldspec.plc.routines.registers import answer_name, answer_type
+from fieldspec.plc.routines.register_range import answer_name, answer_type
 from fieldspec.plc.routines.scaling import quantities
 from fieldspec.reference import CodecError
 from fieldspec.reference.records import decoded, decoded_value, encoded, encoded_value, value_construct
@@ -136,7 +137,7 @@ def read_of(prover: Proof, register_layout: RegisterLayout, words: dict[int, int
 
 def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof) -> None:
     dice, most = random.Random(1), prover.world.words.high + 1
-    for group in prover.world.layout.device.groups:
+    for group in prover.world.layout.device.word_groups():
         registers_of_group = registers(prover, group, READ)
         for address, count in spans(registers_of_group, most) if registers_of_group else ():
             words = {address + at: dice.choice([0, 0, 1, dice.randrange(1 << 16)]) for at in range(max(0, count))}
@@ -158,6 +159,38 @@ def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof)
                 assert read_out(prover, group, register, copy) == wanted, (register.name, address)
 
 
+def test_the_registers_of_an_idle_device_are_read_as_the_vectors_say(prover: Proof) -> None:
+    layout = prover.world.layout
+    for read in idle_vectors([layout]):
+        link, message = layout.links[read["link"]], layout.messages[read["message"]]
+        for direction, run in (("request", prover.build), ("response", prover.parse)):
+            frame, values = bytes.fromhex(read[direction]["right"]), read[direction]["values"]
+            if direction == "request":
+                assert run(link, message, values) == ("ok", frame), read["address"]
+            else:
+                assert run(link, message, frame)[0] == "ok", read["address"]
+        answer = read["response"]["values"][message.message.accesses.values]
+        words = answer if isinstance(answer, list) else [answer]
+        is_bits = layout.device.bit_access(message.message) is not None
+        most = len(prover.fresh(prover.world.bits if is_bits else prover.world.words))
+        array = [*words, *([0] * (most - len(words)))]
+        names = {name.partition("[")[0] for name in read["registers"]}
+        for group in layout.device.groups:
+            registers_of_group = [register for register in registers(prover, group, READ) if register.name in names]
+            if not registers_of_group:
+                continue
+            copy = prover.machine.fresh(prover.world.names.structs[group.name].lower())
+            value = {"uiAddress": read["address"], "iCount": read["words"], "stData": copy}
+            value["aBits" if is_bits else "aWords"] = array
+            assert prover.run(ordered(prover, "unpack", group.name), **value)[0] == "ok", (group.name, read["address"])
+            for register in registers_of_group:
+                for at, actual in enumerate(read_out(prover, group, register, copy)):
+                    index = f"[{register.register.index_from + at}]" if register.count > 1 else ""
+                    wanted = read["registers"].get(register.name + index, actual)
+                    raw = actual.hex() if isinstance(actual, bytes) else actual
+                    assert raw == wanted, register.name
+
+
 def read_out(prover: Proof, group: RegisterGroup, register: RegisterLayout, value: dict[str, Any]) -> list[Any]:
     """What the elements of a register are in a variable: what was read, where that has a member of its own."""
     if answer_type(prover.world, register) is None:
@@ -173,7 +206,7 @@ def member(prover: Proof, group: RegisterGroup, register: RegisterLayout) -> str
 
 def test_groups_of_registers_are_written_as_the_reference_writes_them(prover: Proof) -> None:
     dice, most, device = random.Random(2), prover.world.words.high + 1, prover.world.layout.device
-    for group in device.groups:
+    for group in device.word_groups():
         registers_of_group = registers(prover, group, WRITABLE)
         for address, count in spans(registers_of_group, most) if registers_of_group else ():
             copy = prover.machine.fresh(prover.world.names.structs[group.name].lower())

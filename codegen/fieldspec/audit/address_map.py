@@ -27,7 +27,7 @@ STATES = {
     USED: "used",
     RESERVED: "reserved",
     UNDESCRIBED: "there, described elsewhere",
-    OVERLAP: "held twice",
+    OVERLAP: "occupied twice",
     DECLARED: "declared gap",
     UNDECLARED: "undeclared gap",
     UNLISTED: "not listed",
@@ -182,7 +182,7 @@ def _registers(layout: DeviceLayout, name: str) -> Space:
     aliases = tuple(alias for register, alias in _aliases(device) if own(register.space))
     if not name:
         return Space("registers", "Registers", "words", 4, ordered, aliases)
-    return Space(name, device.space(name).title or name, "words", 4, ordered, aliases)
+    return Space(name, device.space(name).title or name, f"{device.space(name).unit}s", 4, ordered, aliases)
 
 
 def _group(group: RegisterGroup, extents: Sequence[Extent]) -> Block:
@@ -259,14 +259,15 @@ def _aliases(device: Device) -> Iterator[tuple[Register, Alias]]:
 
 def _parameters(name: str, sets: Sequence[ParameterSet]) -> Space:
     blocks = sorted(
-        (_set(parameter_set) for parameter_set in sets if parameter_set.parameters), key=lambda block: block.first
+        (_parameter_block(parameter_set) for parameter_set in sets if parameter_set.parameters),
+        key=lambda block: block.first,
     )
     highest = max((block.last for block in blocks), default=0)
     title = sets[0].title if len(sets) == 1 and sets[0].title else f"Parameters: {name.replace('_', ' ')}"
     return Space(name, title, "numbers", 4 if highest > 0xFF else 2, tuple(blocks))
 
 
-def _set(parameter_set: ParameterSet) -> Block:
+def _parameter_block(parameter_set: ParameterSet) -> Block:
     base = parameter_set.base
     extents = [
         Extent(first + base, last + base, occupant, parameter_set.place.path)

@@ -1,25 +1,26 @@
-"""The sections of the report about addresses: the map of each space, and the poll blocks."""
+"""The sections of the report about addresses: the map of each space, and the read plan."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
 from fieldspec.audit.address_map import DECLARED, OVERLAP, STATES, UNDECLARED, USED, Block, Run, Space, spaces_of
-from fieldspec.audit.poll_blocks import PollBlock, Polling, PollUnit, ReadLimit, polling_of
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.read_plan import ReadBlock, ReadLimit, ReadPlan, ReadUnit, read_plan
 
 _NAMES = 4
-"""The most names of a poll block that are printed in full; of more names, the first two and the last."""
+"""The most names of a block that are printed in full; of more names, the first two and the last."""
 
 _INTRODUCTION = (
-    "Every address, number and code that the spec knows, block by block as the manual lists them. A gap is declared "
-    "where the spec says that the manual leaves it out; one that is not declared may be a row that is missing."
+    "All addresses, numbers and codes of the spec, in the blocks of the manual. A declared gap is "
+    "one that the spec says the manual leaves out; any other gap may be a missing row."
 )
-_POLL_INTRODUCTION = (
-    "Each row is one request. It begins and ends at a value with a meaning, touches no address of which the manual "
-    "says nothing, and divides no value. Equal requests at equal distances are one row."
+_PLAN_INTRODUCTION = (
+    "Each row is one request. It begins and ends with a value that has a meaning, contains no "
+    "address that the manual does not describe, and divides no value. Equal requests at equal "
+    "distances are one row."
 )
 
 
@@ -33,12 +34,12 @@ def addresses(subject: Subject) -> Section:
         if overlaps:
             unexplained = sum(1 for run in overlaps if not run.reason)
             figures.append(
-                Figure(f"{space.what} held twice ({space.title})", space.count(OVERLAP), good=not unexplained)
+                Figure(f"{space.what} occupied twice ({space.title})", space.count(OVERLAP), good=not unexplained)
             )
-        if space.what == "words":
+        if space.what in ("words", "bits"):
             gaps = space.count(UNDECLARED)
             where = f" ({space.title})" if subject.device.several_spaces else ""
-            figures.append(Figure(f"words in gaps that nothing declares{where}", gaps, good=gaps == 0))
+            figures.append(Figure(f"{space.what} in gaps that are not declared{where}", gaps, good=gaps == 0))
     tables = (_blocks(spaces), _gaps(spaces), _overlaps(spaces), _aliases(spaces), _runs(spaces))
     return Section("addresses", "Address map", (_INTRODUCTION,), tuple(figures), tables, spaces=spaces)
 
@@ -58,7 +59,7 @@ def _blocks(spaces: Sequence[Space]) -> SectionTable:
 def _gaps(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
-    for space, block, run in _each(spaces):
+    for space, block, run in _all_runs(spaces):
         if run.state in (DECLARED, UNDECLARED) and run.is_own:
             reason = run.reason or "nothing says why"
             rows.append((space.title, block.title, *_ends(space, run), run.size, STATES[run.state], reason))
@@ -70,14 +71,14 @@ def _gaps(spaces: Sequence[Space]) -> SectionTable:
 def _overlaps(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
-    for space, block, run in _each(spaces):
+    for space, block, run in _all_runs(spaces):
         if run.state == OVERLAP and run.is_own:
             names = " and ".join(occupant.name for occupant in run.occupants)
             rows.append((block.title, *_ends(space, run), names, run.reason or "nothing says why"))
             kinds.append("" if run.reason else "warning")
     return SectionTable(
         "overlaps",
-        "Addresses that are held twice",
+        "Addresses that are occupied twice",
         ("block", "first", "last", "held_by", "reason"),
         tuple(rows),
         tuple(kinds),
@@ -104,7 +105,7 @@ def _aliases(spaces: Sequence[Space]) -> SectionTable:
 
 def _runs(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
-    for space, block, run in _each(spaces):
+    for space, block, run in _all_runs(spaces):
         names = " and ".join(occupant.name for occupant in run.occupants)
         about = " and ".join(dict.fromkeys(occupant.about for occupant in run.occupants if occupant.about))
         occupant = run.occupants[0] if run.occupants else None
@@ -112,11 +113,11 @@ def _runs(spaces: Sequence[Space]) -> SectionTable:
         place = occupant.place["name"] if occupant is not None else None
         rows.append((space.title, block.title, *_ends(space, run), STATES[run.state], names, about, place, source))
     columns = ("space", "block", "first", "last", "state", "name", "type", "spec", "source")
-    title = "Every address, of tables those of the first element"
+    title = "All addresses; for tables, those of the first element"
     return SectionTable("address_map", title, columns, tuple(rows), detail=True)
 
 
-def _each(spaces: Sequence[Space]) -> Iterator[tuple[Space, Block, Run]]:
+def _all_runs(spaces: Sequence[Space]) -> Iterator[tuple[Space, Block, Run]]:
     for space in spaces:
         for block in space.blocks:
             for run in block.runs:
@@ -128,70 +129,70 @@ def _ends(space: Space, run: Run) -> tuple[str, str]:
 
 
 @dataclass(frozen=True, slots=True)
-class PollRow:
+class ReadRow:
     """Equal requests at equal distances: the first one, how many there are, and how many addresses they are apart."""
 
-    first: PollBlock
+    first: ReadBlock
     times: int
     apart: int
 
 
-def poll_rows(blocks: Sequence[PollBlock]) -> list[PollRow]:
-    """Poll blocks as rows; blocks that differ only in an index share a row."""
-    rows: list[PollRow] = []
+def read_rows(blocks: Sequence[ReadBlock]) -> list[ReadRow]:
+    """Blocks as rows; blocks that differ only in an index share a row."""
+    rows: list[ReadRow] = []
     for block in blocks:
         last = rows[-1] if rows else None
         if last is not None and "[" in block.names[0] and _shape(block) == _shape(last.first):
             apart = block.start - last.first.start - (last.times - 1) * last.apart
             if last.times == 1 or apart == last.apart:
-                rows[-1] = PollRow(last.first, last.times + 1, apart)
+                rows[-1] = ReadRow(last.first, last.times + 1, apart)
                 continue
-        rows.append(PollRow(block, 1, 0))
+        rows.append(ReadRow(block, 1, 0))
     return rows
 
 
-def _shape(block: PollBlock) -> tuple[str, int, int, int, str]:
+def _shape(block: ReadBlock) -> tuple[str, int, int, int, str]:
     """What equal requests of a record table have in common."""
     return block.space, block.words, block.reserved, len(block.names), block.names[0].partition("[")[0]
 
 
-def polls(subject: Subject) -> Section:
-    """The section with the poll blocks."""
-    polling = polling_of(subject.layout)
-    paragraphs = [_POLL_INTRODUCTION, *(_limit_text(limit) for limit in polling.limits)] if polling.limits else []
+def reads(subject: Subject) -> Section:
+    """The section with the read plan."""
+    plan = read_plan(subject.layout)
+    paragraphs = [_PLAN_INTRODUCTION, *(_limit_text(limit) for limit in plan.limits)] if plan.limits else []
     paragraphs += _parameter_reads(subject.layout)
     if not paragraphs:
         paragraphs = ["No message of the device reads registers or parameters."]
     figures = []
-    for space in polling.spaces:
-        limit, blocks = polling.limit(space), [block for block in polling.blocks if block.space == space]
+    for space in plan.spaces:
+        limit, blocks = plan.limit(space), [block for block in plan.blocks if block.space == space]
         if limit is not None:
             values = sum(len(block.names) for block in blocks)
             where = f" of {space}" if space else ""
-            text = f"requests of up to {limit.words} words read all {values} values{where}"
+            text = f"requests of up to {limit.words} {limit.unit}s read all {values} values{where}"
             figures.append(Figure(text, len(blocks)))
-    tables = (_limits(polling), _poll_table(polling), _left_out(polling)) if polling.limits else ()
-    return Section("poll_blocks", "Poll blocks", tuple(paragraphs), tuple(figures), tables)
+    tables = (_limits(plan), _plan_table(plan), _left_out(plan)) if plan.limits else ()
+    return Section("read_plan", "Read plan", tuple(paragraphs), tuple(figures), tables)
 
 
 def _limit_text(limit: ReadLimit) -> str:
     """A sentence about the most words of a request, with its source."""
     if limit.words is None:
-        return f"Nothing says how many words one request of {limit.message} may read, so that there is no list."
+        return f"Nothing says how many {limit.unit}s one request of {limit.message} may read, so that there is no list."
     place = ""
     if limit.span is not None:
         place = f"{limit.span.file.path}:{limit.span.position()[0]}"
     if not limit.from_manual:
         notes = f" {' '.join(limit.notes)}" if limit.notes else ""
         return (
-            f"One request of {limit.message} reads up to {limit.words} words. The manual prints no limit; this one is "
-            f"that of the protocol ({place}).{notes}"
+            f"One request of {limit.message} reads up to {limit.words} {limit.unit}s. The manual prints no limit; "
+            f"this one is that of the protocol ({place}).{notes}"
         )
     cited = "; ".join(source.text() for source in limit.sources)
-    return f"One request of {limit.message} reads up to {limit.words} words ({cited or place})."
+    return f"One request of {limit.message} reads up to {limit.words} {limit.unit}s ({cited or place})."
 
 
-def _limits(polling: Polling) -> SectionTable:
+def _limits(plan: ReadPlan) -> SectionTable:
     rows = tuple(
         (
             limit.message,
@@ -200,13 +201,13 @@ def _limits(polling: Polling) -> SectionTable:
             limit.span,
             limit.sources[0] if limit.sources else None,
         )
-        for limit in polling.limits
+        for limit in plan.limits
     )
     return SectionTable("read_limits", "Limits", ("message", "words", "said_by", "spec", "source"), rows)
 
 
-def _poll_table(polling: Polling) -> SectionTable:
-    several = len(polling.spaces) > 1
+def _plan_table(plan: ReadPlan) -> SectionTable:
+    several = len(plan.spaces) > 1
     rows: list[tuple[Cell, ...]] = [
         (
             *([row.first.space] if several else []),
@@ -219,7 +220,7 @@ def _poll_table(polling: Polling) -> SectionTable:
             row.first.reserved or None,
             _names(row.first.names),
         )
-        for row in poll_rows(polling.blocks)
+        for row in read_rows(plan.blocks)
     ]
     columns = (
         *(["space"] if several else []),
@@ -232,23 +233,23 @@ def _poll_table(polling: Polling) -> SectionTable:
         "reserved_words",
         "registers",
     )
-    return SectionTable("poll_list", "One request each", columns, tuple(rows))
+    return SectionTable("read_blocks", "One request each", columns, tuple(rows))
 
 
 def _names(names: Sequence[str]) -> str:
     return ", ".join(names) if len(names) <= _NAMES else f"{names[0]}, {names[1]}, … {names[-1]}"
 
 
-def _left_out(polling: Polling) -> SectionTable:
-    units: dict[tuple[str, str], list[PollUnit]] = {}
-    for unit in polling.left_out:
+def _left_out(plan: ReadPlan) -> SectionTable:
+    units: dict[tuple[str, str], list[ReadUnit]] = {}
+    for unit in plan.left_out:
         name, _, behind = unit.name.partition("[")
         units.setdefault((name + behind.partition("]")[2], unit.refused), []).append(unit)
     rows = tuple(
-        (f"{poll_units[0].first:04X}h", poll_units[0].words, len(poll_units), name, refused)
-        for (name, refused), poll_units in units.items()
+        (f"{units_of_name[0].first:04X}h", units_of_name[0].words, len(units_of_name), name, refused)
+        for (name, refused), units_of_name in units.items()
     )
-    return SectionTable("not_polled", "What is not polled", ("start", "words", "times", "name", "reason"), rows)
+    return SectionTable("not_read", "What no block reads", ("start", "words", "times", "name", "reason"), rows)
 
 
 def _parameter_reads(layout: DeviceLayout) -> Iterator[str]:

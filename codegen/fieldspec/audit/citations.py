@@ -93,10 +93,10 @@ def citation_results(devices: Sequence[Device], manual: AlignedManual, plan: Pla
             if id(erratum) in seen:
                 continue
             seen.add(id(erratum))
-            corrected[erratum.fact] += [erratum.literal, *map(_put, erratum.printed.values())]
+            corrected[erratum.fact] += [erratum.literal, *map(_printed_text, erratum.printed.values())]
             for line in lines_of(erratum.sources):
                 for key, printed in erratum.printed.items():
-                    beside[line, key].append(_put(printed))
+                    beside[line, key].append(_printed_text(printed))
     looked_up, used, missing = 0, set(), []
     for claim in claims.values():
         also = [text for line in lines_of(claim.sources) for text in beside.get((line, claim.key), ())]
@@ -142,7 +142,7 @@ def _misplaced(place: Place, span: Span, source: Citation, manual: AlignedManual
             yield Missing(place.path, text, span, source)
 
 
-def _put(printed: object) -> str:
+def _printed_text(printed: object) -> str:
     """A printed value of an erratum as text; a number in a form with a single reading."""
     whole = isinstance(printed, int) and not isinstance(printed, bool) and printed >= 0
     return f"0x{printed:X}" if whole else str(printed)

@@ -78,8 +78,8 @@ def _manual(subject: Subject, findings: list[Diagnostic]) -> AlignedManual | Non
     )
     same = manual is None or manual.sha256 != cited_manual.sha256 or recorded is None or manual == recorded
     if recorded is None or not fresh or not same:
-        text = "the index of the manual is not that of the text which the spec cites"
-        help = f"record it anew: fieldspec audit {subject.device.id} --manual FILE --record"
+        text = "the index of the manual belongs to another text than the spec cites"
+        help = f"record it again: fieldspec audit {subject.device.id} --manual FILE --record"
         findings.append(Diagnostic("manual_recorded", text, _head(subject), help=help))
     if manual is None:
         assert recorded is not None
@@ -93,9 +93,9 @@ def _introduction(subject: Subject, manual: AlignedManual) -> Iterator[str]:
     edition = f", {cited.edition}" if cited.edition else ""
     yield f"{cited.title}{edition}: {cited.file}, {cited.lines} lines, sha256 {cited.sha256}"
     if subject.manual is None:
-        yield "Compared with the index that is recorded beside the spec."
+        yield "Compared with the recorded index of the manual."
     elif subject.manual.sha256 == cited.sha256:
-        yield "Compared with the text itself, which is the edition that the spec cites."
+        yield "Compared with the text of the edition that the spec cites."
     else:
         share = 100 * manual.same // max(manual.whole, 1)
         yield (
@@ -114,15 +114,15 @@ def _figures(accounts: Accounts, claims: CitationResults) -> Iterator[Figure]:
     whole = len(accounts.candidates)
     yield Figure("places in the manual that look like facts are covered", states[COVERED], whole)
     yield Figure("are covered with a correction", states[CORRECTED], whole)
-    yield Figure("are left out on purpose", states[LEFT_OUT], whole)
+    yield Figure("are left out intentionally", states[LEFT_OUT], whole)
     yield Figure("are not accounted for", states[OPEN], whole, states[OPEN] == 0)
     needed = len(accounts.needed & claims.numbered.keys())
-    yield Figure("facts that have a number would be missed if they were gone", needed, len(claims.numbered))
+    yield Figure("facts with a number would be noticed if they were missing", needed, len(claims.numbered))
     beside = len(accounts.beside)
-    yield Figure("numbers beside them, in remarks or of rows, are compared with nothing", beside)
+    yield Figure("other numbers, in remarks or as row numbers, are not compared", beside)
     failing = len({(missing.path, missing.what) for missing in claims.missing})
     yield Figure(
-        "addresses, codes, identifiers and prints stand where the spec cites them",
+        "addresses, codes, identifiers and misprints are in the lines that the spec cites",
         claims.looked_up - failing,
         claims.looked_up,
         failing == 0,
@@ -191,7 +191,7 @@ def _beside(accounts: Accounts, plan: Plan, manual: AlignedManual) -> SectionTab
     for line, start, end in accounts.beside:
         text = manual.index.lines[line - 1]
         rows.append((plan.section(manual.known[line - 1]), line, text[start:end], text))
-    title = "Numbers in known lines that no fact has"
+    title = "Numbers in cited lines that no fact has"
     return SectionTable("beside", title, ("section", "line", "number", "print"), tuple(rows), detail=True)
 
 
@@ -199,7 +199,7 @@ def _unneeded(accounts: Accounts, claims: CitationResults) -> SectionTable:
     """The facts whose loss the audit would not notice."""
     gone = [(path, *place) for path, place in claims.numbered.items() if path not in accounts.needed]
     rows: tuple[tuple[Cell, ...], ...] = tuple((path, source, span) for path, span, source in gone)
-    title = "Facts that would not be missed: printed twice, or in words, or in a line that others cite"
+    title = "Facts whose loss no audit would notice: printed twice, in words, or in a line that other facts cite"
     return SectionTable("unmissed", title, ("fact", "source", "place"), rows, detail=True)
 
 
@@ -223,8 +223,8 @@ def _open(accounts: Accounts, manual: AlignedManual) -> Iterator[Diagnostic]:
         yield Diagnostic("manual_accounted", text, manual.index.span(candidate.line), (label,), _CURE)
 
 
-_UNCITED = "nothing in the spec cites it"
-_CURE = "transcribe it, put it right with an erratum, or say why it is left out"
+_UNCITED = "no fact cites it"
+_CURE = "transcribe it, correct it with an erratum, or state why it is left out"
 
 
 def _value_text(value: PieceValue) -> str:
@@ -237,7 +237,7 @@ def _uncited(claims: CitationResults) -> Iterator[Diagnostic]:
             text = f"{missing.path} cites {missing.source.text()}, where the manual does not print {missing.what}"
         else:
             text = f"{missing.path} cites {missing.what}"
-        help = "put the section or the lines right, or the value; an erratum says what is printed instead"
+        help = "correct the section, the lines or the value; if the manual is wrong, write an erratum"
         yield Diagnostic("citations_hold", text, missing.span, help=help)
 
 
@@ -249,8 +249,8 @@ def _unused(accounts: Accounts, claims: CitationResults) -> Iterator[Diagnostic]
             "audit_sound",
             text,
             entry.place.whole,
-            help="put its lines or its form right, or remove it",
+            help="correct its lines or its form, or remove it",
         )
     for unprinted in claims.unused:
-        text = "what these facts cite does hold them, or there are no such facts"
-        yield Diagnostic("audit_sound", text, unprinted.place["facts"], help="remove the entry, or put the paths right")
+        text = "the lines that these facts cite contain them, or there are no such facts"
+        yield Diagnostic("audit_sound", text, unprinted.place["facts"], help="remove the entry, or correct the paths")

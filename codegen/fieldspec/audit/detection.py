@@ -192,14 +192,14 @@ def section(printed_device: PrintedDevice) -> Section:
         "detection",
         "Blind detection",
         (
-            "Every print is put back, as if no erratum had been written, and all checks run: each print by itself, and "
-            "all of them together.",
+            "Each misprint is put back as if it had no erratum, and all checks run: for each misprint alone, "
+            "and for all together.",
         ),
         (
-            _figure("errata with an effect on the wire or on ranges are found with no erratum written", wire, True),
-            _figure("errata of any effect are found with no erratum written", every, None),
+            _figure("errata that affect the wire or a range are found without the erratum", wire, True),
+            _figure("errata of any effect are found without the erratum", every, None),
             Figure(
-                "errata with an effect on the wire or on ranges are found with all prints together",
+                "errata that affect the wire or a range are found with all misprints together",
                 sum(detection.together for detection in wire),
                 len(wire),
             ),
@@ -239,20 +239,20 @@ def _missed(every: Sequence[Detection]) -> SectionTable:
         if not detection.alone and detection.erratum.effect in WIRE
     ]
     columns = ("effect", "erratum", "fact", "confidence", "why")
-    return SectionTable("missed", "Not found, though the wire or a range is concerned", columns, tuple(rows))
+    return SectionTable("missed", "Not found, although the wire or a range is affected", columns, tuple(rows))
 
 
 def _why(erratum: Erratum) -> str:
     if not erratum.printed:
-        return "no key holds the slip"
-    return "the print contradicts nothing else that is printed"
+        return "no key contains the misprint"
+    return "the print contradicts nothing else in the manual"
 
 
 def _details(every: Sequence[Detection]) -> SectionTable:
     rows = tuple(_row(detection) for detection in every)
     columns = ("effect", "erratum", "misprint", "fact", "found_by", "finding", "together")
     kinds = tuple("good" if detection.alone else "" for detection in every)
-    return SectionTable("detections", "Every erratum and what finds it", columns, rows, kinds, detail=True)
+    return SectionTable("detections", "All errata, and what finds them", columns, rows, kinds, detail=True)
 
 
 def _row(detection: Detection) -> tuple[Cell, ...]:

@@ -36,57 +36,57 @@ KINDS = {
         Kind(
             "trigger",
             "Writing starts an action",
-            "What is read is not what was written. Never write back what was read; write only to start the action.",
+            "Reading does not return the written value. Never write back a value that was read; write only to "
+            "start the action.",
             True,
         ),
         Kind(
             "write_only",
             "Can only be written",
-            "A read is refused or has no meaning, so that what was written cannot be verified.",
+            "Reading is refused or has no meaning, so a written value cannot be verified.",
             True,
         ),
         Kind(
             "clears_on_read",
             "Reading changes the value",
-            "Only the first reader gets it: read it in one place of the program, and in no block that is polled.",
+            "Only the first reader gets the value: read it at one place of the program, and never in a block of "
+            "the read plan.",
             True,
         ),
         Kind(
             "shared_word",
-            "Several things share what is written at once",
-            "To change one of them, write the others as they are; bits without a meaning keep what they hold.",
+            "Several values share one write",
+            "To change one of them, write the others unchanged; bits without a meaning keep their values.",
             True,
         ),
         Kind(
             "alias",
             "One value at two addresses",
-            "Writing one changes the other; a program that keeps both keeps one of them wrong.",
+            "Writing one changes the other; if a program stores both, one of them becomes wrong.",
             True,
         ),
         Kind(
             "atomic",
             "All words must be accessed in one request",
-            "Read and write all of its words with one request, else halves of two values are put together.",
+            "Read and write all words in one request; otherwise parts of two values are combined.",
         ),
         Kind(
             "opposite",
             "Opposite senses",
-            "What is 1 in the one is 0 in the other: do not compare them, or copy the one to the other.",
+            "1 in one of them is 0 in the other: do not compare them, and do not copy one to the other.",
         ),
-        Kind("active_low", "True at 0", "The named thing is so while the bit is 0."),
+        Kind("active_low", "True at 0", "What the name says is true while the bit is 0."),
         Kind(
             "edge",
-            "The change has the effect, not the level",
-            "Take the bit back before it is to have an effect again.",
+            "The edge has the effect, not the level",
+            "Reset the bit before you use it again.",
         ),
-        Kind(
-            "restart", "Takes effect after a restart", "Until the device was off and on, it works with the old value."
-        ),
-        Kind("save", "Must be saved", "Without the second step the value is lost with the power."),
+        Kind("restart", "Takes effect after a restart", "The device uses the old value until it is restarted."),
+        Kind("save", "Must be saved", "Without the second step, the value is lost when the power is switched off."),
         Kind(
             "wear",
-            "Writes to a memory that keeps its content",
-            "Do not write cyclically what wears out; where no number is printed, ask the maker for it.",
+            "Writes to nonvolatile memory",
+            "Do not write cyclically to memory that wears out. If no number is printed, ask the manufacturer.",
         ),
     )
 }
@@ -203,7 +203,7 @@ def _handled(fact: Fact, handling: Handling, where: str, device: Device) -> Iter
     if handling.opposite_of:
         yield _hazard("opposite", fact, where, f"against {handling.opposite_of}", handling.opposite_of, "opposite_of")
     if handling.saved_by:
-        why = "lost with the power until " if handling.memory == "volatile" else ""
+        why = "lost when the power is switched off, unless " if handling.memory == "volatile" else ""
         yield _hazard("save", fact, where, f"{why}saved by {handling.saved_by}", handling.saved_by, "saved_by")
     access = getattr(fact, "access", "")
     if handling.endurance or (handling.memory == "nonvolatile" and access != "ro"):
@@ -214,8 +214,11 @@ def _handled(fact: Fact, handling: Handling, where: str, device: Device) -> Iter
 
 def _endurance(endurance: str) -> str:
     """How often a value may be written, as the manual says."""
-    words = {"limited": "a limited number of writes, which is not printed", "unlimited": "as often as one likes"}
-    return words.get(endurance, f"{endurance} writes") if endurance else "how many writes it endures is not printed"
+    words = {
+        "limited": "a limited number of writes; the number is not printed",
+        "unlimited": "an unlimited number of writes",
+    }
+    return words.get(endurance, f"{endurance} writes") if endurance else "the permitted number of writes is not printed"
 
 
 def _started(value: Value) -> str:
@@ -278,8 +281,7 @@ COLUMNS = ("where", "fact", "why", "spec", "source")
 _LONG = 30
 
 _INTRODUCTION = (
-    "What may go wrong although every address and every value is right. It says what the manual says, and nothing "
-    "where the manual says nothing."
+    "What may go wrong although all addresses and values are right. The list contains only what the manual states."
 )
 
 
@@ -292,10 +294,10 @@ def access(subject: Subject) -> Section:
     if open_ones:
         names = ", ".join(register.name for register in open_ones[:6]) + (", …" if len(open_ones) > 6 else "")
         paragraphs.append(
-            f"Of {len(open_ones)} registers with several words the manual does not say whether they may be read in "
-            f"parts ({names}); no poll block divides them."
+            f"Of {len(open_ones)} registers with several words the manual does not say whether they can be read "
+            f"in parts ({names}); no block of the read plan divides them."
         )
-    figures = [Figure("facts cannot be read and written back safely", len(unsafe))]
+    figures = [Figure("facts cannot safely be read and written back", len(unsafe))]
     tables = []
     for kind in KINDS.values():
         of_kind = [hazard for hazard in all_hazards if hazard.kind == kind]

@@ -25,7 +25,7 @@ KINDS = {"proven": "good", "judgement": "", "open": "warning", UNPROVEN: "bad"}
 leaves the question open, or the check that should fail does not."""
 
 _FIGURES = {
-    "proven": "errata are proven by a check that fails with the print put back",
+    "proven": "errata are proven by a check that fails with the printed value",
     "judgement": "errata rest on the judgement of a person",
     "open": "errata are questions that the manual leaves open",
 }
@@ -51,8 +51,8 @@ Trees: TypeAlias = dict[str, Mapping]
 """The trees of all versions of a device."""
 
 _INTRODUCTION = (
-    "Where the spec departs from the print, or where the print leaves a fact open. Each printed value has been put "
-    "back into the spec, and the evidence is what the named check then finds."
+    "Where the spec differs from the print, or where the print leaves a fact open. Each printed "
+    "value is put back into the spec; the evidence is what the named check then finds."
 )
 
 

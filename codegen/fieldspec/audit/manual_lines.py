@@ -170,7 +170,7 @@ def _decoded(content: bytes) -> str:
             f"is not UTF-8: line {line} has a byte {content[error.start]:02X}h; save it as UTF-8"
         ) from None
     if not text.strip():
-        raise ManualError("is empty; give the text of the manual")
+        raise ManualError("is empty; it must be the text of the manual")
     return text.replace("\r\n", "\n")
 
 

@@ -67,27 +67,11 @@ def of_message(message: Message) -> Occupant:
 
 def element_runs(table: TableLayout) -> Iterator[tuple[int, int, Occupant]]:
     """The addresses of the fields of a table's first element; fields that share a word are one occupant together."""
-    base = table.table.base
-    words = [_sharing(table, word) for word in range(table.words)]
-    first = 0
-    for at in range(1, len(words) + 1):
-        if at == len(words) or words[at] != words[first]:
-            if words[first]:
-                yield base + first, base + at - 1, _joined(table, words[first])
-            first = at
+    for first, words, fields in table.word_runs():
+        yield table.table.base + first, table.table.base + first + words - 1, _joined(table, fields)
 
 
-def _sharing(table: TableLayout, word: int) -> tuple[str, ...]:
-    """The names of the fields that have bytes in a word of a record."""
-    return tuple(field.name for field in table.record.fields if field.offset < 2 * word + 2 and _end(field) > 2 * word)
-
-
-def _end(field: FieldLayout) -> int:
-    return field.end if field.end is not None else field.offset + field.size
-
-
-def _joined(table: TableLayout, names: tuple[str, ...]) -> Occupant:
-    fields = [field for field in table.record.fields if field.name in names]
+def _joined(table: TableLayout, fields: tuple[FieldLayout, ...]) -> Occupant:
     first = fields[0]
     type_name = first.value.type.name if first.value is not None else first.record.name if first.record else ""
     about = _about(type_name, table.access(first.field))

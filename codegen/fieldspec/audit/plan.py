@@ -127,8 +127,8 @@ def _sections(entry: Entry, lines: int) -> tuple[ManualSection, ...]:
     starts = [inner.integer("line") or 1 for inner in entries]
     for inner, first, after in zip(entries, starts, [*starts[1:], lines + 1], strict=True):
         if (sections and first < sections[-1].first) or first > lines:
-            text = f"section {inner.text('section')} begins at line {first}, out of the order of the manual's lines"
-            inner.refuse("audit_sound", "line", text, "put the line, or the order of the sections, right")
+            text = f"section {inner.text('section')} begins at line {first}, which is not in the order of the manual"
+            inner.refuse("audit_sound", "line", text, "correct the line or the order of the sections")
         sections.append(ManualSection(inner.text("section"), inner.text("title"), first, after - 1))
     return tuple(sections)
 
@@ -139,7 +139,7 @@ def _patterns(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> 
             rows = row(inner.texts("row")) if "row" in inner.node.values else None
             each = template(inner.text("each")) if rows is None else None
             if each is not None and not each.pieces:
-                raise PatternError("it holds nothing but `*`; say what it looks like")
+                raise PatternError("it contains only `*`; say what the line looks like")
         except PatternError as error:
             key = "row" if "row" in inner.node.values else "each"
             inner.refuse("audit_sound", key, f"the pattern is not understood: {error}", "see docs/audit.md")

@@ -142,7 +142,7 @@ def _report(layout: DeviceLayout, base: str, entries: Sequence[Entry], offset: i
     for slot in device_values:
         have = [address for address in slot.addresses if address in words]
         if len(have) == slot.words:
-            values.append(_read(layout.device, slot, words))
+            values.append(_decode_value(layout.device, slot, words))
         elif have:
             lacking = tuple(address[1] for address in slot.addresses if address not in words)
             holes.append(Hole(slot.name, slot.fact, tuple(words[address][1] for address in have), lacking))
@@ -178,7 +178,7 @@ def _split(device: Device, entry: Entry, slot: AddressedValue | None) -> list[in
     return [number & _ALL for number in entry.values]
 
 
-def _read(device: Device, slot: AddressedValue, words: Mapping[Address, tuple[int, int]]) -> DumpValue:
+def _decode_value(device: Device, slot: AddressedValue, words: Mapping[Address, tuple[int, int]]) -> DumpValue:
     addresses = slot.addresses
     order = "big" if device.byte_order == "big" else "little"
     data = b"".join(words[address][0].to_bytes(2, order) for address in addresses)  # type: ignore[arg-type]
@@ -251,12 +251,12 @@ def judged(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> lis
     Findings of one rule are limited as those about a spec are: a dump may have a hundred thousand rows.
     """
     by_rule: dict[str, list[Diagnostic]] = {}
-    for finding in _judged(report, file, rows):
+    for finding in _findings(report, file, rows):
         by_rule.setdefault(finding.code, []).append(finding)
     return [finding for findings in by_rule.values() for finding in bounded(findings)]
 
 
-def _judged(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> list[Diagnostic]:
+def _findings(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> list[Diagnostic]:
 
     def at(row: int) -> Span:
         start = rows.get(row, 0)
@@ -269,17 +269,15 @@ def _judged(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> li
         text = f"{hole.name} has more words than the dump: {lacking} is missing"
         findings.append(finding(_WHOLE, text, at(hole.rows[0]), hole.fact, "read all of its words, in one request"))
     for entry, slot in report.too_great:
-        text = f"{slot.name} has {slot.words} words; {max(entry.values, key=abs)} is too great for what was read"
-        findings.append(finding(_RANGE, text, at(entry.row), slot.fact, "read it again, or put the address right"))
+        text = f"{slot.name} has {slot.words} words; {max(entry.values, key=abs)} does not fit into them"
+        findings.append(finding(_RANGE, text, at(entry.row), slot.fact, "read it again, or correct the address"))
     for entry, before in report.twice:
         label = Label(at(before), "another value")
         text = "an address has two values"
-        findings.append(
-            Diagnostic(_WHOLE, text, at(entry.row), (label,), "take a dump in which each address stands once")
-        )
+        findings.append(Diagnostic(_WHOLE, text, at(entry.row), (label,), "use a dump with each address once"))
     for entry in report.unknown:
-        text = f"nothing is known of the address {entry.address:04X}h"
-        help = "transcribe it, or give --base or --offset if the addresses are counted otherwise"
+        text = f"the spec does not have the address {entry.address:04X}h"
+        help = "transcribe it, or use --base or --offset if the dump counts addresses differently"
         findings.append(Diagnostic(_ADDRESS, text, at(entry.row), help=help, severity=Severity.WARNING))
     return findings
 
@@ -301,7 +299,7 @@ def _wrong(read: DumpValue, span: Span) -> Iterator[Diagnostic]:
     resting = read.value.const if read.value.const is not None else read.value.default or 0
     if read.reserved and isinstance(read.number, int) and read.number != resting:
         text = f"{read.name} is reserved and holds {read.number}"
-        yield finding(_CLEAR, text, span, read.fact, "transcribe it if the manual gives it a meaning", False)
+        yield finding(_CLEAR, text, span, read.fact, "transcribe it if the manual describes it", False)
 
 
 def finding(code: str, text: str, span: Span, fact: Fact, help: str, grave: bool = True) -> Diagnostic:
@@ -320,10 +318,10 @@ def section(report: DumpReport, findings: Sequence[Diagnostic], skipped: int) ->
         paragraphs.append(f"{skipped} rows have no address or no value.")
     figures = (
         Figure("values decoded", len(report.read)),
-        Figure("values that cannot be, or have reserved bits set", len(wrong), len(report.read), not wrong),
-        Figure("values of which words are missing", len(report.holes), None, not report.holes),
-        Figure("addresses that the spec does not know", len(report.unknown), None, not report.unknown),
-        Figure("values that differ from the initial ones", len(differing), len(report.read)),
+        Figure("values that are impossible, or have reserved bits set", len(wrong), len(report.read), not wrong),
+        Figure("values with missing words", len(report.holes), None, not report.holes),
+        Figure("addresses that are not in the spec", len(report.unknown), None, not report.unknown),
+        Figure("values that differ from the initial values", len(differing), len(report.read)),
     )
     tables = (
         _values("wrong", "Values that cannot be", wrong, "bad"),
@@ -360,9 +358,9 @@ def _defaults(reads: Sequence[DumpValue]) -> SectionTable:
         for dump_value in reads
     )
     columns = ("address", "name", "raw", "initial", "meaning", "row")
-    return SectionTable("defaults", "Values that are not the initial ones", columns, rows)
+    return SectionTable("defaults", "Values that differ from the initial values", columns, rows)
 
 
 def _unknown(entries: Sequence[Entry]) -> SectionTable:
     rows = tuple((f"{entry.address:04X}h", ", ".join(map(str, entry.values)), entry.row) for entry in entries)
-    return SectionTable("unknown", "Addresses that the spec does not know", ("address", "raw", "row"), rows)
+    return SectionTable("unknown", "Addresses that are not in the spec", ("address", "raw", "row"), rows)

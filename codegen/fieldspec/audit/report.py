@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from fieldspec.audit.addresses import addresses, polls
+from fieldspec.audit.addresses import addresses, reads
 from fieldspec.audit.coverage import coverage
 from fieldspec.audit.detection import as_printed, detection, section
 from fieldspec.audit.hazards import access
@@ -21,7 +21,7 @@ PARTS: tuple[Callable[[Subject], Section], ...] = (
     ledger,
     detection,
     addresses,
-    polls,
+    reads,
     access,
     tasks,
     sources,

@@ -190,7 +190,7 @@ def reviews_of(spec: DeviceSpec) -> tuple[list[Review], list[Diagnostic]]:
 def _review(entry: Entry) -> Review:
     day = entry.text("date")
     if not is_day(day):
-        entry.refuse("reviews_sound", "date", f"there is no day {day}", "write it as in 2026-01-31")
+        entry.refuse("reviews_sound", "date", f"there is no date {day}", "write it as in 2026-01-31")
     return Review(
         entry.place(),
         entry.text("by"),
@@ -247,7 +247,7 @@ def uncited(now: Mapping[str, State], reviews: Iterable[Review]) -> Iterator[Dia
         for signed_section in review.sections:
             if signed_section.section not in now:
                 text = f"no fact cites the section {signed_section.section} that {review.by} has compared"
-                help = "put the section right, or remove the entry"
+                help = "correct the section, or remove the entry"
                 yield Diagnostic("reviews_sound", text, signed_section.place["section"], help=help)
 
 
@@ -277,8 +277,9 @@ def _quoted(text: str) -> str:
 
 
 _INTRODUCTION = (
-    "Who has compared which section of the manual with the spec, and which of its facts have been added or say "
-    "something else since. A correction after a review is no fault: it is what a next reader should look at first."
+    "Who compared which section of the manual with the spec, and which of its facts are new or "
+    "changed since then. A change after a review is not a fault, but the next reader should look at "
+    "it first."
 )
 
 
@@ -294,10 +295,10 @@ def sign_off(subject: Subject) -> Section:
     twice = [section for section in compared if len({review.by for review, _ in section.reviews}) > 1]
     figures = (
         Figure("sections compared with the manual", len(compared), len(sections), len(compared) == len(sections)),
-        Figure("sections compared by two readers or more", len(twice), len(sections)),
-        Figure("sections as they were when last compared", len(same), len(compared)),
+        Figure("sections compared by at least two readers", len(twice), len(sections)),
+        Figure("sections unchanged since they were last compared", len(same), len(compared)),
     )
-    tables = (_readings(reviews), _sections(sections), _changed(sections))
+    tables = (_readings(reviews), _sections(sections), _changed_facts(sections))
     return Section("sign_off", "Sign-off", (_INTRODUCTION,), figures, tables, (*wrong, *uncited(now, reviews)))
 
 
@@ -337,13 +338,13 @@ def _text(since: SectionChanges) -> str:
     """The changes since a review in a few words."""
     if since.same:
         return "as it was"
-    texts = [f"{len(since.changed)} facts are new or say something else" if since.changed else ""]
-    texts.append(f"{since.gone} are gone or said something else" if since.gone else "")
+    texts = [f"{len(since.changed)} facts are new or changed" if since.changed else ""]
+    texts.append(f"{since.gone} were removed or changed" if since.gone else "")
     texts.append("compared with another text of the manual" if since.other_manual else "")
     return "; ".join(text for text in texts if text)
 
 
-def _changed(sections: Sequence[ReviewedSection]) -> SectionTable:
+def _changed_facts(sections: Sequence[ReviewedSection]) -> SectionTable:
     """The facts that have changed since the last review of their section."""
     rows = tuple(
         (section.section, path, review.by, review.date)
@@ -351,5 +352,5 @@ def _changed(sections: Sequence[ReviewedSection]) -> SectionTable:
         for review, since in section.reviews[:1]
         for path in since.changed
     )
-    title = "Facts that are new or say something else since their section was last compared"
+    title = "Facts that are new or changed since their section was last compared"
     return SectionTable("changed_since", title, ("section", "fact", "by", "date"), rows, detail=len(rows) > 20)

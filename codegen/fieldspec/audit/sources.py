@@ -104,9 +104,10 @@ def section_order(section: str) -> tuple[tuple[int, int, str], ...]:
 
 
 _INTRODUCTION = (
-    "How many places of the manual print each fact. What two places print and agree in is surer than what only one "
-    "prints; where they differ, an erratum says which one is right. What the manual only implies is inferred, with the "
-    "reason. What a standard gives, what others report and what we have computed is not printed at all."
+    "How many places of the manual print each fact. A fact that two places print alike is more "
+    "certain than one that a single place prints; if they differ, an erratum says which is right. "
+    "What the manual only implies is inferred, with the reason. What a standard defines, what "
+    "others report, and what we computed is not printed at all."
 )
 
 
@@ -118,8 +119,8 @@ def sources(subject: Subject) -> Section:
     unverified = [fact for fact in facts if fact.unverified]
     figures = [
         Figure("facts without a source", count[NOWHERE], len(facts), count[NOWHERE] == 0),
-        Figure("facts that several places print, which agree", count[AGREEING], len(facts)),
-        Figure("facts that several places print, which differ", count[DIFFERING], len(facts)),
+        Figure("facts that several places print and that agree", count[AGREEING], len(facts)),
+        Figure("facts that several places print and that differ", count[DIFFERING], len(facts)),
         Figure("facts that follow from several places together", count[TOGETHER], len(facts)),
         Figure("facts that only one place prints", count[SINGLE_PLACE], len(facts)),
         Figure("values that are inferred, with a reason", len(keys)),
@@ -175,12 +176,12 @@ def _source_table(name: str, title: str, facts: Sequence[SourcedFact], kind: str
 def _differing(facts: Sequence[SourcedFact]) -> SectionTable:
     rows = tuple((fact.path, _places(fact), ", ".join(fact.errata), _spec(fact)) for fact in facts)
     columns = ("fact", "places", "errata", "spec")
-    return SectionTable("differing", "Facts in which places differ", columns, rows, detail=len(rows) > 20)
+    return SectionTable("differing", "Facts that differ between places", columns, rows, detail=len(rows) > 20)
 
 
 def _agreeing(facts: Sequence[SourcedFact]) -> SectionTable:
     rows = tuple((fact.path, _places(fact), _spec(fact)) for fact in facts)
-    return SectionTable("agreeing", "Facts in which places agree", ("fact", "places", "spec"), rows, detail=True)
+    return SectionTable("agreeing", "Facts that agree between places", ("fact", "places", "spec"), rows, detail=True)
 
 
 def _places(fact: SourcedFact) -> str:
@@ -205,7 +206,7 @@ def _reasons(keys: Sequence[InferredKey]) -> SectionTable:
 def _elsewhere_figures(device: Device) -> list[Figure]:
     """The numbers of values that are not from the manual; none that are 0."""
     figures = (
-        Figure("values that a standard gives", sum(len(fact.standard) for fact in facts_of(device))),
+        Figure("values that a standard defines", sum(len(fact.standard) for fact in facts_of(device))),
         Figure("reports of others, which no codec uses", sum(len(fact.reported) for fact in facts_of(device))),
         Figure("examples that were computed", sum(example.origin == COMPUTED for example in device.examples.values())),
     )
@@ -255,7 +256,7 @@ def _without_unit(device: Device) -> SectionTable:
         (fact.place.path, fact.sources[0] if fact.sources else None, fact.place["name"])
         for fact in without_unit(device)
     )
-    title = "Numbers of which nothing says what they count"
+    title = "Numbers without a unit"
     return SectionTable(
         "without_unit", title, ("fact", "source", "spec"), rows, ("warning",) * len(rows), detail=len(rows) > 20
     )
@@ -267,7 +268,7 @@ def _labels_elsewhere(subject: Subject) -> SectionTable:
     same = manual is not None and manual.offset == 0 and manual.sha256 == subject.device.manual.sha256
     elsewhere = labels_elsewhere(subject.device, manual.file.text) if manual is not None and same else ()
     rows = tuple((fact.place.path, fact.label, fact.sources[0], fact.place["label"]) for fact in elsewhere)
-    title = "Labels that do not stand where their facts are cited"
+    title = "Labels that are not in the lines that their facts cite"
     columns = ("fact", "label", "source", "spec")
     return SectionTable("labels_elsewhere", title, columns, rows, ("warning",) * len(rows), detail=len(rows) > 20)
 
@@ -277,7 +278,7 @@ def _empty_cells(subject: Subject) -> SectionTable:
     index = subject.manual or subject.recorded
     cells = empty_cells(subject.device, index) if index is not None else ()
     rows = tuple((cell.place.path, cell.print, cell.sources[0], cell.place["source"]) for cell in cells)
-    title = "Facts with an empty cell in their row, and nothing inferred"
+    title = "Facts with an empty cell in their row and nothing inferred"
     columns = ("fact", "row", "source", "spec")
     return SectionTable("empty_cells", title, columns, rows, ("warning",) * len(rows), detail=len(rows) > 20)
 

@@ -27,7 +27,7 @@ def tasks(subject: Subject) -> Section:
             rows.append((kind, task.name, states[-1], task.open or task.not_applicable, source, task.place["name"]))
         if not answers:
             states.append(MISSING)
-            rows.append((kind, "", MISSING, "nothing in the spec says how it is done", None, None))
+            rows.append((kind, "", MISSING, "the spec does not say how it is done", None, None))
     marks = {STEPS: "good", NOT_APPLICABLE: "", OPEN: "warning", MISSING: "bad"}
     steps = [
         (task.name, number, step_text(step), step.sources[0] if step.sources else None, step.place[step.action])
@@ -37,8 +37,8 @@ def tasks(subject: Subject) -> Section:
     answered = len(kinds) - states.count(MISSING)
     figures = (
         Figure("tasks that the spec answers", answered, len(kinds), answered == len(kinds) if device.tasks else None),
-        Figure("ways to do a task, with steps that the manual prints", states.count(STEPS)),
-        Figure("tasks of which the manual leaves a question open", states.count(OPEN)),
+        Figure("ways to perform a task, with steps that the manual prints", states.count(STEPS)),
+        Figure("tasks with a question that the manual leaves open", states.count(OPEN)),
     )
     tables = (
         SectionTable(

@@ -71,6 +71,7 @@ OUTPUTS = {
     for output in (
         Output("python", "Python codecs"),
         Output("c", "C headers with self-tests"),
+        Output("js", "JavaScript modules with types"),
         Output("docs", "Documentation as HTML and Markdown"),
         Output("vectors", "Example frames as JSON"),
         Output("hmi", "Texts of alarms, faults and warnings for operator panels as CSV and XLSX"),

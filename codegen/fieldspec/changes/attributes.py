@@ -17,7 +17,8 @@ from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Subindex, Table
 from fieldspec.model.task import Task
-from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note
+from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note, StatedChange
+from fieldspec.model.units import DeclaredUnit
 from fieldspec.model.value import Conversion, Signal
 
 PYTHON, C, PLC = "Python", "C", "PLC"
@@ -55,6 +56,7 @@ CONSEQUENCES: dict[type, Consequences] = {
     Flags: Consequences(_B, _S, ALL),
     Bit: Consequences(_B, _W, ALL),
     State: Consequences(_B, _S, ALL),
+    DeclaredUnit: Consequences(_B, _B),
     AddressSpace: Consequences(_B, _S, (PYTHON,)),
     RegisterGroup: Consequences(_D, _D),
     Register: Consequences(_B, _W, ALL),
@@ -71,14 +73,14 @@ CONSEQUENCES: dict[type, Consequences] = {
     Example: Consequences(_D, _D),
     Erratum: Consequences(_D, _D),
 }
-"""The classes that are compared: all but the acceptances of changes, which are no part of the device."""
+"""The classes that are compared: all but what a spec says of changes, which is no part of the device."""
 
 Objects: TypeAlias = Callable[[Any], Iterable[Any]]
 
 
 def _contents(model_class: type) -> Iterator[tuple[type, Objects, str]]:
     for content in MODEL_CLASSES[model_class].contents:
-        if content.type not in (Register, Acceptance):
+        if content.type not in (Register, Acceptance, StatedChange):
             yield content.type, content.of, content.direction
     if model_class is Device:  # a register that moves to another group stays the same register
         yield Register, Device.registers, ""

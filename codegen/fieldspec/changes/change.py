@@ -40,7 +40,7 @@ class Change:
 
     `what` is the kind of the fact, `path` its path in the new device, or in the old one if the new one lacks it. `old`
     and `new` are the two values as text, empty for none; `before` and `after` are their places, None where there is no
-    such fact. `outputs` are those in which names or types change.
+    such fact. `outputs` are those in which names or types change. `reason` is what the overlay of the version says.
     """
 
     rule: str
@@ -53,6 +53,7 @@ class Change:
     before: Span | None
     after: Span | None
     outputs: tuple[str, ...] = ()
+    reason: str = ""
 
     def order(self) -> tuple[int, str, str, str, str]:
         """The key by which changes are sorted: by effect, then by fact, then by rule."""

@@ -86,12 +86,14 @@ class Rename:
 class Comparison:
     """Two versions of a device, paired.
 
+    `renames` are the new paths of objects that the spec itself says to have another name, by their old paths.
     `reserved_changes` are the pairs of which one object has a meaning and the other is reserved; nothing else in them
     can be compared.
     """
 
-    def __init__(self, old: Device, new: Device) -> None:
+    def __init__(self, old: Device, new: Device, renames: Mapping[str, str] | None = None) -> None:
         self.old, self.new = old, new
+        self._renames = renames or {}
         self.added: list[Unpaired] = []
         self.removed: list[Unpaired] = []
         self.renamed: list[Rename] = []
@@ -177,6 +179,14 @@ class Comparison:
             _Offsets(side.sizes, items if has_offsets else ())
             for side, items in zip(self._sides, (old, new), strict=True)
         ]
+        stated = list(self._stated(removed, added, containers)) if self._renames else []
+        if stated:
+            for pair in stated:
+                pairs.append(pair)
+                self._rename(model_class, pair, "the new name that its version states")
+            stated_items = {id(item) for pair in stated for item in (pair.old, pair.new)}
+            removed = [item for item in removed if id(item) not in stated_items]
+            added = [item for item in added if id(item) not in stated_items]
         if removed and added:
             surroundings = [
                 Surroundings(each.by_identity, side.places_of_signals())
@@ -196,6 +206,14 @@ class Comparison:
         self.added += (Unpaired(item, containers, fields) for item in added)
         for pair in pairs:
             self._add(model_class, pair)
+
+    def _stated(self, removed: list[Any], added: list[Any], containers: tuple[Any, Any]) -> Iterator[Pair[Any]]:
+        """The pairs of an object and the one whose name the spec gives it."""
+        by_path = {place(item, self.new).path: item for item in added}
+        for item in removed:
+            new = by_path.get(self._renames.get(place(item, self.old).path, ""))
+            if new is not None:
+                yield Pair(item, new, containers)
 
     def _rename(self, model_class: type, pair: Pair[Any], evidence: str) -> None:
         path = place(pair.old, self.old).path.rpartition("/")[0]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparison import Comparison
 from fieldspec.changes.descriptions import Rule
+from fieldspec.changes.reasons import stated_reasons, with_reason
 from fieldspec.changes.rules.addresses import (
     index_changed,
     number_changed,
@@ -130,5 +131,7 @@ RULES: tuple[tuple[str, Rule, tuple[Effect, ...]], ...] = (
 
 def changes(old: Device, new: Device) -> list[Change]:
     """The differences of two versions of a device: the gravest first, then by fact."""
-    comparison = Comparison(old, new)
-    return sorted((change for _, rule, _ in RULES for change in rule(comparison)), key=Change.order)
+    reasons = stated_reasons(old, new)
+    comparison = Comparison(old, new, reasons.renames)
+    all_changes = (with_reason(change, reasons) for _, rule, _ in RULES for change in rule(comparison))
+    return sorted(all_changes, key=Change.order)

@@ -17,6 +17,7 @@ from fieldspec.checks.finding import finding, label, range_key
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.link import Part
 from fieldspec.model.record import Field
 from fieldspec.model.value import Value
 
@@ -26,7 +27,7 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
         other = registers.get(register.same_as)
         if other is not None:
-            yield from _compared(f"{register.name} is {other.name}", register, register.value, other, other.value)
+            yield from _compare_values(f"{register.name} is {other.name}", register, register.value, other, other.value)
     for record in device.records.values():
         alike = device.records.get(record.same_as)
         for field in record.fields:
@@ -37,13 +38,18 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
         for field in message.response.fields:
             yield from _echo(field, asked.get(field.same_as), f"{field.name} repeats {field.same_as} of the request")
 
+    for link in device.links.values():
+        parts = {part.name: part for part in link.request}
+        for part in link.response:
+            yield from _echo(part, parts.get(part.same_as), f"{part.name} repeats {part.same_as} of the request")
 
-def _echo(field: Field, same: Field | None, text: str) -> Iterator[Diagnostic]:
+
+def _echo(field: Field | Part, same: Field | Part | None, text: str) -> Iterator[Diagnostic]:
     if same is not None and field.value is not None and same.value is not None:
-        yield from _compared(text, field, field.value, same, same.value)
+        yield from _compare_values(text, field, field.value, same, same.value)
 
 
-def _compared(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> Iterator[Diagnostic]:
+def _compare_values(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> Iterator[Diagnostic]:
     for key, mine, theirs in (
         ("type", (value.type.name, value.size), (same.type.name, same.size)),
         ("scale", (value.scale, value.offset), (same.scale, same.offset)),

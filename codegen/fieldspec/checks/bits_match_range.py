@@ -26,14 +26,14 @@ _WIDEST = 64
 
 def bits_match_range(device: Device) -> Iterator[Diagnostic]:
     for word in device.flags.values():
-        yield from _compared(device, word, word, word.ranges)
+        yield from _compare_range(device, word, word, word.ranges)
     for fact, value in values(device):
         used = device.flags.get(value.flags)
         if used is not None:
-            yield from _compared(device, fact, used, value.ranges)
+            yield from _compare_range(device, fact, used, value.ranges)
 
 
-def _compared(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) -> Iterator[Diagnostic]:
+def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) -> Iterator[Diagnostic]:
     if ranges is None or any(bit.last >= _WIDEST for bit in word.bits):
         return
     every = _union(bit for bit in word.bits)

@@ -42,7 +42,7 @@ def _of_list(rows: _Rows) -> Iterator[Diagnostic]:
         for at, word in enumerate(words):
             upper = named.get((*words[:at], _PAIRS[word], *words[at + 1 :])) if word in _PAIRS else None
             if upper is not None and _comparable(value, upper[1]):
-                yield from _compared(fact, value, *upper)
+                yield from _compare_defaults(fact, value, *upper)
 
 
 def _comparable(value: Value, other: Value) -> bool:
@@ -50,7 +50,7 @@ def _comparable(value: Value, other: Value) -> bool:
     return value.type.signed and (value.scale, value.unit, value.ranges) == (other.scale, other.unit, other.ranges)
 
 
-def _compared(fact: Fact, value: Value, other: Fact, above: Value) -> Iterator[Diagnostic]:
+def _compare_defaults(fact: Fact, value: Value, other: Fact, above: Value) -> Iterator[Diagnostic]:
     low, high = value.default, above.default
     if isinstance(low, int) and isinstance(high, int) and low >= high and (low, high) != (0, 0):
         text = f"the default of {fact.name} is {low}, but the default of {other.name} is {high}"

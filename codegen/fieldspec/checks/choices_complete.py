@@ -31,7 +31,7 @@ def choices_complete(device: Device) -> Iterator[Diagnostic]:
     for layer in layers(device):
         for field in layer.fields:
             if field.choice is not None:
-                yield from _placed(layer, field)
+                yield from _check_place(layer, field)
                 yield from _decided(device, layer, field, field.choice)
                 yield from _apart(field.choice)
     choosing = {name: record for name, record in device.records.items() if any(f.choice for f in record.fields)}
@@ -45,7 +45,7 @@ def choices_complete(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, holder.place, "record", text, help, there)
 
 
-def _placed(layer: Record, field: Field) -> Iterator[Diagnostic]:
+def _check_place(layer: Record, field: Field) -> Iterator[Diagnostic]:
     if field is not layer.fields[-1]:
         behind = layer.fields[-1]
         text = f"{behind.name} comes after {field.name}, whose size depends on another field"

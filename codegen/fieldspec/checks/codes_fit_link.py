@@ -46,10 +46,10 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
                 help = "correct the code or the part's type"
                 yield finding(_CODE, message.place, "code", text, help, label(part.place, "type", part.name))
             else:
-                yield from _marked(link, message)
+                yield from _check_flag(link, message)
 
 
-def _marked(link: Link, message: Message) -> Iterator[Diagnostic]:
+def _check_flag(link: Link, message: Message) -> Iterator[Diagnostic]:
     if link.exception_response is not None and message.code is not None and message.code & link.exception_response.flag:
         text = f"the code {message.code:#x} has the bit {link.exception_response.flag:#x}"
         text += ", which marks an exception response"

@@ -32,10 +32,10 @@ def conversions_match_signals(device: Device) -> Iterator[Diagnostic]:
         for name in conversion.signals:
             signal = device.signals.get(name)
             if signal is not None:
-                yield from _compared(conversion, signal)
+                yield from _compare_scales(conversion, signal)
 
 
-def _compared(conversion: Conversion, signal: Signal) -> Iterator[Diagnostic]:
+def _compare_scales(conversion: Conversion, signal: Signal) -> Iterator[Diagnostic]:
     if signal.value.type is not conversion.type:
         text = f"{signal.name} is {signal.value.type.name}, but {conversion.name} is for {conversion.type.name}"
         there = label(signal.place, "type", signal.name)

@@ -20,12 +20,12 @@ from fieldspec.model.fact import Fact
 
 def decimal_equals_hex(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
-        yield from _compared(device, register, register.space, "at", register.address, register.decimal)
+        yield from _compare_addresses(device, register, register.space, "at", register.address, register.decimal)
     for table in device.tables.values():
-        yield from _compared(device, table, table.space, "base", table.base, table.decimal)
+        yield from _compare_addresses(device, table, table.space, "base", table.base, table.decimal)
 
 
-def _compared(
+def _compare_addresses(
     device: Device, fact: Fact, space: str, key: str, address: int, decimal: int | None
 ) -> Iterator[Diagnostic]:
     name, place, first = fact.name, fact.place, device.space(space).first_number

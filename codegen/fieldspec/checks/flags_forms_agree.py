@@ -33,10 +33,10 @@ def flags_forms_agree(device: Device) -> Iterator[Diagnostic]:
             for bit in word.bits:
                 if not bit.reserved and not bit.when:
                     other, same = first.setdefault(bit.name, (word, bit))
-                    yield from _compared(word, bit, other, same)
+                    yield from _compare_bits(word, bit, other, same)
 
 
-def _compared(word: Flags, bit: Bit, other: Flags, same: Bit) -> Iterator[Diagnostic]:
+def _compare_bits(word: Flags, bit: Bit, other: Flags, same: Bit) -> Iterator[Diagnostic]:
     for key, mine, theirs in (
         ("bits" if "bits" in bit.place else "bit", _place(bit), _place(same)),
         ("active", f"the active level {bit.active}", f"the active level {same.active}"),

@@ -31,10 +31,10 @@ def frame_length_matches(device: Device) -> Iterator[Diagnostic]:
         ):
             if printed is not None:
                 own = [shape for shape in links[direction] if sent_on(shape.link, message)]
-                yield from _compared(message, direction, printed, data, own, sizes)
+                yield from _compare_lengths(message, direction, printed, data, own, sizes)
 
 
-def _compared(
+def _compare_lengths(
     message: Message, direction: str, printed: int, data: Record, links: list[Shape], sizes: RecordSizes
 ) -> Iterator[Diagnostic]:
     both = sizes.bounds(data)

@@ -26,13 +26,13 @@ def illegible_inferred(device: Device) -> Iterator[Diagnostic]:
     by_path = {fact.place.path: fact for fact in facts(device)}
     for erratum in illegible:
         fact = by_path.get(erratum.fact.partition("/restated/")[0])
-        if fact is not None and not fact.inferred and _read(fact):
+        if fact is not None and not fact.inferred and _inferred_key(fact):
             text = f"the print is {erratum.illegible}, but no key of {fact.name} is inferred"
-            there = label(fact.place, _read(fact), "read into the print")
+            there = label(fact.place, _inferred_key(fact), "read into the print")
             help = "add the reason under `inferred`"
             yield finding("illegible_inferred", erratum.place, "illegible", text, help, there)
 
 
-def _read(fact: Fact) -> str:
+def _inferred_key(fact: Fact) -> str:
     """The key under which something was read into the print of a fact, or nothing."""
     return next((key for key in ("doc", "causes", "remedies", "notes") if key in fact.place), "")

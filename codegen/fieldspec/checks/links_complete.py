@@ -59,7 +59,7 @@ def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
 
 def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...]) -> Iterator[Diagnostic]:
     roles = Counter(part.role for part in parts)
-    for role in (*_NUMBERS, "body", "checksum"):
+    for role in (*_NUMBERS, "body"):
         if roles[role] > 1 or (role == "body" and not roles[role]):
             text = f"the {direction} of {link.name} has {roles[role]} parts with the role {role}"
             help = "each role comes once, and `body` must be there"
@@ -71,6 +71,7 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
         for part in parts:
             if part.role in ("length", "checksum"):
                 yield from _of_span(link, direction, part)
+        yield from _computable(link, direction)
     roles_in_order = [part.role for part in parts]
     for role in _NUMBERS:
         if role in roles_in_order and "body" in roles_in_order[: roles_in_order.index(role)]:
@@ -130,3 +131,21 @@ def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
     elif first <= names.index(part.name) <= last:
         text = f"the checksum {part.name} covers itself"
         yield finding(_CODE, part.place, key, text, "end before it, or begin after it")
+
+
+def _computable(link: Link, direction: str) -> Iterator[Diagnostic]:
+    """Whether no checksums cover each other, so that one of them is computed first."""
+    parts = link.parts(direction)
+    checks = {part.name: part for part in parts if part.role == "checksum" and part.algorithm}
+    covered = {}
+    for name, part in checks.items():
+        first, last = link.span(direction, part) or (0, -1)
+        covered[name] = {inner.name for inner in parts[first : last + 1]} & checks.keys() - {name}
+    while ready := [name for name, others in covered.items() if not others & covered.keys()]:
+        for name in ready:
+            del covered[name]
+    for name in list(covered)[:1]:
+        part, other = checks[name], checks[sorted(covered[name] & covered.keys())[0]]
+        text = f"the checksums {name} and {other.name} cover each other, so none can be computed first"
+        help = "let one of them end before the other under `covers`"
+        yield finding(_CODE, part.place, "covers", text, help, label(other.place, "covers", other.name))

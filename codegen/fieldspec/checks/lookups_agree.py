@@ -37,7 +37,7 @@ def lookups_agree(device: Device) -> Iterator[Diagnostic]:
                 continue
             others = earlier.setdefault((key.name, column.name), [])
             for other, theirs in others[-_COMPARED:]:
-                yield from _compared(f"{column.name} of {key.name}", cells, theirs, other, reported)
+                yield from _compare_cells(f"{column.name} of {key.name}", cells, theirs, other, reported)
             others.append((lookup, cells))
 
 
@@ -53,7 +53,7 @@ def _by_key(lookup: Lookup, at: int, of: int) -> _Cells:
     return cells
 
 
-def _compared(what: str, cells: _Cells, theirs: _Cells, other: Lookup, reported: set[int]) -> Iterator[Diagnostic]:
+def _compare_cells(what: str, cells: _Cells, theirs: _Cells, other: Lookup, reported: set[int]) -> Iterator[Diagnostic]:
     common = [key for key in cells if key in theirs]
     odd = [key for key in common if cells[key][0] != theirs[key][0]]
     if len(common) - len(odd) < _FEWEST or len(odd) * _SMALL > len(common):

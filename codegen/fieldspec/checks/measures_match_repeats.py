@@ -25,10 +25,10 @@ def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
     sizes = RecordSizes(device)
     for layer in layers(device):
         for field in layer.fields:
-            yield from _compared(layer, field, sizes)
+            yield from _compare_sizes(layer, field, sizes)
 
 
-def _compared(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
+def _compare_sizes(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
     ranges = field.value.ranges if field.value is not None else None
     measured = layer.named(field.measures.field) if field.measures is not None else None
     if ranges is None or measured is None or measured.repeat is None or field.measures is None:

@@ -27,7 +27,7 @@ def messages_complete(device: Device) -> Iterator[Diagnostic]:
     for link in device.links.values():
         yield from _coded(device, link) if coded(link) else _numbered(device, link)
     for message in device.messages.values():
-        yield from _beside(device, message)
+        yield from _check_supplements(device, message)
 
 
 def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
@@ -55,7 +55,7 @@ def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:
             yield finding(_CODE, message.place, "number", text, "correct one of the numbers", there)
 
 
-def _beside(device: Device, message: Message) -> Iterator[Diagnostic]:
+def _check_supplements(device: Device, message: Message) -> Iterator[Diagnostic]:
     """A message that is sent beside others is no such one itself, and shares a link with each of them."""
     for name in message.supplements:
         other = device.messages.get(name)

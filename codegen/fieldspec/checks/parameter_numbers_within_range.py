@@ -36,7 +36,7 @@ def parameter_numbers_within_range(device: Device) -> Iterator[Diagnostic]:
         if part is None or not sets:
             continue
         if part.part == "number":
-            yield from _compared(fact, value, part.set, sets)
+            yield from _compare_numbers(fact, value, part.set, sets)
         if part.part == "values" and isinstance(fact, Field) and fact.count is not None:
             yield from _field_numbers(fact, fact.count, sets[0])
 
@@ -62,7 +62,7 @@ def _field_numbers(field: Field, count: int, parameter_set: ParameterSet) -> Ite
         yield finding(_CODE, field.place, "count", text, help, _list(parameter_set))
 
 
-def _compared(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> Iterator[Diagnostic]:
+def _compare_numbers(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> Iterator[Diagnostic]:
     """A field's range against the numbers on the wire, or, where it has none, its type."""
     if value.type.kind is not Kind.INTEGER:
         return

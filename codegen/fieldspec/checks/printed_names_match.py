@@ -46,10 +46,10 @@ def _of_list(holder: Fact, form: str, keys: tuple[str, ...], rows: _Rows) -> Ite
         return
     for row, numbers in rows:
         if numbers[match[1]] is not None:
-            yield from _compared(holder, row, form.format(**numbers), match[1])
+            yield from _compare_names(holder, row, form.format(**numbers), match[1])
 
 
-def _compared(holder: Fact, row: Fact, right: str, key: str) -> Iterator[Diagnostic]:
+def _compare_names(holder: Fact, row: Fact, right: str, key: str) -> Iterator[Diagnostic]:
     printed = [(row.place, row.printed_name)]
     printed += [(claim.place, str(claim.values.get("printed_name") or "")) for claim in row.restated]
     for place, name in printed:

@@ -58,6 +58,13 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _named(table.place, "space", "address space", table.space, device.spaces)
         yield from _named(table.place, "record", "record", table.record, device.records)
     for link in device.links.values():
+        asked = {part.name for part in link.request if part.role == "plain" and not part.reserved}
+        for part in link.response:
+            yield from _named(part.place, "same_as", "part of the request", part.same_as, asked)
+        for part in link.request:
+            if part.same_as:
+                text = f"the part {part.name} of a request repeats nothing"
+                yield finding("references_resolve", part.place, "same_as", text, "move `same_as` to the response")
         if link.exception_response is not None:
             yield from _named(
                 link.place, "exception_response", "record", link.exception_response.record, device.records
@@ -71,11 +78,11 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
             yield from _named(register.place, "copy_of", "register", register.copy_of, registers)
     for parameter_set in device.parameters.values():
         for parameter in parameter_set.parameters:
-            yield from _all(parameter.place, "messages", "message", parameter.messages, device.messages)
+            yield from _check_names(parameter.place, "messages", "message", parameter.messages, device.messages)
     paths = {fact.place.path for fact in facts(device)}
     for conversion in device.conversions.values():
-        yield from _all(conversion.place, "signals", "signal", conversion.signals, device.signals)
-        yield from _all(conversion.place, "references", "fact", conversion.references, paths)
+        yield from _check_names(conversion.place, "signals", "signal", conversion.signals, device.signals)
+        yield from _check_names(conversion.place, "references", "fact", conversion.references, paths)
     for fact in facts(device):
         handling = getattr(fact, "handling", UNSPECIFIED)
         if handling is not UNSPECIFIED:
@@ -83,10 +90,10 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
             yield from _named(fact.place, "opposite_of", "fact", handling.opposite_of, paths)
     paths.update(f"examples/{example}" for example in device.examples)
     for note in device.notes:
-        yield from _all(note.place, "about", "fact", map(_holder, note.about), paths)
+        yield from _check_names(note.place, "about", "fact", map(_holder, note.about), paths)
     limits = {limit.place.path for limit in device.limits}
     for limit in device.limits:
-        yield from _all(limit.place, "sum_of", "limit", limit.sum_of, limits)
+        yield from _check_names(limit.place, "sum_of", "limit", limit.sum_of, limits)
         yield from _named(limit.place, "within", "limit", limit.within, limits)
     for lookup in device.lookups:
         yield from _of_lookup(device, lookup)
@@ -107,7 +114,9 @@ def _holder(path: str) -> str:
     return "/".join(steps[:end])
 
 
-def _all(place: Place, key: str, what: str, names: Iterable[str], known: Collection[str]) -> Iterator[Diagnostic]:
+def _check_names(
+    place: Place, key: str, what: str, names: Iterable[str], known: Collection[str]
+) -> Iterator[Diagnostic]:
     for name in names:
         yield from _named(place, key, what, name, known)
 
@@ -127,12 +136,12 @@ def _of_flags(device: Device, flags: Flags) -> Iterator[Diagnostic]:
     bits = {bit.name for bit in flags.bits}
     for state in flags.states:
         for key, names in (("set", state.set), ("clear", state.clear)):
-            yield from _all(state.place, key, f"bit of {flags.name}", names, bits)
+            yield from _check_names(state.place, key, f"bit of {flags.name}", names, bits)
 
 
 def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
-    yield from _all(message.place, "links", "link", message.links, device.links)
-    yield from _all(message.place, "supplements", "message", message.supplements, device.messages)
+    yield from _check_names(message.place, "links", "link", message.links, device.links)
+    yield from _check_names(message.place, "supplements", "message", message.supplements, device.messages)
     yield from _within(device, message.request, message.request, None)
     yield from _within(device, message.response, message.request, message.request)
     if message.accesses is not None:
@@ -169,7 +178,7 @@ def _of_cases(device: Device, by: Field | None, field: Field) -> Iterator[Diagno
     if enum is not None:
         members = {member.name for member in enum.members}
         for case in cases(field):
-            yield from _all(case.place, "when", f"member of {enum.name}", case.when, members)
+            yield from _check_names(case.place, "when", f"member of {enum.name}", case.when, members)
 
 
 def _number(field: Field, value: Value | None, numbers: Collection[str]) -> Iterator[Diagnostic]:

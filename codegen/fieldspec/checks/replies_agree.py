@@ -50,6 +50,7 @@ def _echoed(device: Device, reply: Example) -> Iterator[tuple[str, str]]:
         asked = [part.name for part in link.request if part.role == "unit_address"]
         repeated = [part.name for part in link.response if part.role == "unit_address"]
         yield from zip(repeated, asked, strict=False)
+        yield from ((part.name, part.same_as) for part in link.response if part.same_as)
     if not reply.exception_response:
         for field in body(device, reply):
             if field.same_as:

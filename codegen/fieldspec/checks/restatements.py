@@ -5,10 +5,11 @@ from __future__ import annotations
 from decimal import Decimal
 
 from fieldspec.checks.finding import enumeration, hexadecimal, interval
+from fieldspec.model.checksums import checksum_named
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.model.fact import Fact, ScalarValue
-from fieldspec.model.link import CHECKSUM_STARTS, Link, Part
+from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, Subindex, Table
 from fieldspec.model.sizes import RecordSizes, sent_on
@@ -73,7 +74,8 @@ def _all_statements(device: Device, sizes: RecordSizes, fact: Fact) -> dict[str,
     if isinstance(fact, Parameter):
         return {**_value(device, fact.value), **_parameter(device, fact)}
     if isinstance(fact, Part):
-        return {"initial": CHECKSUM_STARTS.get(fact.algorithm), **(_value(device, fact.value) if fact.value else {})}
+        initial = checksum_named(fact.algorithm).initial if fact.algorithm else None
+        return {"initial": initial, **(_value(device, fact.value) if fact.value else {})}
     if isinstance(fact, Signal | Case | Subindex):
         count = {"count": _length(fact.indices)} if isinstance(fact, Subindex) else {}
         return {**_value(device, fact.value), **count}

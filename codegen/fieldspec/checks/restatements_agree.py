@@ -49,34 +49,36 @@ def restatements_agree(device: Device) -> Iterator[Diagnostic]:
         if fact.restated:
             own = statements(device, sizes, fact)
             for claim in fact.restated:
-                yield from _compared(fact, own, claim)
+                yield from _compare_claim(fact, own, claim)
 
 
-def _compared(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diagnostic]:
+def _compare_claim(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diagnostic]:
     for key, claimed in claim.values.items():
         if key in _NOT_HERE:
             continue
         if key == "present":
             if claimed is not True:
-                text = f"{fact.name} is missing where {_where(claim)} should have it"
+                text = f"{fact.name} is missing where {_place_text(claim)} should have it"
                 help = "set `present: true` and write an erratum"
-                yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
+                yield finding(_CODE, claim.place, key, text, help, _place_label(fact, key))
             continue
         have = own.get(key)
         if have is None:
-            text = f"{fact.name} has no `{key}` for {_where(claim)} to restate"
+            text = f"{fact.name} has no `{key}` for {_place_text(claim)} to restate"
             help = "add it to the fact, or remove it from `restated`"
-            yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
+            yield finding(_CODE, claim.place, key, text, help, _place_label(fact, key))
         elif claimed_value(key, claimed) != have:
-            text = f"`{key}` of {fact.name} is {as_text(key, have)}, but {as_text(key, claimed)} in {_where(claim)}"
+            text = (
+                f"`{key}` of {fact.name} is {as_text(key, have)}, but {as_text(key, claimed)} in {_place_text(claim)}"
+            )
             help = "use the right value in both places, and write an erratum for the misprint"
-            yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
+            yield finding(_CODE, claim.place, key, text, help, _place_label(fact, key))
 
 
-def _where(claim: Claim) -> str:
+def _place_text(claim: Claim) -> str:
     return claim.sources[0].text() if claim.sources else "the other place"
 
 
-def _there(fact: Fact, key: str) -> Label:
+def _place_label(fact: Fact, key: str) -> Label:
     places = [name for name in _STANDS_UNDER.get(key, (key,)) if name in fact.place]
     return label(fact.place, places[0] if places else "name", "the fact itself")

@@ -7,7 +7,8 @@ Example: a register without `source`, or `source: 8.2 L16222` where the text has
 
 Cure: Add the section and the line. Facts of a protocol are cited in the entry of the same name in the device.
 A row may omit the section if its group has one. If the manual prints the rows of a copied block, each row
-cites its own line.
+cites its own line. A fact that a version adds needs no source where the manual does not print it: the entry that
+adds it states the reason.
 """
 
 from __future__ import annotations
@@ -40,9 +41,9 @@ def sources_present(device: Device) -> Iterator[Diagnostic]:
 
 def cited_places(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], bool]]:
     """Everything that has sources: its name, its place, its sources, and whether it must have some."""
-    copied = _copied_as_blocks(device)
+    free = _copied_as_blocks(device) | _added(device)
     for fact in facts(device):
-        needed = not isinstance(fact, _INHERITING) and fact.place.path not in copied
+        needed = not isinstance(fact, _INHERITING) and fact.place.path not in free
         if isinstance(fact, Task):
             needed = bool(fact.steps)  # what is not printed has no place
             for step in fact.steps:
@@ -86,6 +87,11 @@ def _copied_as_blocks(device: Device) -> set[str]:
         for row in group.registers
         if row.copy_of
     }
+
+
+def _added(device: Device) -> set[str]:
+    """The paths of the facts that overlays of versions add, each with a reason."""
+    return {entry.path for entry in device.stated_changes if entry.kind == "adds"}
 
 
 def _wrong(device: Device, what: str, place: Place, citation: Citation) -> Iterator[Diagnostic]:

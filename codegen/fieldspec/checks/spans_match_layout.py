@@ -75,7 +75,7 @@ def _printed(field: Field) -> Iterator[tuple[Place, str, _Span]]:
         if own is not None:
             yield field.place, key, own
         for claim in field.restated:
-            span = _read(claim.values.get(key))
+            span = _parse_span(claim.values.get(key))
             if span is not None:
                 yield claim.place, key, span
 
@@ -95,7 +95,7 @@ def _text(span: _Span, unit: str) -> str:
     return f"{unit} {span[0]}" if span[0] == span[1] else f"{unit}s {span[0]}-{span[1]}"
 
 
-def _read(text: object) -> _Span | None:
+def _parse_span(text: object) -> _Span | None:
     """`1-4` as its first and last number; None where nothing is written."""
     match = _SPAN.fullmatch(str(text)) if text is not None else None
     return (int(match[1]), int(match[2] or match[1])) if match else None

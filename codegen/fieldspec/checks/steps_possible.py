@@ -84,7 +84,7 @@ def _on(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic]:
         text = f"{operand.path} is {'a' if step.action != 'send' else 'no'} message"
         yield finding(_RULE, place, step.action, text, "messages are sent; other facts are written or read")
     elif isinstance(operand.fact, Message):
-        yield from _sent(device, step, operand.fact)
+        yield from _check_request(device, step, operand.fact)
     elif step.action in ("read", "wait") and not operand.readable:
         yield finding(_RULE, place, step.action, f"{operand.path} cannot be read", "name the fact that shows it")
     elif step.action not in ("read", "wait") and not operand.writable:
@@ -134,7 +134,7 @@ def _refused(device: Device, operand: Operand, value: object) -> str:
     return "" if ranges is None or value in ranges else f"its range is {ranges.text()}"
 
 
-def _sent(device: Device, step: Step, message: Message) -> Iterator[Diagnostic]:
+def _check_request(device: Device, step: Step, message: Message) -> Iterator[Diagnostic]:
     fields = {field.name: field for field in message.request.fields}
     for key, names in (("values", step.values), ("arguments", step.arguments)):
         for name in names:

@@ -22,17 +22,17 @@ from fieldspec.model.sizes import RecordSizes
 
 def words_match_type(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
-        yield from _compared(register, register.words, 2 * register.width, register.value.type.name)
+        yield from _compare_words(register, register.words, 2 * register.width, register.value.type.name)
     sizes = RecordSizes(device)
     for layer in layers(device):
         for field in layer.fields:
             both = sizes.field(field)
             if both is not None and both[0] == both[1]:
                 type_name = field.value.type.name if field.value is not None else field.record
-                yield from _compared(field, field.words, both[0], type_name)
+                yield from _compare_words(field, field.words, both[0], type_name)
 
 
-def _compared(fact: Fact, words: int | None, size: int, type_name: str) -> Iterator[Diagnostic]:
+def _compare_words(fact: Fact, words: int | None, size: int, type_name: str) -> Iterator[Diagnostic]:
     if words is not None and 2 * words != size:
         yield finding(
             "words_match_type",

@@ -27,10 +27,10 @@ _HELP = "correct one of them"
 def write_range_within_range(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         if value.write_ranges is not None and value.type.kind is Kind.INTEGER:
-            yield from _compared(fact, value, value.write_ranges)
+            yield from _compare_ranges(fact, value, value.write_ranges)
 
 
-def _compared(fact: Fact, value: Value, writable: Ranges) -> Iterator[Diagnostic]:
+def _compare_ranges(fact: Fact, value: Value, writable: Ranges) -> Iterator[Diagnostic]:
     read = value.ranges.intervals if value.ranges is not None else ((value.type.low, value.type.high),)
     sentinels = tuple((sentinel.value, sentinel.value) for sentinel in value.sentinels)
     beyond = _beyond(writable, [*read, *sentinels])

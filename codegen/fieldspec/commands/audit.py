@@ -96,6 +96,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Prints the audit, or one table of it. Exit code 1 where a section has a finding that is an error.
 
     Findings in the print, with `--as-printed`, say nothing against the spec; the exit code is then 0.
+    Raises UsageError.
     """
     from fieldspec.audit.report import printed_report, report
     from fieldspec.audit.section import Subject

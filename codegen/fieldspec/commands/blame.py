@@ -16,7 +16,7 @@ _LONGEST = 60
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints one row for each attribute; defaults of its group are marked."""
+    """Prints one row for each attribute; defaults of its group are marked. Raises UsageError."""
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     tree = spec.tree_at(version)
     fact = find(tree, arguments.path)

@@ -27,14 +27,17 @@ from fieldspec.commands.usage import UsageError, unknown
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Builds, or with `--check` lists what a build would change. Exit code 1 for findings and stale files."""
+    """Builds, or with `--check` lists what a build would change. Exit code 1 for findings and stale files.
+
+    Raises UsageError.
+    """
     if arguments.watch:
         return watch(arguments)
     return build(arguments)
 
 
 def build(arguments: argparse.Namespace) -> int:
-    """Builds once."""
+    """Builds once. Raises UsageError."""
     anew = arguments.check or arguments.no_cache
     wanted = BuildRequest(_outputs(arguments.to, anew), _devices(arguments.devices))
     packages = package_hashes(anew)

@@ -46,7 +46,7 @@ def build_result(
     everything = wanted.whole and not earlier.confined()
     if not stale and not everything and len(shared) == len(wanted.outputs):
         return BuildResult([], {device: earlier.devices[device] for device in plans}, shared, [], True)
-    return _anew(wanted, plans, shared, frozenset() if everything else stale, path, files, earlier, beside)
+    return _build_stale(wanted, plans, shared, frozenset() if everything else stale, path, files, earlier, beside)
 
 
 def _plan(device: str, wanted: BuildRequest, earlier: EarlierBuild) -> _Plan:
@@ -58,7 +58,7 @@ def _plan(device: str, wanted: BuildRequest, earlier: EarlierBuild) -> _Plan:
     return _Plan(before.warned, tuple(name for name in wanted.outputs if name not in reused), reused)
 
 
-def _anew(
+def _build_stale(
     wanted: BuildRequest,
     plans: Mapping[str, _Plan],
     shared: Mapping[str, Hashes],

@@ -10,7 +10,7 @@ from fieldspec.diagnostics import has_errors
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints all findings of all files. Exit code 1 where one of them is an error."""
+    """Prints all findings of all files. Exit code 1 where one of them is an error. Raises UsageError."""
     from fieldspec import pipeline
     from fieldspec.commands.plugin_loading import load_checks
 

@@ -11,7 +11,7 @@ from fieldspec.commands.usage import UsageError, unknown
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints what agrees, differs and is missing. Exit code 1 where there is any difference."""
+    """Prints what agrees, differs and is missing. Exit code 1 where there is any difference. Raises UsageError."""
     from fieldspec.lists.comparison import ASPECTS, compared
     from fieldspec.lists.item import items
     from fieldspec.lists.listing import listing

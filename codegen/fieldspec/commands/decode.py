@@ -59,7 +59,7 @@ class FramePrinter:
     def _blocks(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> Iterator[Block]:
         own = reading.explanation
         where = f"line {number}: " if number else ""
-        sure = all((link, direction) != (own.link, own.direction) for link, direction, _, _ in reading.others)
+        sure = all((link, direction) != (own.link, own.direction) for link, direction, _, _ in reading.alternatives)
         yield Line(where + texts.title(self.layout, own, sure), "bold")
         yield from (Line(remark, "red" if reading.wrong else "yellow") for remark in remarks)
         yield texts.frame_table(self.layout, own)
@@ -78,14 +78,14 @@ LONGEST_LINE = 8192
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Explains a frame, or each line of standard input. Exit code 1 where anything is wrong."""
+    """Explains a frame, or each line of standard input. Exit code 1 where anything is wrong. Raises UsageError."""
     layout = layout_cache.requested_layout(arguments)
     if not layout.links:
         raise UsageError(f"{arguments.device} has no link, so there are no frames to decode")
     options = frame_options(layout, arguments)
     if arguments.request and "response" not in options.directions:
         raise UsageError(f"--request says what a response answers, so --direction cannot be {arguments.direction}")
-    asked = _asked(layout, options, arguments.request)
+    asked = _parse_request(layout, options, arguments.request)
     printer = FramePrinter(layout, arguments.format)
     text = " ".join(arguments.frame)
     if text in ("", "-"):
@@ -101,7 +101,7 @@ def run(arguments: argparse.Namespace) -> int:
     return int(reading.wrong)
 
 
-def _asked(layout: DeviceLayout, options: FrameOptions, text: str | None) -> OpenRequest | None:
+def _parse_request(layout: DeviceLayout, options: FrameOptions, text: str | None) -> OpenRequest | None:
     """The request in `--request`. Raises UsageError where it is wrong."""
     if text is None:
         return None

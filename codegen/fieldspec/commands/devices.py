@@ -15,7 +15,10 @@ _HEADINGS = ("device", "name", "vendor", "versions", "registers", "parameters", 
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints a row for each device, with counts at its newest version. Exit code 1 where a device cannot be read."""
+    """Prints a row for each device, with counts at its newest version. Exit code 1 where a device cannot be read.
+
+    Raises UsageError.
+    """
     project = specs.project(arguments.specs)
     print_blocks([Table(_HEADINGS, tuple(_row(name, spec) for name, spec in sorted(project.devices.items())))])
     if has_errors(project.findings):

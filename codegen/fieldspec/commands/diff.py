@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Iterator
-from importlib import import_module
 
 from fieldspec.changes import RULES, changes
 from fieldspec.changes.acceptances import ComparedVersions, accepts_used, judged_changes, rules_known
@@ -24,10 +23,13 @@ REVIEWS = ("sarif", "github")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the changes. Exit code 1 where `--fail-on` applies, or where a spec accepts a change that is not there."""
+    """Prints the changes. Exit code 1 where `--fail-on` applies, or where a spec accepts a change that is not there.
+
+    Raises UsageError.
+    """
     bare_paths = arguments.format in REVIEWS
     old, new = (spec_state(text, arguments.specs, bare_paths) for text in (arguments.old, arguments.new))
-    compared = list(_compared(old, new))
+    compared = list(_comparisons(old, new))
     differences = [*_devices(old, new), *(_difference(comparison) for comparison in compared)]
     unused = _unused(compared)
     if arguments.format in REVIEWS:
@@ -35,13 +37,15 @@ def run(arguments: argparse.Namespace) -> int:
 
         print_findings([*findings(differences), *unused], arguments.format, "")
     elif arguments.format == "text":
-        from fieldspec.render.changes_text import blocks
+        from fieldspec.render.changes_formats import blocks
 
         print_blocks(blocks(differences))
     else:
-        print(import_module(f"fieldspec.render.changes_{arguments.format}").rendered(differences), end="")
+        from fieldspec.render.changes_formats import format_changes
+
+        print(format_changes(differences, arguments.format), end="")
     if unused and arguments.format not in REVIEWS:
-        from fieldspec.render.text import rendered
+        from fieldspec.render.finding_text import rendered
 
         print(rendered(unused), end="", file=sys.stderr)
     failed = arguments.fail_on is not None and hurts(differences, arguments.fail_on)
@@ -57,7 +61,7 @@ class _Compared:
     by_version: dict[str, ComparedVersions]
 
 
-def _compared(old: SpecState, new: SpecState) -> Iterator[_Compared]:
+def _comparisons(old: SpecState, new: SpecState) -> Iterator[_Compared]:
     """The comparisons of two states, device by device."""
     for device in _common(old, new):
         before, after = old.spec(device), new.spec(device)

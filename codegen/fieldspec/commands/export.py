@@ -12,7 +12,7 @@ from fieldspec.commands.usage import UsageError
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the list to a file or to standard output."""
+    """Writes the list to a file or to standard output. Raises UsageError."""
     from fieldspec.lists.export import as_csv, as_json, as_xlsx
     from fieldspec.lists.item import items
 

@@ -11,7 +11,7 @@ from fieldspec.commands import layout_cache
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the facts as CSV or JSON."""
+    """Prints the facts as CSV or JSON. Raises UsageError."""
     from fieldspec.facts import COLUMNS, rows
 
     fact_rows = rows(layout_cache.requested_layout(arguments))

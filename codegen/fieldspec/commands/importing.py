@@ -17,7 +17,7 @@ _FOLDER = re.compile(r"[^a-z0-9]+")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the file, or prints it for `-`. It overwrites no file, and writes none with errors."""
+    """Writes the file, or prints it for `-`. It overwrites no file, and writes none with errors. Raises UsageError."""
     from fieldspec.lists.cells import REFERENCE
     from fieldspec.lists.listing import listing, moved
     from fieldspec.lists.sheet import ListError
@@ -39,7 +39,7 @@ def run(arguments: argparse.Namespace) -> int:
         if low is not None:
             raise ListError(f"has an address below 0 in row {low.row}, with the offset {arguments.offset}")
         origin = Origin(file, hashlib.sha256(data).hexdigest(), max(sheet.lines, 1))
-        text = skeleton(device, origin, rows)
+        text = specs.editor_line(path) + skeleton(device, origin, rows)
     except ListError as error:
         raise UsageError(f"{arguments.file} {error}") from None
     _passes(device, text, arguments.file)
@@ -55,8 +55,8 @@ def run(arguments: argparse.Namespace) -> int:
 def _device(path: Path) -> str:
     """The identity of the device: the name of the folder, or of the file."""
     name = path.resolve().parent.name if path.name == MAIN else path.stem
-    identity = _FOLDER.sub("-", name.lower()).strip("-") or "device"
     form = schema()["$defs"]["device_id"]
+    identity = name if re.fullmatch(form["pattern"], name) else _FOLDER.sub("-", name.lower()).strip("-") or "device"
     if path.name == MAIN and identity != name:
         raise UsageError(f"the folder {name} is not a valid name of a device: {form['description']}")
     if not re.fullmatch(form["pattern"], identity) or len(identity) > form["maxLength"]:

@@ -19,13 +19,16 @@ from fieldspec.render.memory import blocks
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the offsets as a table and a drawing. Exit code 1 where they differ from those on the wire."""
+    """Prints the offsets as a table and a drawing. Exit code 1 where they differ from those on the wire.
+
+    Raises UsageError.
+    """
     if arguments.target not in MEMORIES:
         raise unknown("target", arguments.target, MEMORIES)
     memory = MEMORIES[arguments.target]
     layout = layout_cache.requested_layout(arguments)
     wrong = []
-    for number, (record, fact, title) in enumerate(_asked(layout, arguments.record)):
+    for number, (record, fact, title) in enumerate(_matching_records(layout, arguments.record)):
         if number:
             print()
         images = Images(layout, SpecNaming(), packed=memory.bits)
@@ -38,7 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
     return 1 if wrong else 0
 
 
-def _asked(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordLayout, Fact, str]]:
+def _matching_records(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordLayout, Fact, str]]:
     """The records that a name means, one for each case of a choice, with their titles. Raises UsageError."""
     known = list(_records(layout))
     number = number_of(name)

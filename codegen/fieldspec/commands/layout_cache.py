@@ -29,7 +29,7 @@ MARK = b"\xef\xbb\xbf"
 
 
 def requested_layout(arguments: argparse.Namespace) -> DeviceLayout:
-    """The layout of the device that the arguments of a verb name."""
+    """The layout of the device that the arguments of a verb name. Raises UsageError."""
     return layout(arguments.specs, arguments.device, arguments.no_cache)
 
 
@@ -99,7 +99,7 @@ def from_json(content: bytes, source: Callable[[str], SourceFile]) -> Any:
     Raises ValueError for other content, and for a class that does not belong to a layout.
     """
     head, *lines = content.decode().split("\n")
-    classes, files = _read(head)
+    classes, files = _parse_line(head)
     if not all(name.startswith(HOMES) for name in classes):
         raise ValueError("the classes do not belong to a layout")
     return _Thawing(classes, files, lines, source).object(0, len(lines) - 1)
@@ -155,7 +155,7 @@ _json = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
 _scan = json.JSONDecoder().scan_once  # type: ignore[attr-defined]
 
 
-def _read(line: str) -> list[Any]:
+def _parse_line(line: str) -> list[Any]:
     values: list[Any] = _scan(line, 0)[0]
     return values
 
@@ -196,7 +196,7 @@ class _Thawing:
         puts = [getattr(final, name).__set__ for name in names]  # the class itself forbids assignment
 
         def fill(instance: Any) -> Any:
-            for put, value in zip(puts, _read(self.lines[self.numbers[instance]]), strict=True):
+            for put, value in zip(puts, _parse_line(self.lines[self.numbers[instance]]), strict=True):
                 put(instance, self.value(value) if value.__class__ is list else value)
             object.__setattr__(instance, "__class__", final)
             return instance

@@ -16,7 +16,7 @@ from fieldspec.render.blocks import Line, Table
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints a row for each fact that differs between versions, or for every fact."""
+    """Prints a row for each fact that differs between versions, or for every fact. Raises UsageError."""
     name, version = specs.split(arguments.device)
     if version:
         raise UsageError(f"the matrix shows all versions; leave out @{version}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import re
 from collections.abc import Iterator
 from importlib import resources
@@ -23,15 +24,12 @@ from fieldspec.schema import schema
 SHAPES = ("packet", "telegram")
 """The skeletons of devices without a protocol."""
 
-_EDITORS = "# yaml-language-server: $$schema=$schema\n"
-"""The line that tells editors where the schema is."""
-
 # The sections of a protocol whose entries a device must cite, and the key that an entry needs there.
 _CITED = {"links": "", "messages": "", "enums": "", "records": "fields"}
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the file; never overwrites one."""
+    """Writes the file; never overwrites one. Raises UsageError."""
     if arguments.kind == "version":
         path, text = _version(arguments)
     else:
@@ -69,9 +67,8 @@ def _version(arguments: argparse.Namespace) -> tuple[Path, str]:
         ]
         after = f'  after: "{members[-1]}"\n'
     path = specs.writable_folder(arguments.specs) / arguments.name / VERSIONS / f"{arguments.version}.yaml"
-    return path, _filled(
+    return path, specs.editor_line(path) + _fill_skeleton(
         "version",
-        path,
         device=arguments.name,
         version=arguments.version,
         base=base,
@@ -91,19 +88,30 @@ def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
         raise UsageError("a new device has no version yet; use: fieldspec new device NAME --protocol PROTOCOL")
     name = arguments.name
     _fits(name, "device_id", "a device")
-    folder = specs.folder(arguments.specs)
-    folder = Path(specs.FOLDER) if str(folder) == INSTALLED else folder
+    folder = _folder(arguments.specs)
     places = {name: Path(path) for name, path in spec_files.installed_protocols().items()}
     places |= {path.stem: path for path in (folder / PROTOCOLS).glob("*.yaml")}
     protocols = sorted(places)
-    if arguments.protocol is None or arguments.protocol not in (*SHAPES, *protocols):
-        raise unknown("protocol", arguments.protocol or "", [*protocols, *SHAPES])
+    if not arguments.protocol:
+        shapes = " or ".join(SHAPES)
+        raise UsageError(f"name the protocol with --protocol: {', '.join(protocols)}; or {shapes} for none")
+    if arguments.protocol not in (*SHAPES, *protocols):
+        raise unknown("protocol", arguments.protocol, [*protocols, *SHAPES])
     path = folder / name / MAIN
-    text = _filled("device", path, name=name)
+    text = specs.editor_line(path) + _fill_skeleton("device", name=name)
     if arguments.protocol in SHAPES:
-        return path, text + _filled(arguments.protocol, path)
+        return path, text + _fill_skeleton(arguments.protocol)
     overlays = "\n".join(_overlays(places[arguments.protocol]))
-    return path, text + _filled("protocol", path, protocol=arguments.protocol, overlays=overlays + "\n")
+    return path, text + _fill_skeleton("protocol", protocol=arguments.protocol, overlays=overlays + "\n")
+
+
+def _folder(specs_option: str | None) -> Path:
+    """The folder of the new device. Where nobody has one yet, it is `specs` here, or the one that the option names."""
+    named = specs_option or os.environ.get(specs.VARIABLE)
+    if named and not Path(named).exists():
+        return Path(named)
+    folder = spec_files.folder_or_none(specs_option)
+    return Path(specs.FOLDER if folder in (None, INSTALLED) else folder)
 
 
 def _bring_protocols(folder: Path, name: str) -> None:
@@ -150,9 +158,6 @@ def _fits(text: str, form: str, what: str) -> None:
         raise UsageError(f"{text} is not a valid name of {what}: {part['description']}")
 
 
-def _filled(skeleton: str, path: Path, **words: str) -> str:
+def _fill_skeleton(skeleton: str, **words: str) -> str:
     text = resources.files("fieldspec").joinpath(f"skeletons/{skeleton}.yaml").read_text("utf-8")
-    up = "../" * (2 if path.parent.name != VERSIONS else 3)
-    if Path(INSTALLED).is_dir():  # the schema is not beside the specs
-        text = text.removeprefix(_EDITORS)
-    return Template(text).substitute(words, schema=f"{up}codegen/fieldspec/schema/spec.schema.json")
+    return Template(text).substitute(words)

@@ -255,7 +255,7 @@ def recover(out: Path, folder: Path) -> None:
 
     Raises OSError where neither is possible, and JournalError; nothing has changed then.
     """
-    journal = _read(folder)
+    journal = _read_journal(folder)
     if journal is not None:
         inside(out, (*journal.place, *journal.remove, *journal.folders))
         if (folder / UNDO).exists():
@@ -275,7 +275,7 @@ def discard(folder: Path) -> None:
     shutil.rmtree(folder, ignore_errors=True)
 
 
-def _read(folder: Path) -> Journal | None:
+def _read_journal(folder: Path) -> Journal | None:
     """The journal in a folder; None where the build was killed before it wrote one. Raises JournalError."""
     for name in (UNDO, COMPLETE):
         try:

@@ -130,10 +130,10 @@ def load_checks(anew: bool = False) -> None:
             rules.check_rule(name, function)
         except ValueError as error:
             raise plugin.error(str(error)) from None
-        table.INSTALLED[name] = _guarded(plugin, function)
+        table.INSTALLED[name] = _guard_check(plugin, function)
 
 
-def _guarded(plugin: Plugin, function: Callable[[Device], Iterator[Diagnostic]]) -> Any:
+def _guard_check(plugin: Plugin, function: Callable[[Device], Iterator[Diagnostic]]) -> Any:
     """A check whose failures name its package, and whose findings have its code."""
 
     def check(device: Device) -> Iterator[Diagnostic]:

@@ -14,7 +14,10 @@ _EXPANDED = {"registers": "copies", "enums": "derived"}
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the spec as YAML: with protocols, overlays and copies, and only the facts of the version."""
+    """Prints the spec as YAML: with protocols, overlays and copies, and only the facts of the version.
+
+    Raises UsageError.
+    """
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     tree = spec.tree_at(version).without("uses")
     for section, key in _EXPANDED.items():

@@ -10,7 +10,7 @@ from fieldspec.render.blocks import Line, Table
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints a rule, or a list of all rules."""
+    """Prints a rule, or a list of all rules. Raises UsageError."""
     from fieldspec.commands.plugin_loading import load_checks
     from fieldspec.rules import all_rules, change_rules, installed_rules
 

@@ -9,13 +9,13 @@ from fieldspec.commands.frame_options import number_of
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import unknown
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.render.item import Item, handles, items, numbered, unnamed
+from fieldspec.render.item import Item, fact_of, handles, items, numbered, unnamed
 from fieldspec.render.item_blocks import blocks
 from fieldspec.render.overview import overview
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints an overview of the device, or every item that a text names."""
+    """Prints an overview of the device, or every item that a text names. Raises UsageError."""
     layout = layout_cache.requested_layout(arguments)
     if arguments.item is None:
         print_blocks(overview(layout))
@@ -29,8 +29,14 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
-    """The items with a name, else those with an address or a number; names of the spec come before printed ones."""
+    """The item at a path, else those with a name, else those with an address or a number.
+
+    Names of the spec come before printed ones.
+    """
     known = list(items(layout))
+    matches = [item for item in known if fact_of(item).place.path == text]
+    if matches:
+        return matches
     for exact in (True, False):
         for place in range(3):
             matches = [item for item in known if text and _called(item, text, place, exact)]

@@ -45,6 +45,14 @@ def writable_folder(specs_option: str | None) -> str:
 
 def folder(specs_option: str | None) -> str:
     """The folder with the specs: by option, by environment, here or above, or installed. Raises UsageError."""
+    path = folder_or_none(specs_option)
+    if path is None:
+        raise UsageError(f"there is no folder {FOLDER} here or above; give it with --specs, or set {VARIABLE}")
+    return path
+
+
+def folder_or_none(specs_option: str | None) -> str | None:
+    """As `folder`, but None where there is none. Raises UsageError where the named one is missing."""
     named = specs_option or os.environ.get(VARIABLE)
     if named:
         if not os.path.isdir(named):
@@ -58,7 +66,7 @@ def folder(specs_option: str | None) -> str:
         above, last = os.path.dirname(above), above
     if os.path.isdir(INSTALLED):
         return INSTALLED
-    raise UsageError(f"there is no folder {FOLDER} here or above; give it with --specs, or set {VARIABLE}")
+    return None
 
 
 def devices(path: str | os.PathLike[str]) -> list[str]:

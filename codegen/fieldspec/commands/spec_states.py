@@ -13,7 +13,7 @@ from fieldspec.diagnostics import has_errors
 from fieldspec.model.device import Device
 from fieldspec.reading.findings import MAIN, PROTOCOLS, VERSIONS
 from fieldspec.reading.project import DeviceSpec, Project, read
-from fieldspec.render.text import place
+from fieldspec.render.finding_text import place
 
 
 class NoRevision(UsageError):
@@ -41,13 +41,13 @@ def tree(revision: str, path: str | None, specs: Path | None) -> Tree:
     blobs = _contents(here, revision, folder)
     if MAIN in blobs and folder:
         above, _, device = folder.rpartition("/")
-        return Tree(above, device, _read(here, _contents(here, revision, above)))
+        return Tree(above, device, _read_blobs(here, _contents(here, revision, above)))
     if not _devices(blobs) and _devices(_below(blobs, "specs")):
         folder, blobs = posixpath.join(folder, "specs"), _below(blobs, "specs")
     if not _devices(blobs):
         where = f"{revision}:{folder}" if folder else revision
         raise UsageError(f"{where} holds no specs; a device is a folder with a {MAIN}: give REVISION:FOLDER")
-    return Tree(folder, "", _read(here, blobs))
+    return Tree(folder, "", _read_blobs(here, blobs))
 
 
 def _devices(blobs: dict[str, str]) -> set[str]:
@@ -95,7 +95,7 @@ def _hidden(path: str) -> bool:
     return posixpath.basename(path).startswith(".")
 
 
-def _read(here: Path, blobs: dict[str, str]) -> dict[str, bytes]:
+def _read_blobs(here: Path, blobs: dict[str, str]) -> dict[str, bytes]:
     """The contents of the spec files among some files."""
     specs = {path: blob for path, blob in blobs.items() if _of_specs(path.split("/"))}
     asked = "".join(f"{blob}\n" for blob in specs.values()).encode()
@@ -169,6 +169,7 @@ def spec_state(text: str, specs_option: str | None, bare_paths: bool) -> SpecSta
     """The state that `DEVICE[@VERSION]`, `FOLDER[@VERSION]` or `REVISION[:FOLDER][@VERSION]` means, in this order.
 
     With `bare_paths`, files of a revision are shown by their paths in the repository, without the revision.
+    Raises UsageError for a state that does not exist.
     """
     try:
         here: Path | None = specs.folder(specs_option)

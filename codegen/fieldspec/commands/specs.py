@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 from fieldspec.checks.layout_conditions import has_layout
@@ -24,6 +25,7 @@ from fieldspec.reading.project import JOINT, DeviceSpec, Project, read
 __all__ = [
     "FOLDER",
     "VARIABLE",
+    "editor_line",
     "files",
     "folder",
     "layout_of",
@@ -39,6 +41,9 @@ __all__ = [
 ]
 
 
+_SCHEMA = Path("codegen", "fieldspec", "schema", "spec.schema.json")
+
+
 def folder(specs_option: str | None) -> Path:
     """The folder with the specs. Raises UsageError."""
     return Path(spec_files.folder(specs_option))
@@ -47,6 +52,15 @@ def folder(specs_option: str | None) -> Path:
 def writable_folder(specs_option: str | None) -> Path:
     """The folder with the specs, for a verb that writes there. Raises UsageError."""
     return Path(spec_files.writable_folder(specs_option))
+
+
+def editor_line(path: Path) -> str:
+    """The line at the top of a spec file that leads editors to the schema; empty where no folder above has it."""
+    folder = path.parent.resolve()
+    above = next((parent for parent in folder.parents if (parent / _SCHEMA).is_file()), None)
+    if above is None:
+        return ""
+    return f"# yaml-language-server: $schema={Path(os.path.relpath(above / _SCHEMA, folder)).as_posix()}\n"
 
 
 def project(specs_option: str | None, devices: frozenset[str] = frozenset()) -> Project:

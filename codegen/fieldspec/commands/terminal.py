@@ -6,7 +6,6 @@ import os
 import sys
 from collections.abc import Iterable, Sequence
 from functools import cache
-from importlib import import_module
 from itertools import zip_longest
 
 from fieldspec.classes import TYPE_CHECKING
@@ -28,14 +27,19 @@ def print_findings(findings: Sequence[Diagnostic], form: str, when_none: str) ->
     """Prints findings in one of FORMATS. As text, `when_none` is printed where there are none."""
     if form == "text" and not findings:
         print(when_none)
-    elif form == "text" and on_terminal():
-        from rich.text import Text
+    elif form == "text":
+        from fieldspec.render.finding_text import rendered
 
-        from fieldspec.render.text import rendered
+        if not on_terminal():
+            print(rendered(findings), end="")
+            return
+        from rich.text import Text
 
         _console().print(Text.from_ansi(rendered(findings, coloured=True)), soft_wrap=True)
     else:
-        print(import_module(f"fieldspec.render.{form}").rendered(findings), end="")
+        from fieldspec.render.finding_formats import format_findings
+
+        print(format_findings(findings, form), end="")
 
 
 def print_blocks(blocks: Iterable[Block]) -> None:

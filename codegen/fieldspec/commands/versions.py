@@ -18,7 +18,7 @@ _BOUNDS = ("since", "until", "only")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints a table for each line, the oldest version first."""
+    """Prints a table for each line, the oldest version first. Raises UsageError."""
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     device, _ = spec.at(version)
     counts = {bound: Counter(_named(spec.tree, bound)) for bound in _BOUNDS}

@@ -75,7 +75,7 @@ def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResul
     """The results of tasks in any order. `size` is that of the specs, in bytes.
 
     Each processor takes one device at a time. Where there are more processors than devices, all devices are checked
-    first, and then each processor takes outputs of a device.
+    first, and then each processor takes outputs of a device. Raises UsageError if an installed package fails.
     """
     devices = work.project.devices
     tasks = sorted(tasks, key=lambda task: -_size(devices[task.device]))  # the last one to finish has little to do

@@ -7,11 +7,11 @@ explanation = explained(layout, "line", "request", frame)
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from fieldspec.classes import dataclass, field, replace
 from fieldspec.explain.body import Body
-from fieldspec.explain.registers import accessed, register_rows
+from fieldspec.explain.registers import accessed, accessed_bits, register_rows
 from fieldspec.explain.row import (
     ExplanationRow,
     Spot,
@@ -26,7 +26,7 @@ from fieldspec.explain.row import (
 )
 from fieldspec.explain.values import DecodedValue, Meaning, decode_value, whole
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import CHECKSUMS, LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.values import Raw
 
@@ -178,17 +178,13 @@ class _Frame:
 
     def _without_surplus(self, data: bytes) -> tuple[bytes, bytes]:
         """The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier."""
-        length, check = self.shape.role("length"), self.shape.checksum
-        if length is None or check is None or not self.wrapped.whole:
+        length, checks = self.shape.role("length"), self.shape.checksums
+        if length is None or not checks or not self.wrapped.whole:
             return data, b""
         number = whole(data[length.offset : length.offset + length.size], length.order)
         stated = number * length.unit_size + length.base
         early = self.shape.header_size + self.shape.trailer_size <= stated < len(data)
-        if (
-            early
-            and _sum(check, data) != _checksum(check, data)
-            and _sum(check, data[:stated]) == _checksum(check, data[:stated])
-        ):
+        if early and not _is_right(checks, data) and _is_right(checks, data[:stated]):
             return data[:stated], data[stated:]
         return data, b""
 
@@ -227,7 +223,8 @@ class _Frame:
             return self._code(part, read)
         if part.role == "unit_address":
             return self._station(read)
-        return read
+        should = self.asked.values.get(part.part.same_as) if self.asked else None
+        return read if read.reason or should is None else read.judged(read.number == should, repr(should), "")
 
     def _judged_length(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
         """A length, compared with the bytes that it counts."""
@@ -239,11 +236,12 @@ class _Frame:
 
     def _checked(self, part: PartLayout, raw: bytes) -> DecodedValue:
         """A checksum, compared with the one that the bytes have."""
-        read = DecodedValue(whole(raw, part.order))
+        read = DecodedValue(raw.decode("latin-1") if part.digits else whole(raw, part.order))
         if not self.wrapped.whole:
             return read
-        should = _sum(part, self.data)
-        return read.judged(raw == should, should.hex(" ").upper(), "wrong_check")
+        should = part.checksum(self.data)
+        text = should.decode("ascii") if part.digits else should.hex(" ").upper()
+        return read.judged(raw == should, text, "wrong_check")
 
     def _code(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
         """The message that a code names. An exception response marks the code."""
@@ -296,14 +294,20 @@ class _Frame:
         body = Body(self.layout, record, message or record.record, self.data, start, end, self.spot, asked)
         self.values |= body.values
         rows = [row for row in body.rows if self.wrapped.whole or row.kind != "unexplained" or row.length]
-        access = self.layout.device.register_access(message) if message is not None and not self.error else None
+        if message is None or self.error:
+            return rows, ()
+        access, bits = self.layout.device.register_access(message), self.layout.device.bit_access(message)
+        access = access or bits
         if access is None:
             return rows, ()
         values = record.named(access.values)
         at = start + values.offset if values else start
         last = min(end, start + values.end) if values and values.end is not None else end
         data = self.data[at:last] if values else b""
-        span = accessed(access, body.values, asked, at, data[: len(data) // 2 * 2])
+        if bits is not None:
+            span = accessed_bits(bits, body.values, asked, at, data)
+        else:
+            span = accessed(access, body.values, asked, at, data[: len(data) // 2 * 2])
         return rows, tuple(register_rows(self.layout, span, self.spot, access.operation)) if span else ()
 
     def _unknown(self, start: int, end: int) -> Iterator[ExplanationRow]:
@@ -328,12 +332,6 @@ class _Frame:
             yield self._part(part, at, data, self._part_text(part, data))
 
 
-def _sum(check: PartLayout, data: bytes) -> bytes:
-    """The checksum that the parts should carry."""
-    number = CHECKSUMS[check.algorithm](data[check.start : check.stop])
-    return number.to_bytes(check.size, "big" if check.order == "big" else "little")
-
-
-def _checksum(check: PartLayout, data: bytes) -> bytes:
-    """The checksum that the parts carry."""
-    return data[check.at(len(data)) :][: check.size]
+def _is_right(checks: Iterable[PartLayout], data: bytes) -> bool:
+    """Whether the parts carry the checksums that they should."""
+    return all(check.checksum(data) == data[check.at(len(data)) :][: check.size] for check in checks)

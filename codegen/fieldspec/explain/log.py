@@ -72,7 +72,7 @@ def in_characters(text: str, links: Iterable[Link]) -> tuple[bytes, tuple[str, .
         mark = link.start.decode("latin-1")
         if link.encoding == "hex_ascii" and mark.isprintable() and mark and text.startswith(mark):
             body, end = _ended(text)
-            return _closed("".join(body.split()).encode("latin-1", "replace"), end.encode("latin-1"), link)
+            return _split_end("".join(body.split()).encode("latin-1", "replace"), end.encode("latin-1"), link)
     return None
 
 
@@ -89,7 +89,7 @@ def _ended(text: str) -> tuple[str, str]:
     return text, end
 
 
-def _closed(body: bytes, end: bytes, link: Link) -> tuple[bytes, tuple[str, ...]]:
+def _split_end(body: bytes, end: bytes, link: Link) -> tuple[bytes, tuple[str, ...]]:
     """A frame with its whole end delimiter, and a remark if the text has only a part of the delimiter."""
     if end.endswith(link.end):
         return body + link.end, ()

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.explain.explanation import Explanation, Reading, closest, explained, lengths, recognised
+from fieldspec.layout.bits import packed_size
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.link import Link
 
@@ -68,7 +69,7 @@ class ChosenReading:
         return bool(self.explanation.reasons or self.mismatches) or not self.readings
 
     @property
-    def others(self) -> tuple[Reading, ...]:
+    def alternatives(self) -> tuple[Reading, ...]:
         """The other readings that fit."""
         own = _reading(self.explanation)
         return tuple(reading for reading in self.readings if reading != own)
@@ -172,6 +173,12 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         words = len(have) if isinstance(have, list) else None
         if isinstance(want, int) and words is not None and words != want:
             yield f"the request asks for {want} words, but the response has {words}"
+    bits = layout.device.bit_access(message.message) if message and not response.error else None
+    if bits is not None and bits.operation == "read" and bits.count:
+        want, have = request.values.get(bits.count), response.values.get(bits.values)
+        if isinstance(want, int) and isinstance(have, list) and len(have) != packed_size(want):
+            text = f"the request asks for {want} bits, which take {packed_size(want)} bytes"
+            yield f"{text}, but the response has {len(have)}"
 
 
 _NAMED = 3
@@ -198,27 +205,30 @@ def _coded(layout: DeviceLayout, link: str) -> bool:
 def _ambiguous(layout: DeviceLayout, chosen: ChosenReading) -> str:
     """The remark that other readings fit, and which options tell them apart."""
     own = chosen.explanation
-    readings = [_reading(own), *chosen.others]
+    readings = [_reading(own), *chosen.alternatives]
     if all(not _coded(layout, link) for link, _, _, _ in readings):
         bytes_ = f"{len(own.frame)} bytes"
-        names = _alternatives([_sent(layout.device.links[link], way, name) for link, way, name, _ in readings], "or")
-        return f"ambiguous: {bytes_} may be {names}; {_options(layout, own, chosen.others)}"
-    others: dict[tuple[str, str, bool], list[str]] = {}
-    for link, direction, message, error in chosen.others:
-        others.setdefault((link, direction, error), []).append(message or "an unknown message")
-    others_text = " or ".join(_named(layout, own, *key, names) for key, names in others.items())
+        names = _enumeration(
+            [_message_text(layout.device.links[link], way, name) for link, way, name, _ in readings], "or"
+        )
+        return f"ambiguous: {bytes_} may be {names}; {_options(layout, own, chosen.alternatives)}"
+    names_of: dict[tuple[str, str, bool], list[str]] = {}
+    for link, direction, message, error in chosen.alternatives:
+        names_of.setdefault((link, direction, error), []).append(message or "an unknown message")
+    alternatives_text = " or ".join(_named(layout, own, *key, names) for key, names in names_of.items())
     explained = _named(layout, own, own.link, own.direction, own.error, [own.message or "an unknown message"])
-    return f"ambiguous: explained as {explained}, it may also be {others_text}; {_options(layout, own, chosen.others)}"
+    options = _options(layout, own, chosen.alternatives)
+    return f"ambiguous: explained as {explained}, it may also be {alternatives_text}; {options}"
 
 
-def _options(layout: DeviceLayout, own: Explanation, others: Sequence[Reading]) -> str:
+def _options(layout: DeviceLayout, own: Explanation, alternatives: Sequence[Reading]) -> str:
     """The options that tell the readings apart: those that are each enough, else all that help."""
-    words = {layout.device.links[link].message_name for link in (own.link, *(other[0] for other in others))}
+    words = {layout.device.links[link].message_name for link in (own.link, *(other[0] for other in alternatives))}
     word = f"--{option_word(words.pop())}" if len(words) == 1 else "--message"
     telling = {
-        "--link": [link != own.link for link, _, _, _ in others],
-        "--direction": [direction != own.direction for _, direction, _, _ in others],
-        word: [message != own.message for _, _, message, _ in others],
+        "--link": [link != own.link for link, _, _, _ in alternatives],
+        "--direction": [direction != own.direction for _, direction, _, _ in alternatives],
+        word: [message != own.message for _, _, message, _ in alternatives],
     }
     if own.direction == "response" and _asks(layout, own.link) and any(telling[word]):
         telling = {"--request": telling[word], **telling}
@@ -251,12 +261,12 @@ def _named(
     return f"a {kind} {joint} one of {len(messages)} messages{place} ({names})"
 
 
-def _sent(link: Link, direction: str, message: str) -> str:
+def _message_text(link: Link, direction: str, message: str) -> str:
     """`telegram_3 sent`"""
     return f"{message} {link.direction_name(direction)}"
 
 
-def _alternatives(names: Iterable[str], last: str) -> str:
+def _enumeration(names: Iterable[str], last: str) -> str:
     """`a, b or c`"""
     *rest, end = names
     return f"{', '.join(rest)} {last} {end}" if rest else end
@@ -271,7 +281,7 @@ def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: Frame
     names = [options.message] if options.message in link.messages else list(link.messages)
     ways = [direction for direction in DIRECTIONS if options.goes(own.link, direction)]
     sizes = (
-        f"{_sent(link.link, direction, name)} has {_bounds(*lengths(link, direction, name))}"
+        f"{_message_text(link.link, direction, name)} has {_bounds(*lengths(link, direction, name))}"
         for name in names
         for direction in ways
     )

@@ -72,7 +72,7 @@ def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
         data = b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
     big = (order == "big") != swapped
     if kind is Kind.FLOAT:
-        number: float = struct.unpack(">f" if big else "<f", data)[0]
+        number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", data)[0]
         return number
     return int.from_bytes(data, "big" if big else "little", signed=value.type.signed)
 
@@ -186,16 +186,16 @@ def _named(device: Device, value: Value, number: int) -> DecodedValue:
     if member is None:
         if enum.open:
             return DecodedValue(number, notes=(f"{enum.name} does not list {number}.",), facts=(enum.place.path,))
-        return DecodedValue(number).judged(False, _known(enum), "unknown_value")
+        return DecodedValue(number).judged(False, _member_list(enum), "unknown_value")
     meaning = Meaning(member.name, member.label, member.problem or member.doc, "")
     decoded = DecodedValue(number, meanings=(meaning,), notes=member.notes, facts=(enum.place.path, member.place.path))
     if member.unavailable and not enum.open:
         notes = (*member.notes, f"{member.name} is listed as not available.")
-        return replace(decoded, notes=notes).judged(False, _known(enum), "unknown_value")
+        return replace(decoded, notes=notes).judged(False, _member_list(enum), "unknown_value")
     return decoded
 
 
-def _known(enum: Enum) -> str:
+def _member_list(enum: Enum) -> str:
     """The values of an enum that a codec accepts: `one of 1, 2, 5`."""
     return f"one of {', '.join(str(member.value) for member in enum.members if not member.unavailable)}"
 

@@ -103,7 +103,7 @@ def fields(
     """
     for field in record.fields:
         allowed = narrowed(access, field.field.access)
-        cells: FactRow = {"code": code, "access": allowed, "direction": direction, **_placed(field, base)}
+        cells: FactRow = {"code": code, "access": allowed, "direction": direction, **_address_cells(field, base)}
         cells.update(count=field.field.count, restart=of_flag(field.field.restart), position=_position(field))
         if field.record is not None:
             cells.update(type=field.record.name, bytes=field.record.size)
@@ -155,7 +155,7 @@ def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Iterator[Fa
         yield from fields(f"{kind}_field", message_layout.data(direction), code, direction=direction)
 
 
-def _placed(field: FieldLayout, base: int | None) -> FactRow:
+def _address_cells(field: FieldLayout, base: int | None) -> FactRow:
     if base is None:
         return {}
     return {"address": base + field.offset // 2, "words": (field.size * (field.count or 1) + 1) // 2}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout, MessageLayout, link_layout
@@ -37,6 +37,22 @@ class TableLayout:
     def writable(self) -> bool:
         """Whether an element can be written as a whole: all of its fields can be written."""
         return self.table.access != "ro" and not self.read_only
+
+    def word_runs(self) -> Iterator[tuple[int, int, tuple[FieldLayout, ...]]]:
+        """The first word, the number of words, and the fields in them; fields that share a word are together."""
+        words = [self._in_word(word) for word in range(self.words)]
+        first = 0
+        for at in range(1, len(words) + 1):
+            if at == len(words) or words[at] != words[first]:
+                if words[first]:
+                    yield first, at - first, words[first]
+                first = at
+
+    def _in_word(self, word: int) -> tuple[FieldLayout, ...]:
+        def end(field: FieldLayout) -> int:
+            return field.end if field.end is not None else field.offset + field.size
+
+        return tuple(field for field in self.record.fields if field.offset < 2 * word + 2 and end(field) > 2 * word)
 
     def _read_only(self, field: FieldLayout) -> bool:
         inner = field.record.fields if field.record is not None else ()

@@ -1,10 +1,11 @@
-"""The parts of a frame with their offsets, message data, and checksums."""
+"""The parts of a frame with their offsets, and message data."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from fieldspec.classes import dataclass
+from fieldspec.layout.checksums import checksum_bytes
 from fieldspec.layout.record import Orders, RecordLayout
 from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Message
@@ -24,22 +25,6 @@ class MessageLayout:
     def data(self, direction: str) -> RecordLayout:
         """The data in one direction, `request` or `response`."""
         return self.request if direction == "request" else self.response
-
-
-def _crc16_modbus(data: bytes) -> int:
-    crc = 0xFFFF
-    for byte in data:
-        crc ^= byte
-        for _ in range(8):
-            crc = crc >> 1 ^ (0xA001 if crc & 1 else 0)
-    return crc
-
-
-CHECKSUMS: Mapping[str, Callable[[bytes], int]] = {
-    "crc16_modbus": _crc16_modbus,
-    "lrc": lambda data: -sum(data) & 0xFF,
-    "sum8": lambda data: sum(data) & 0xFF,
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +50,7 @@ class PartLayout:
     base: int = 0
     constant: int | None = None
     reserved: bool = False
+    digits: str = ""
 
     @property
     def is_argument(self) -> bool:
@@ -75,10 +61,24 @@ class PartLayout:
         """The offset of the part if all parts together have `length` bytes."""
         return self.offset if self.offset >= 0 else length + self.offset
 
+    def checksum(self, data: bytes) -> bytes:
+        """The bytes of the checksum over its part of all parts."""
+        return checksum_bytes(self.algorithm, self.digits, self.order, self.size, data[self.start : self.stop])
+
     def number(self, length: int) -> int | None:
         """The value of a length part if all parts together have `length` bytes; None if it cannot express that."""
         units, over = divmod(length - self.base, self.unit_size)
         return units if not over and self.value and self.value.type.low <= units <= self.value.type.high else None
+
+
+def _covers(checksum: PartLayout, other: PartLayout) -> bool:
+    """Whether a checksum covers another part. Offsets from the start come before the body, those from the end after."""
+    begins, ends = _rank(checksum.start), (1, 0) if checksum.stop is None else _rank(checksum.stop)
+    return other is not checksum and begins <= _rank(other.offset) < ends
+
+
+def _rank(offset: int) -> tuple[int, int]:
+    return (1, offset) if offset < 0 else (0, offset)
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,8 +105,19 @@ class FrameLayout:
 
     @property
     def checksum(self) -> PartLayout | None:
-        """The checksum, None if the frame has none."""
-        return self.role("checksum")
+        """The only checksum, or the first of several in the order in which they are computed; None without one."""
+        return next(iter(self.checksums), None)
+
+    @property
+    def checksums(self) -> tuple[PartLayout, ...]:
+        """All checksums in the order in which they are computed: each after those that it covers."""
+        waiting = [part for part in self.parts if part.role == "checksum"]
+        computed: list[PartLayout] = []
+        while waiting:
+            ready = next((part for part in waiting if not any(_covers(part, other) for other in waiting)), waiting[0])
+            waiting.remove(ready)
+            computed.append(ready)
+        return tuple(computed)
 
     @property
     def constants(self) -> tuple[PartLayout, ...]:
@@ -173,6 +184,7 @@ def _frame(link: Link, direction: str) -> FrameLayout:
                 base=around - sum(sizes[first : last + 1]) - part.plus * part.unit_size if part.role == "length" else 0,
                 constant=fill,
                 reserved=part.reserved,
+                digits=part.digits,
             )
         )
     header, trailer = tuple(placed[:body]), tuple(placed[body + 1 :])

@@ -122,7 +122,7 @@ def _guessed(cells: Sequence[str], names: Mapping[str, str]) -> dict[str, int]:
     heads = [folded(cell) for cell in cells]
     places: dict[str, int] = {}
     for role, text in names.items():
-        place = _placed(cells, text)
+        place = _column_index(cells, text)
         if place is not None:
             places[role] = place
     if len(places) < len(names):
@@ -143,7 +143,7 @@ def _fits(head: str, word: str) -> bool:
     return word[1:] in head if word.startswith("*") else head == word
 
 
-def _placed(cells: Sequence[str], text: str) -> int | None:
+def _column_index(cells: Sequence[str], text: str) -> int | None:
     """The column that a user names: by its heading, by its number, or by its letters."""
     heads = [folded(cell) for cell in cells]
     if folded(text) and folded(text) in heads:
@@ -170,7 +170,7 @@ def _without_heading(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     headings = headings_text(heads)
     places = {}
     for role, text in names.items():
-        place = _placed(heads, text) if heads else None
+        place = _column_index(heads, text) if heads else None
         place = _numbered(text, width) if place is None else place
         if place is None:
             raise ListError(f"has no column {text}; there are {headings}, or give a letter or a number")

@@ -182,11 +182,11 @@ def _paired(
         seen[id(item), row.address] = row.row
         first = (row.address - item.address) // item.stride if item.stride else 0
         covered[id(item)].update(range(first, min(first + row.count, item.count) if item.stride else item.count))
-        others = _others(known, item, row)
-        for other in others:
-            covered[id(other)].add(0)
+        following = _following_items(known, item, row)
+        for next_item in following:
+            covered[id(next_item)].add(0)
         differences = _differences(item, row, aspects)
-        whole = len(others) == row.count - 1 > 0
+        whole = len(following) == row.count - 1 > 0
         pairs.append(
             Pair(
                 item,
@@ -197,7 +197,7 @@ def _paired(
     return pairs, extras, covered
 
 
-def _others(known: _Known, item: Item, row: ListRow) -> list[Item]:
+def _following_items(known: _Known, item: Item, row: ListRow) -> list[Item]:
     """The further items that a row with a count stands for, which are equal registers."""
     step = row.stride or row.words or item.words or 1
     if item.count > 1:
@@ -252,11 +252,11 @@ def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator
         ("default", default if isinstance(default, int) else None, row.default),
     )
     for aspect, ours, theirs in bounds:
-        if aspect in aspects and ours is not None and theirs is not None and not _same(item, ours, theirs):
+        if aspect in aspects and ours is not None and theirs is not None and not _is_same_value(item, ours, theirs):
             yield Difference(aspect, str(ours), f"{theirs:f}")
 
 
-def _same(item: Item, ours: int, theirs: Decimal) -> bool:
+def _is_same_value(item: Item, ours: int, theirs: Decimal) -> bool:
     """Whether a number of a list is the raw value, or the quantity that it stands for."""
     return theirs == ours or (item.value is not None and item.value.in_unit(ours) == theirs)
 

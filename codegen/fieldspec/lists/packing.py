@@ -37,7 +37,7 @@ def packed(contents: Workbook) -> bytes:
             worksheet = book.add_worksheet(sheet.title[:LONGEST_TITLE])
             for number, row in enumerate(sheet.rows):
                 for column, value in enumerate(row):
-                    _put(worksheet, number, column, "" if value is None else value, quoted)
+                    _write_cell(worksheet, number, column, "" if value is None else value, quoted)
         for name, text in contents.properties.items():
             book.set_custom_property(name, text, "text")
 
@@ -58,7 +58,7 @@ def workbook(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]
         for last, row in enumerate(rows, 1):
             for column, value in enumerate(row):
                 if value is not None and value != "":
-                    text = _put(sheet, last, column, value, quoted)
+                    text = _write_cell(sheet, last, column, value, quoted)
                     widths[column] = min(max(widths[column], len(text) + 1), _WIDEST)
         for column, width in enumerate(widths):
             sheet.set_column(column, column, width + 2)
@@ -68,7 +68,7 @@ def workbook(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]
     return _file_bytes(fill)
 
 
-def _put(sheet: Any, row: int, column: int, value: object, quoted: object) -> str:
+def _write_cell(sheet: Any, row: int, column: int, value: object, quoted: object) -> str:
     """Writes a value and returns the text of the cell. A text that begins like a formula is marked as a text."""
     if not isinstance(value, str):
         sheet.write_number(row, column, value)

@@ -45,7 +45,7 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
     rows = []
     size = [0]
     reader = csv.reader(
-        _bounded(text, size), delimiter=separator, quoting=csv.QUOTE_NONE if bars else csv.QUOTE_MINIMAL
+        _bounded_lines(text, size), delimiter=separator, quoting=csv.QUOTE_NONE if bars else csv.QUOTE_MINIMAL
     )
     number = 0
     try:
@@ -68,7 +68,7 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
     return Sheet(tuple(rows), number)
 
 
-def _bounded(text: str, size: list[int]) -> Iterator[str]:
+def _bounded_lines(text: str, size: list[int]) -> Iterator[str]:
     """The lines of a text. `size` counts the characters of a row, which may have several lines, and is bounded."""
     for line in io.StringIO(text, newline=""):
         size[0] += len(line)

@@ -8,12 +8,6 @@ from fieldspec.classes import dataclass, field
 from fieldspec.model.fact import Citation, Fact, Place
 from fieldspec.model.value import Ranges, Value
 
-CHECKSUM_SIZES = {"crc16_modbus": 2, "lrc": 1, "sum8": 1}
-"""The bytes of each algorithm's checksum."""
-
-CHECKSUM_STARTS = {"crc16_modbus": 0xFFFF, "lrc": 0, "sum8": 0}
-"""The initial value of each algorithm."""
-
 
 @dataclass(frozen=True, slots=True)
 class PartSpan:
@@ -27,9 +21,11 @@ class PartSpan:
 class Part(Fact):
     """One part of a frame. Its role is unit_address, code, length, body, checksum or plain.
 
-    `byte_order` is the byte order of a checksum, empty where the algorithm decides it. `span` is what a length
+    `byte_order` is the byte order of a checksum, empty where the algorithm decides it. A checksum is sent as bytes, or
+    as characters where `digits` says which. `span` is what a length
     counts, in units of `unit_size` bytes and `plus` more, or what a checksum covers. A `reserved` part has no meaning:
-    its constant or 0 is sent, and anything is received.
+    its constant or 0 is sent, and anything is received. `same_as` names the part of the request that a part of the
+    response repeats, else it is empty.
     """
 
     role: str
@@ -40,6 +36,8 @@ class Part(Fact):
     unit_size: int
     plus: int
     reserved: bool
+    digits: str = ""
+    same_as: str = ""
 
 
 @dataclass(frozen=True, slots=True)

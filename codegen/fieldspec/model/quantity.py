@@ -5,18 +5,26 @@ A decimal number has no leading zeros: `007` may be a name, a number of octal di
 
 from __future__ import annotations
 
+import math
 import re
 from decimal import Decimal
 
 _HEXADECIMAL = "0x[0-9A-Fa-f]{1,16}"
 _WHOLE = "0|[1-9][0-9]{0,19}"
 _COUNT = re.compile(rf"[-+]?(?:{_HEXADECIMAL}|{_WHOLE})")
+_NUMBER = re.compile(rf"[-+]?(?:{_WHOLE})(?:\.[0-9]{{1,30}})?(?:[eE][-+]?[0-9]{{1,3}})?")
 _QUANTITY = re.compile(r"([-+]?(?:0|[1-9][0-9]{0,29})(?:\.[0-9]{1,30})?)(?: (?=.)|(?=[^0-9 ]))(.*)")
 
 
 def count_of(text: str) -> int | None:
     """The whole number that a text is, in decimal or hexadecimal; None where it is none."""
     return int(text, 0) if _COUNT.fullmatch(text) else None
+
+
+def number_of(text: str) -> float | None:
+    """The finite number that a text such as `-0.5` or `2.5e-3` is; None where it is none."""
+    number = float(text) if _NUMBER.fullmatch(text) else math.inf
+    return number if math.isfinite(number) else None
 
 
 def quantity_of(text: str) -> tuple[Decimal, str] | None:

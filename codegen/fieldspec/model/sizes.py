@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from fieldspec.classes import dataclass
+from fieldspec.model.checksums import checksum_size
 from fieldspec.model.device import Device
-from fieldspec.model.link import CHECKSUM_SIZES, Link, Part
+from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Field, Message, Record
 
 MOST_LEVELS = 64
@@ -138,5 +139,5 @@ def shapes(device: Device, direction: str) -> list[Shape]:
 def part_size(part: Part) -> int:
     """The bytes of a part of a frame; 0 for the body, whose data have sizes of their own."""
     if part.algorithm:
-        return CHECKSUM_SIZES.get(part.algorithm, 0)
+        return checksum_size(part.algorithm, part.digits)
     return part.value.size if part.value is not None else 0

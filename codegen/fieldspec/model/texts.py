@@ -24,6 +24,27 @@ class Acceptance:
     since: tuple[str, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class StatedChange:
+    """An entry of a version overlay: what it does to a fact, and why.
+
+    `kind` is `changes`, `removes`, `adds` or `renames`; `path` is that of the fact in the version that the overlay is
+    based on, or of the new fact. `to` is its new name, empty but for `renames`.
+    """
+
+    place: Place
+    kind: str
+    path: str
+    to: str
+    reason: str
+    sources: tuple[Citation, ...]
+
+    @property
+    def new_path(self) -> str:
+        """The path in the version of the overlay."""
+        return f"{self.path.rpartition('/')[0]}/{self.to}" if self.to else self.path
+
+
 JUDGEMENT = "judgement"
 """The `proof` of an erratum that no check can decide."""
 

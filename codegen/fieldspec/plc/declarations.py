@@ -16,6 +16,7 @@ from fieldspec.plc.absent import absent_reals
 from fieldspec.plc.constants import LISTS, Constant, ConstantList, Draft
 from fieldspec.plc.dialects import Dialect, Scope
 from fieldspec.plc.enums import EnumDeclaration, EnumMember, TextTable, available, coded
+from fieldspec.plc.frames import with_supported_links
 from fieldspec.plc.layout import fitting
 from fieldspec.plc.layout.images import Images, SpecNaming, titled
 from fieldspec.plc.layout.memory import MEMORIES, Placed, placed
@@ -24,7 +25,8 @@ from fieldspec.plc.routines.blocks.ports import ports
 from fieldspec.plc.routines.expressions import EnumType, StructType, Type
 from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.routines.records import choice_type, field_type, is_user_field
-from fieldspec.plc.routines.registers import answer_name, answer_type, register_type, registers_of
+from fieldspec.plc.routines.register_range import answer_name, answer_type, register_type
+from fieldspec.plc.routines.registers import registers_of
 from fieldspec.plc.routines.remarks import source
 from fieldspec.plc.routines.routine import BASE, STATUSES, Status
 from fieldspec.plc.routines.world import Names, World
@@ -69,8 +71,9 @@ class Declarations:
 
 def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     """The declarations of a device that has passed the checks."""
-    narrowed_layout, findings = narrowed(layout, dialect)
-    declaring = _Declaring(narrowed_layout, dialect, [*findings, *absent_reals(layout, dialect)])
+    supported, frame_findings = with_supported_links(layout, dialect)
+    narrowed_layout, findings = narrowed(supported, dialect)
+    declaring = _Declaring(narrowed_layout, dialect, [*findings, *absent_reals(layout, dialect), *frame_findings])
     enums = tuple(declaring.enums())
     structs = tuple(declaring.structs())
     images = tuple(declaring.images())

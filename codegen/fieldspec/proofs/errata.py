@@ -80,7 +80,7 @@ def _unsound(tree: Mapping, erratum: Erratum, known: frozenset[str]) -> Diagnost
         return Diagnostic("errata_paths_resolve", text, place["fact"], help="see `fieldspec facts` for the paths")
     for key, printed in erratum.printed.items():
         own = node.values.get(key)
-        if _same(exact(own) if own is not None else None, printed, key):
+        if _is_same_value(exact(own) if own is not None else None, printed, key):
             span = own.span if own is not None else node.span
             text = f"the spec uses the printed value of `{key}`"
             label = Label(span, "the value in the spec")
@@ -159,7 +159,7 @@ def finding_key(finding: Diagnostic) -> tuple[str, str, int]:
     return finding.code, finding.message, finding.span.start
 
 
-def _same(used: object, printed: object, key: str) -> bool:
+def _is_same_value(used: object, printed: object, key: str) -> bool:
     if key == "frame":
         return str(used).replace(" ", "").upper() == str(printed).replace(" ", "").upper()
     return used == printed

@@ -152,7 +152,7 @@ def _compare_meaning(
     actual = {**decoded.head, **decoded.values}
     for name, value in actual.items():
         if name in expected:
-            if not _same(expected[name], value):
+            if not _is_same_value(expected[name], value):
                 text = f"{name} is {_text(value)} in the bytes, but {_text(expected[name])} in the values"
                 span = example.place["values"]
                 label = Label(example.place["frame"], "these bytes")
@@ -172,12 +172,12 @@ def _implied(decoded: Decoded, name: str) -> bool:
     return field.field.measures is not None or field.field.reserved or constant
 
 
-def _same(expected: Any, actual: Any) -> bool:
+def _is_same_value(expected: Any, actual: Any) -> bool:
     """Whether the bytes hold the expected value; reserved fields of records may be left out of it."""
     if isinstance(expected, dict) and isinstance(actual, dict):
-        return all(name in actual and _same(value, actual[name]) for name, value in expected.items())
+        return all(name in actual and _is_same_value(value, actual[name]) for name, value in expected.items())
     if isinstance(expected, list) and isinstance(actual, list):
-        return len(expected) == len(actual) and all(map(_same, expected, actual))
+        return len(expected) == len(actual) and all(map(_is_same_value, expected, actual))
     if isinstance(expected, float) and isinstance(actual, float):
         return _rounded(expected) == _rounded(actual)
     return bool(expected == actual)

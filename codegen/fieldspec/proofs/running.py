@@ -6,6 +6,7 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from fieldspec import checks
+from fieldspec.behaviour.findings import findings as behaviour_findings
 from fieldspec.checks.layout_conditions import LAYOUT_CONDITIONS
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, has_errors
@@ -63,7 +64,6 @@ READING_PROOFS = (
     "duplicate_name",
     "missing_key",
     "type_present",
-    "units_known",
     "unknown_word",
     "wrong_form",
     "wrong_value",
@@ -156,7 +156,10 @@ def outcome(spec: DeviceSpec) -> Outcome:
     remembered = FindingsCache()
     for version in reversed(spec.versions()):
         device, broken = spec.at(version)
-        broken = everything(device, broken, remembered=remembered)
+        broken = [
+            *everything(device, broken, remembered=remembered),
+            *behaviour_findings(device, spec.tree_at(version)),
+        ]
         by_version[version] = broken
         findings += broken
         if has_errors(broken):

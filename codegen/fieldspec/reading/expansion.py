@@ -40,7 +40,7 @@ def expanded(tree: Mapping) -> tuple[Mapping, list[Diagnostic]]:
     ):
         facts = tree.values.get(section)
         if isinstance(facts, Sequence):
-            tree = tree.with_value(section, _each(facts, change))
+            tree = tree.with_value(section, _change_each(facts, change))
     groups = tree.values.get("registers")
     if isinstance(groups, Sequence):
         items = [item for group in groups.items for item in (group, *work.copies(group))]
@@ -69,7 +69,7 @@ class _Expansion:
 
     def _placed(self, holder: Mapping, key: str) -> Mapping:
         fields = holder.values.get(key)
-        return holder.with_value(key, _each(fields, self._field)) if isinstance(fields, Sequence) else holder
+        return holder.with_value(key, _change_each(fields, self._field)) if isinstance(fields, Sequence) else holder
 
     def _field(self, field: Mapping) -> Mapping:
         name = field.values.get("signal")
@@ -121,9 +121,9 @@ class _Expansion:
                 if key not in _NOT_COPIED:
                     row = row.with_value(key, value)
             at = _integer(original.values.get("at")) - first + _integer(base)
-            row = row.with_value("name", _like(base, f"{prefix}_{name}"))
-            row = row.with_value("copy_of", _like(base, name))
-            row = row.with_value("at", _like(base, at))
+            row = row.with_value("name", _scalar_like(base, f"{prefix}_{name}"))
+            row = row.with_value("copy_of", _scalar_like(base, name))
+            row = row.with_value("at", _scalar_like(base, at))
             for key in ("access", "trigger", "inferred"):
                 inherited = copy.values.get(key) or original.values.get(key)
                 if inherited is not None:
@@ -174,7 +174,7 @@ def _elsewhere(defaults: Node) -> Node:
     return defaults
 
 
-def _each(items: Sequence, change: object) -> Sequence:
+def _change_each(items: Sequence, change: object) -> Sequence:
     assert callable(change)
     return replace(items, items=tuple(change(item) if isinstance(item, Mapping) else item for item in items.items))
 
@@ -194,7 +194,7 @@ def _masks(flags: Mapping) -> Iterator[Mapping]:
         if isinstance(reserved := bit.values.get("reserved"), Scalar) and reserved.value is True:
             continue
         number = bit.values["bit"]
-        yield _member(bit, _like(number, 1 << _integer(number)))
+        yield _member(bit, _scalar_like(number, 1 << _integer(number)))
 
 
 def _numbers(enum: Mapping) -> Iterator[Mapping]:
@@ -223,6 +223,6 @@ def _integer(node: Node | None) -> int:
     return node.value if isinstance(node, Scalar) and isinstance(node.value, int) else 0
 
 
-def _like(node: Node, value: ScalarValue) -> Scalar:
+def _scalar_like(node: Node, value: ScalarValue) -> Scalar:
     """A scalar at the place of another node."""
     return Scalar(node.file, node.start, node.end, str(value), False, value)

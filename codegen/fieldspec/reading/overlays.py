@@ -19,8 +19,12 @@ from fieldspec.reading.nodes import (
     put,
     schema_path,
 )
+from fieldspec.reading.removals import removal_findings
 from fieldspec.reading.scalars import part_at, typed_at
 from fieldspec.schema import schema
+
+OVERLAY_PARTS = ("changes", "removes", "adds", "renames")
+"""The lists of an overlay, in the order in which they are applied."""
 
 # The keys by which the rows of lists are in order.
 _ORDERED_BY = ("at", "number", "value", "bit", "base")
@@ -66,15 +70,11 @@ def applied(tree: Mapping, overlay: Mapping, silent: Silent) -> tuple[Mapping, l
     All paths are of the base: names change last.
     """
     work = _Application(tree, silent)
-    for part, apply in (
-        ("changes", work.change),
-        ("removes", work.remove),
-        ("adds", work.add),
-        ("renames", work.rename),
-    ):
+    for part, apply in zip(OVERLAY_PARTS, (work.change, work.remove, work.add, work.rename), strict=True):
         for entry in mappings(overlay.values.get(part)):
             apply(entry)
-    return _accepting(work.tree, overlay), work.findings
+    work.findings += removal_findings(work.tree, work.removed)
+    return _stating(_accepting(work.tree, overlay), overlay), work.findings
 
 
 def _accepting(tree: Mapping, overlay: Mapping) -> Mapping:
@@ -89,6 +89,17 @@ def _accepting(tree: Mapping, overlay: Mapping) -> Mapping:
     return tree.with_value("accepts", Sequence(own.file, own.start, own.end, (*before, *entries)))
 
 
+def _stating(tree: Mapping, overlay: Mapping) -> Mapping:
+    """The tree with the entries of an overlay, in one list behind those of the versions that it is based on."""
+    before = tree.values.get("changes")
+    entries = [*before.items] if isinstance(before, Sequence) else []
+    for part in OVERLAY_PARTS:
+        for entry in mappings(overlay.values.get(part)):
+            kind = Scalar(entry.file, entry.start, entry.end, part, False, part)
+            entries.append(entry.with_value("kind", kind))
+    return tree.with_value("changes", Sequence(overlay.file, overlay.start, overlay.end, tuple(entries)))
+
+
 class _Application:
     """A tree while the entries of an overlay are applied to it, one after the other."""
 
@@ -96,6 +107,7 @@ class _Application:
         self.tree = tree
         self.silent = silent
         self.findings: list[Diagnostic] = []
+        self.removed: list[tuple[Scalar, Node]] = []
 
     def _refuse(self, code: str, text: str, node: Node, help: str, *labels: Label) -> None:
         self.findings.append(Diagnostic(code, text, node.span, labels, help))
@@ -138,7 +150,7 @@ class _Application:
             old = fact.values.get(key)
             if not self._was(key, was, old, fact, at):
                 sound = False
-            elif _same(was, now):
+            elif _is_same_node(was, now):
                 text = f"`{key}` does not change"
                 self._refuse("overlay_changes_nothing", text, pair, "state another value, or remove the entry")
                 sound = False
@@ -183,6 +195,9 @@ class _Application:
             self._refuse("overlay_fact_missing", "this is not a fact", entry.values["fact"], "name an item of a list")
             return
         self._put(place[0], None)
+        path = entry.values["fact"]
+        assert isinstance(path, Scalar)
+        self.removed.append((path, place[1]))
 
     def rename(self, entry: Mapping) -> None:
         """Gives a fact another name, wherever the spec refers to it."""
@@ -216,6 +231,8 @@ class _Application:
         path, item = entry.values["in"], entry.values["item"]
         assert isinstance(path, Scalar)
         assert isinstance(item, Mapping)
+        if "source" in entry.values and "source" not in item.values:
+            item = item.with_value("source", entry.values["source"])
         at = keys(self.tree, path.text)
         if at is None and "/" not in path.text and path.text in _LISTS:
             empty = Sequence(path.file, path.start, path.end, ())
@@ -318,7 +335,7 @@ def _absent(node: Node) -> bool:
     return isinstance(node, Scalar) and node.value is None
 
 
-def _same(was: Node, now: Node) -> bool:
+def _is_same_node(was: Node, now: Node) -> bool:
     return exact(was) == exact(now)
 
 

@@ -158,6 +158,14 @@ Example: `fact: registers/sped`, or a register that only another version line ha
 
 Cure: Correct the path, or base the version on one that has the fact.
 """,
+    "overlay_removal_incomplete": """What is about a fact goes with it: errata, examples, notes and tasks.
+
+Why: they would be about something that the version does not have.
+
+Example: `removes: [{fact: registers/speed, ...}]` where an erratum is about `registers/speed`.
+
+Cure: Remove them in the same file, or change what they are about.
+""",
     "overlay_name_taken": """A fact that a version file adds or renames has a name that is not in use.
 
 Why: two facts with the same name in one list cannot be distinguished.
@@ -222,14 +230,6 @@ Why: width and sign are never guessed.
 Example: a register without `type`, a text without `length`, a field with both `type` and `record`.
 
 Cure: Add the type, as inferred with a reason if the manual only implies it.
-""",
-    "units_known": """A unit is in the list of the schema.
-
-Why: software that converts values must know the unit, and a misspelt unit is unknown.
-
-Example: `unit: Pluse`
-
-Cure: Use the intended unit, and write an erratum with the printed one. Add a new unit to the schema.
 """,
     "unknown_key": """Every key is part of the language.
 

@@ -46,12 +46,12 @@ def part_at(path: Iterable[str]) -> Schema:
 def typed_at(node: Node, path: tuple[str, ...]) -> tuple[Node, list[Diagnostic]]:
     """A copy of a node, typed by the part of the schema at some keys, and the violations of that part."""
     result = copied(node)
-    return result, _objections(result, _typed(result, _form(part_at(path))), path)
+    return result, _objections(result, _typed_value(result, _form(part_at(path))), path)
 
 
 def typed(node: Node) -> tuple[Node, list[Diagnostic]]:
     """The tree of one file, with its scalars typed in place, and its violations of the schema."""
-    return node, _objections(node, _typed(node, _form(schema())), ())
+    return node, _objections(node, _typed_value(node, _form(schema())), ())
 
 
 def violations_at(tree: Node, at: list[str | int]) -> list[Diagnostic]:
@@ -131,14 +131,14 @@ def _new_form(part: Schema) -> _Form:
     )
 
 
-def _typed(node: Node, form: _Form) -> object:
+def _typed_value(node: Node, form: _Form) -> object:
     """Types the scalars of a tree; gives it as plain data, with decimals as floats, for validation only."""
     if isinstance(node, Scalar):
         value = node.value = node.text if node.quoted or form.words else _value(node.text, form)
         return float(value) if isinstance(value, Decimal) else value
     if isinstance(node, Sequence):
         inner = form.item()
-        return [_typed(item, inner) for item in node.items]
+        return [_typed_value(item, inner) for item in node.items]
     data: dict[str, object] = {}
     keys = form.keys
     for key, child in node.values.items():
@@ -146,7 +146,7 @@ def _typed(node: Node, form: _Form) -> object:
         if isinstance(child, Scalar) and (expected.words or child.quoted):
             data[key] = child.value = child.text  # nine of ten scalars
         else:
-            data[key] = _typed(child, expected)
+            data[key] = _typed_value(child, expected)
     return data
 
 
@@ -185,9 +185,8 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         help = described(part.get("properties", {}).get(missing, {}))
         return Diagnostic("missing_key", f"the key `{missing}` is missing", _head(node), help=help)
     if keyword == "enum" and text is not None:
-        code = "units_known" if last == "unit" else "unknown_word"
         hint = near(text, [str(option) for option in part.get("enum", [])])
-        return Diagnostic(code, f"{what} cannot be {quoted(text)}", node.span, help=hint)
+        return Diagnostic("unknown_word", f"{what} cannot be {quoted(text)}", node.span, help=hint)
     description = part.get("description", "")
     if keyword == "type":
         wanted = part.get("type")
@@ -231,8 +230,22 @@ def _have(node: Node) -> str:
 
 
 def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
-    hint = near(key, list(part.get("properties", {})))
+    hint = _comma(node, key) or near(key, list(part.get("properties", {})))
     return Diagnostic("unknown_key", f"there is no key {quoted(key)} here", key_span(node, key), help=hint)
+
+
+def _comma(node: Mapping, key: str) -> str:
+    """What to do where a key within braces is the rest of a text with a comma; empty where it is none."""
+    value = node.values[key]
+    keys = list(node.values)
+    before = keys[keys.index(key) - 1] if key != keys[0] else ""
+    text = node.values.get(before)
+    in_braces = node.file.text[node.start : node.start + 1] == "{"
+    if not in_braces or not isinstance(value, Scalar) or value.text or value.quoted:
+        return ""
+    if not isinstance(text, Scalar) or text.quoted or not text.text:
+        return ""
+    return f'a comma within braces ends the text of `{before}`: quote it, as in `{before}: "{text.text}, {key}"`'
 
 
 def _schema_part(path: list[str | int], root: tuple[str, ...]) -> Schema:

@@ -1,4 +1,4 @@
-"""The reference codec of frames and devices, with its checksums."""
+"""The reference codec of frames and devices."""
 
 from __future__ import annotations
 
@@ -11,30 +11,8 @@ from fieldspec.classes import dataclass, field
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.reference.checksums import checksum, checksum_digits
 from fieldspec.reference.records import CodecError, Values, decoded, encoded, record_struct, value_construct
-
-
-def crc16_modbus(data: bytes) -> int:
-    """CRC-16 with polynomial 0xA001, reflected, start value 0xFFFF."""
-    crc = 0xFFFF
-    for byte in data:
-        crc ^= byte
-        for _ in range(8):
-            crc = crc >> 1 ^ (0xA001 if crc & 1 else 0)
-    return crc
-
-
-def lrc(data: bytes) -> int:
-    """The two's complement of the sum of all bytes."""
-    return -sum(data) & 0xFF
-
-
-def sum8(data: bytes) -> int:
-    """The low byte of the sum of all bytes."""
-    return sum(data) & 0xFF
-
-
-ALGORITHMS = {"crc16_modbus": crc16_modbus, "lrc": lrc, "sum8": sum8}
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +48,7 @@ class FrameCodec:
         }
 
     def parts(self, frame: bytes) -> bytes:
-        """A frame without its marks, as bytes instead of characters."""
+        """A frame without its delimiters, as bytes instead of characters. Raises CodecError."""
         link = self.link.link
         if not frame.startswith(link.start):
             raise CodecError("wrong_mark", f"the frame does not start with {link.start.hex(' ')}", 0)
@@ -115,7 +93,7 @@ class FrameCodec:
     def has_right_checksum(self, frame: bytes, direction: str) -> bool:
         """Whether a frame has a checksum and it is right, whatever the length in the frame says."""
         shape = self.link.frame(direction)
-        if shape.checksum is None:
+        if not shape.checksums:
             return False
         try:
             data = self.parts(frame)
@@ -140,12 +118,11 @@ class FrameCodec:
             raise CodecError("wrong_length", text, part.offset)
 
     def _check_sum(self, shape: FrameLayout, parts: Mapping[str, Any], data: bytes) -> None:
-        part = shape.checksum
-        if part is not None:
-            have, want = parts[part.name], ALGORITHMS[part.algorithm](data[part.start : part.stop])
+        for part in shape.checksums:
+            have, want = parts[part.name], _checksum(part, data)
             if have != want:
-                width, at = 2 * part.size, part.at(len(data))
-                raise CodecError("wrong_check", f"{part.name} is {have:0{width}X}, not {want:0{width}X}", at)
+                text = f"{part.name} is {_checksum_text(have, part)}, not {_checksum_text(want, part)}"
+                raise CodecError("wrong_check", text, part.at(len(data)))
 
     def _body(self, shape: FrameLayout, head: Values, message: str) -> tuple[MessageLayout | None, RecordLayout, bool]:
         """The message and the record of the body that a head announces."""
@@ -203,11 +180,21 @@ class FrameCodec:
             if units is None:
                 raise CodecError("wrong_length", f"{length.name} cannot say that the frame has {total} bytes")
             numbers[length.name] = units
-        check = shape.checksum
-        if check is not None:
-            data = self._joined(direction, numbers, inner)
-            numbers[check.name] = ALGORITHMS[check.algorithm](data[check.start : check.stop])
+        for check in shape.checksums:
+            numbers[check.name] = _checksum(check, self._joined(direction, numbers, inner))
         return self._marked(self._joined(direction, numbers, inner))
+
+    def with_checksum(self, direction: str, parts: bytes) -> bytes:
+        """The binary form of a frame with the checksums that are right for its other parts."""
+        shape = self.link.frame(direction)
+        for check in shape.checksums:
+            at = check.at(len(parts))
+            parts = parts[:at] + check.checksum(parts) + parts[at + check.size :]
+        return parts
+
+    def joined_parts(self, parts: bytes) -> bytes:
+        """The frame of its binary form: as characters where the link has them, between its delimiters."""
+        return self._marked(parts)
 
     def _joined(self, direction: str, numbers: Values, body: bytes) -> bytes:
         """The parts of a frame as bytes."""
@@ -216,9 +203,9 @@ class FrameCodec:
 
     def _head_value(
         self, part: PartLayout, values: Mapping[str, Any], message: MessageLayout | None, error: bool, code: int | None
-    ) -> int:
+    ) -> int | bytes:
         if part.role in ("length", "checksum"):
-            return 0
+            return bytes(part.size) if part.digits else 0
         if part.constant is not None:
             number = values.get(part.name, part.constant)
             if number != part.constant:
@@ -254,7 +241,19 @@ def _part_construct(part: PartLayout) -> construct.Construct:
     """A part as a number; a check has no value of its own."""
     if part.role != "checksum":
         return value_construct(part.value, part.order, False)
+    if part.digits:
+        return construct.Bytes(part.size)
     return construct.BytesInteger(part.size, swapped=part.order != "big")
+
+
+def _checksum(part: PartLayout, data: bytes) -> int | bytes:
+    """The checksum of the bytes that it covers: a number, or digits."""
+    number = checksum(part.algorithm, data[part.start : part.stop], part.order)
+    return checksum_digits(number, part.digits, part.size) if part.digits else number
+
+
+def _checksum_text(value: int | bytes, part: PartLayout) -> str:
+    return value.decode("latin-1") if isinstance(value, bytes) else f"{value:0{2 * part.size}X}"
 
 
 def _is_visible(part: PartLayout) -> bool:

@@ -73,7 +73,9 @@ def value_construct(value: Value | None, order: str, swapped: bool) -> construct
         return construct.Bytes(size)
     suffix = "b" if (order == "big") != swapped else "l"
     if kind is Kind.FLOAT:
-        number = getattr(construct, "Float32" + suffix)
+        number = getattr(construct, f"Float{8 * size}{suffix}")
+    elif value.type.is_odd:
+        number = construct.BytesInteger(size, signed=value.type.signed, swapped=suffix == "l")
     else:
         number = getattr(construct, _NUMBERS["i" if value.type.signed else "u", size] + suffix)
     if swapped:
@@ -139,7 +141,7 @@ def _decode_element(field: FieldLayout, raw: Any, device: Device, at: int) -> An
 
 
 def decoded_value(name: str, value: Value | None, raw: Any, device: Device, at: int | None) -> Any:
-    """One raw value: booleans as such, text as a str; closed enums and constants are enforced."""
+    """One raw value: booleans as such, text as a str; closed enums and constants are enforced. Raises CodecError."""
     assert value is not None
     kind = value.type.kind
     if kind is Kind.BOOLEAN:
@@ -154,12 +156,12 @@ def decoded_value(name: str, value: Value | None, raw: Any, device: Device, at: 
         return bytes(raw)
     if value.const is not None and raw != value.const:
         raise CodecError("wrong_const", f"{name} is {raw}, not {value.const}", at)
-    if value.enum and not _known(device, value, raw):
+    if value.enum and not _is_known(device, value, raw):
         raise CodecError("unknown_value", f"{name} is {raw}, which {value.enum} does not list", at)
     return raw
 
 
-def _known(device: Device, value: Value, raw: int) -> bool:
+def _is_known(device: Device, value: Value, raw: int) -> bool:
     enum = device.enums[value.enum]
     if enum.open or any(sentinel.value == raw for sentinel in value.sentinels):
         return True
@@ -250,7 +252,7 @@ def _encode_element(field: FieldLayout, value: Any, device: Device) -> Any:
 
 
 def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device) -> Any:
-    """One value as raw number or bytes, refused where it is out of range."""
+    """One value as raw number or bytes, refused where it is out of range. Raises CodecError."""
     assert value is not None
     kind = value.type.kind
     if kind in (Kind.TEXT, Kind.BYTES):
@@ -264,17 +266,17 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
         raise CodecError("wrong_type", f"{name} is a whole number, not {raw_value!r}")
     if value.const is not None and raw_value != value.const:
         raise CodecError("wrong_const", f"{name} is {raw_value}, not {value.const}")
-    if value.enum and not _known(device, value, int(raw_value)):
+    if value.enum and not _is_known(device, value, int(raw_value)):
         raise CodecError("unknown_value", f"{name} is {raw_value}, which {value.enum} does not list")
     return _in_range(name, value, int(raw_value))
 
 
 def _float(name: str, value: Value, number: float) -> float:
-    """A number that its 32 bits hold and its ranges allow; without ranges infinities and NaN are allowed too."""
+    """A number that its bits hold and its ranges allow; without ranges infinities and NaN are allowed too."""
     try:
-        struct.pack(">f", number)
+        struct.pack(f">{value.type.letter}", number)
     except OverflowError:
-        raise CodecError("out_of_range", f"{name} is {number}, which 32 bits do not hold") from None
+        raise CodecError("out_of_range", f"{name} is {number}, which {8 * value.size} bits do not hold") from None
     if value.ranges is not None and number not in value.ranges and value.sentinel(number) is None:
         raise CodecError("out_of_range", f"{name} is {number}, not in {value.ranges.text()}")
     return number

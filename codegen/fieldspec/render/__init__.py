@@ -1,1 +1,1 @@
-"""Findings as text for people and for programs. One form a file."""
+"""Findings, changes, facts and audits as text for people and for programs."""

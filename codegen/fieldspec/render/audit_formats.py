@@ -12,8 +12,8 @@ from fieldspec.audit.section import Cell, Figure, Report, Section, SectionTable
 from fieldspec.classes import replace
 from fieldspec.lists.packing import workbook
 from fieldspec.model.fact import Citation
-from fieldspec.render import json as findings_json
 from fieldspec.render.blocks import Block, Line, Table, narrowed, width
+from fieldspec.render.finding_formats import json_text
 from fieldspec.source import Span
 from fieldspec.spreadsheet import clean, guarded
 
@@ -56,7 +56,7 @@ def _section(section: Section) -> dict[str, object]:
             for figure in section.figures
         ],
         "tables": {table.name: rows(table) for table in section.tables},
-        "findings": json.loads(findings_json.rendered(section.findings)),
+        "findings": json.loads(json_text(section.findings)),
     }
 
 

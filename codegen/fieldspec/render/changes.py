@@ -9,7 +9,7 @@ from fieldspec.changes.evidence import enumeration
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label, Severity
 from fieldspec.model.texts import Acceptance
-from fieldspec.render.text import place
+from fieldspec.render.finding_text import place
 from fieldspec.source import Span
 
 MEANINGS = {
@@ -84,12 +84,14 @@ def places(change: Change, place_text: Callable[[Span], str] = place) -> str:
 
 
 def remark(entry: AcceptedChange) -> str:
-    """A remark on a change: its outputs, its versions, and why it is accepted."""
+    """A remark on a change: its outputs, its versions, its reason, and why it is accepted."""
     parts = []
     if entry.change.outputs:
         parts.append(f"in {enumeration(entry.change.outputs)}")
     if entry.versions:
         parts.append(f"at {enumeration(entry.versions)} only")
+    if entry.change.reason:
+        parts.append(f"because: {entry.change.reason}")
     if entry.accepted is not None:
         parts.append(f"accepted {entry.accepted.date}: {entry.accepted.reason}")
     return "; ".join(parts)

@@ -37,7 +37,7 @@ def blocks(result: Compared, listing: Listing) -> Iterator[Block]:
         yield Line(_shift(result), "bold")
     yield from _section("differs", ("address", "row", "name", "what", "ours", "theirs"), _differing(result))
     yield from _section("only in the list", ("address", "row", "name", "remark"), _extras(result))
-    yield from _section("only in the device", ("address", "name"), _missing(result))
+    yield from _section("only in the device", ("address", "name"), _missing_rows(result))
     yield Line("")
     yield Line(
         f"{len(result.agreeing)} agree, {len(result.differing)} differ, {len(result.extras)} only in the list, "
@@ -92,7 +92,7 @@ def as_csv(result: Compared) -> str:
     ]
     rows += [("differs", *cells) for cells in _differing(result)]
     rows += [("only in the list", *cells[:3], "", "", cells[3]) for cells in _extras(result)]
-    rows += [("only in the device", address, "", name, "", "", "") for address, name in _missing(result)]
+    rows += [("only in the device", address, "", name, "", "", "") for address, name in _missing_rows(result)]
     writer.writerows([guarded(cell) for cell in row] for row in rows)
     return output.getvalue()
 
@@ -138,7 +138,7 @@ def _extras(result: Compared) -> list[tuple[str, ...]]:
     ]
 
 
-def _missing(result: Compared) -> list[tuple[str, ...]]:
+def _missing_rows(result: Compared) -> list[tuple[str, ...]]:
     return [(_address(gap.address), f"{gap.item.name}{_of(gap)}") for gap in result.missing]
 
 

@@ -12,6 +12,7 @@ from fieldspec.explain.examples import printed
 from fieldspec.explain.explanation import Explanation, ExplanationRow, Meaning, Reading
 from fieldspec.explain.row import citations
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.address_space import BIT
 from fieldspec.model.texts import Example
 from fieldspec.render.blocks import Table, narrowed
 
@@ -35,7 +36,7 @@ def title(layout: DeviceLayout, explanation: Explanation, sure: bool) -> str:
 
 def accessed(layout: DeviceLayout, explanation: Explanation) -> str:
     """`reads 0x1000..0x1001`"""
-    accesses = layout.device.register_access(layout.messages[explanation.message].message)
+    accesses = layout.messages[explanation.message].message.accesses
     addresses = [row.address + row.words for row in explanation.registers if row.address is not None]
     first = min(row.address for row in explanation.registers if row.address is not None)
     last = max(addresses) - 1
@@ -55,7 +56,7 @@ def faults(explanation: Explanation) -> Iterator[str]:
 def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
     """Every byte of the frame in order; neighbouring elements of a list share a row where they are only numbers."""
     shape = layout.links[explanation.link].frame(explanation.direction)
-    checksum = shape.checksum
+    checksums = {part.name for part in shape.checksums}
     code = shape.role("code")
     message = layout.messages.get(explanation.message)
     accesses = message.message.accesses if message else None
@@ -68,7 +69,7 @@ def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
             lines += _element_lines(rows)
             continue
         for row in rows:
-            raw = "" if checksum is not None and row.path == checksum.name else raw_text(row, row.path in addresses)
+            raw = "" if row.path in checksums else raw_text(row, row.path in addresses)
             if code is not None and row.path == code.name and message is not None and not explanation.error:
                 row = replace(row, meanings=(Meaning(message.name, message.message.label, "", ""),))
             first = (str(row.offset), row.characters, _hex(row.raw), row.path, _label(row), raw, row.value)
@@ -91,7 +92,8 @@ def _in_digits(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
 
 def register_table(explanation: Explanation) -> Table:
     """The registers that the frame reads or writes."""
-    headings = ("address", "words", "bytes", "register", "label", "access", "raw", "value", *_JUDGED)
+    counts = "bits" if any(row.unit == BIT for row in explanation.registers) else "words"
+    headings = ("address", counts, "bytes", "register", "label", "access", "raw", "value", *_JUDGED)
     lines: list[tuple[tuple[str, ...], bool]] = []
     for row in explanation.registers:
         name = row.path or row.doc
@@ -120,7 +122,7 @@ def footnotes(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
 def examples(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
     """The examples of the manual with this frame, and those that it misprints as this frame."""
     device = layout.device
-    own = [example for example in device.examples.values() if _alike(example, explanation)]
+    own = [example for example in device.examples.values() if _is_alike(example, explanation)]
     same = [example for example in own if example.frame == explanation.frame]
     for example in same[:_EXAMPLES]:
         text = ", ".join(part for part in (f"example {example.id}", citations(example.sources)) if part)
@@ -134,7 +136,7 @@ def examples(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
                 yield f"erratum {erratum.id}: the manual prints this for {_hex(example.frame)}. {erratum.reason}"
 
 
-def _alike(example: Example, explanation: Explanation) -> bool:
+def _is_alike(example: Example, explanation: Explanation) -> bool:
     """Whether an example has the link, direction and message of a frame."""
     of = (example.link, example.direction, example.message or explanation.message)
     return of == (explanation.link, explanation.direction, explanation.message)
@@ -291,7 +293,7 @@ def _row(row: ExplanationRow) -> dict[str, object]:
         "notes": list(row.notes),
         "errata": list(row.errata),
         "address": row.address,
-        "words": row.words or None,
+        ("bits" if row.unit == BIT else "words"): row.words or None,
         "access": row.access or None,
     }
 

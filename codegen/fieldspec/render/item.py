@@ -186,7 +186,7 @@ def numbered(item: Item, number: int) -> bool:
 
 Details = Iterator[tuple[str, str]]
 
-_MEMORY = {"volatile": "lost with the power", "nonvolatile": "kept without power"}
+_MEMORY = {"volatile": "lost when the power is switched off", "nonvolatile": "nonvolatile"}
 _ENDURANCE = {"limited": "a limited number of writes, which is not printed", "unlimited": "as many writes as one likes"}
 
 

@@ -30,7 +30,7 @@ def blocks(layout: DeviceLayout, item: Item, number: int | None = None) -> Itera
     for key, text in pairs:
         if text:
             yield Line(f"  {key:<9} {text}", drawn=True)
-    yield from _inside(layout, item)
+    yield from _inner_blocks(layout, item)
 
 
 def fact_name(fact: object) -> str:
@@ -38,7 +38,7 @@ def fact_name(fact: object) -> str:
     return fact.name if isinstance(fact, Fact) else ""
 
 
-def _inside(layout: DeviceLayout, item: Item) -> Iterator[Block]:
+def _inner_blocks(layout: DeviceLayout, item: Item) -> Iterator[Block]:
     match item:
         case MessageLayout():
             yield from _message(layout, item)

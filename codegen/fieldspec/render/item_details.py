@@ -10,7 +10,7 @@ from fieldspec.explain.explanation import lengths
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.address_space import AddressSpace
+from fieldspec.model.address_space import BIT, AddressSpace
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Enum
 from fieldspec.model.link import Link
@@ -52,7 +52,7 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
         case ParameterNumber():
             yield from _parameter(item, number)
         case ParameterSet():
-            yield from _set(item)
+            yield from _set_details(item)
         case Enum():
             yield "what", item.title
             yield "follows", f"from {item.derived}" if item.derived else ""
@@ -90,6 +90,7 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
 def _register(layout: DeviceLayout, register: Register, address: int | None) -> Details:
     many = f", {register.count} of them, {register.stride} apart" if register.count > 1 else ""
     words = "1 word" if register.width == 1 else f"{register.width} words"
+    words = "1 bit" if register.value.type.name == BIT else words
     yield "space", _space(layout.device, register.space)
     number = layout.device.space(register.space).first_number + register.address
     yield "address", f"0x{register.address:04X} ({number}), {words}{many}"
@@ -104,10 +105,10 @@ def _register(layout: DeviceLayout, register: Register, address: int | None) -> 
     yield "atomic", "its words are read in one request" if register.atomic else ""
     yield "reserved", "it has no meaning to the user" if register.reserved else ""
     yield "same as", register.same_as
-    yield "copy of", _placed(layout, register.copy_of)
+    yield "copy of", _register_text(layout, register.copy_of)
     for other in layout.device.registers():
         if other.copy_of == register.name:
-            yield "copied in", _placed(layout, other.name)
+            yield "copied in", _register_text(layout, other.name)
 
 
 def _space(device: Device, name: str) -> str:
@@ -115,7 +116,7 @@ def _space(device: Device, name: str) -> str:
     return device.space_name(name) if device.several_spaces else ""
 
 
-def _placed(layout: DeviceLayout, name: str) -> str:
+def _register_text(layout: DeviceLayout, name: str) -> str:
     """A register with its address."""
     register = layout.device.register(name) if name else None
     return f"{name} at 0x{register.address:04X}" if register is not None else name
@@ -230,7 +231,7 @@ def _number(parameter_set: ParameterSet, number: int) -> str:
     return f"{own}, 0x{parameter_set.base + number:04X} ({parameter_set.base + number}) on the wire"
 
 
-def _set(parameter_set: ParameterSet) -> Details:
+def _set_details(parameter_set: ParameterSet) -> Details:
     yield "what", parameter_set.title
     yield "base", f"a number on the wire is the number + 0x{parameter_set.base:04X}" if parameter_set.base else ""
     form, base = parameter_set.number_text, parameter_set.base
@@ -255,7 +256,8 @@ def _link(layout: DeviceLayout, link: Link) -> Details:
     yield "what", link.title
     yield "encoding", link.encoding
     yield "marks", " .. ".join(mark.hex(" ").upper() for mark in (link.start, link.end) if mark)
-    yield "order", f"bytes {link.byte_order}, words {link.word_order or link.byte_order}"
+    orders = (("bytes", link.byte_order), ("words", link.word_order))
+    yield "order", ", ".join(f"{what} {order}" for what, order in orders if order)
     yield "sends", _sends(layout, link)
 
 

@@ -27,12 +27,12 @@ def _mapping(node: Mapping, indent: str) -> Iterator[str]:
 def _entry(start: str, value: Node, indent: str) -> Iterator[str]:
     """A key, or the dash of an item, with its value."""
     if isinstance(value, Scalar):
-        yield _cited(f"{start} {_scalar(value)}", value)
+        yield _line_with_place(f"{start} {_scalar(value)}", value)
     elif isinstance(value, Sequence) and all(isinstance(item, Scalar) for item in value.items):
         items = ", ".join(_scalar(item) for item in value.items if isinstance(item, Scalar))
-        yield _cited(f"{start} [{items}]", value)
+        yield _line_with_place(f"{start} [{items}]", value)
     elif isinstance(value, Mapping) and not value.values:
-        yield _cited(f"{start} {{}}", value)
+        yield _line_with_place(f"{start} {{}}", value)
     elif isinstance(value, Mapping):
         yield start
         yield from _mapping(value, indent)
@@ -51,7 +51,7 @@ def _item(item: Node, indent: str) -> Iterator[str]:
     yield from lines[1:]
 
 
-def _cited(text: str, node: Node) -> str:
+def _line_with_place(text: str, node: Node) -> str:
     return f"{text:<{_WIDTH}}  # {visible_text(node.span.file.path)}:{node.span.position()[0]}"
 
 

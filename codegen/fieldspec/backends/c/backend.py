@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from fieldspec.backends.c.checksums import checksum_parts, declare_checksums
 from fieldspec.backends.c.conversions import declare_conversion
 from fieldspec.backends.c.declarations import Declaration, Define, Directive, comment, describe_fact, escape_comment
 from fieldspec.backends.c.enums import code_tables, declare_code_texts, declare_enum, declare_flags
-from fieldspec.backends.c.expressions import string, unsigned
+from fieldspec.backends.c.expressions import hexadecimal, string, unsigned
 from fieldspec.backends.c.frames import declare_link
 from fieldspec.backends.c.fuzzing import write_fuzz_target
 from fieldspec.backends.c.messages import declare_messages
@@ -15,7 +16,7 @@ from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.printer import Printer
 from fieldspec.backends.c.records import declare_record
 from fieldspec.backends.c.registers import declare_parameters, declare_register, declare_signal, declare_table
-from fieldspec.backends.c.runtime_files import copy_checksums, copy_numbers, copy_runtime, runtime_macros
+from fieldspec.backends.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
 from fieldspec.backends.c.selftest import write_selftest
 from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
@@ -50,13 +51,7 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
     """The header of a version. It settles the names, so whoever uses it must have the same naming."""
     device = layout.device
     _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
-    algorithms = {
-        part.algorithm
-        for link in layout.links.values()
-        for frame in (link.request, link.response)
-        for part in frame.parts
-        if part.algorithm
-    }
+    algorithms = {part.algorithm for part in checksum_parts(layout)}
     return fill(
         "c/header.h.j2",
         title=escape_comment(f"{device.name} ({device.vendor}), version {device.version}"),
@@ -69,22 +64,22 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         identity_macro=naming.own_macro("identity"),
         identity_text=string(layout.identity).text,
         switches=_describe_switches(naming, algorithms, bool(code_tables(device)), bool(device.conversions)),
-        sections=_print_sections(naming, layout, algorithms),
+        sections=_print_sections(naming, layout),
     )
 
 
-def _print_sections(naming: Naming, layout: DeviceLayout, algorithms: set[str]) -> Iterator[str]:
+def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
     """The texts of all sections. Names are claimed in this order."""
     device = layout.device
     sections: tuple[tuple[str, Iterable[Block]], ...] = (
         ("Compilers and machines", ([copy_runtime(naming, "machine.h")],)),
-        ("What functions return", ([copy_runtime(naming, "status.h")],)),
-        ("Numbers and characters, independent of the machine", copy_numbers(naming, layout)),
-        ("Checks", copy_checksums(naming, algorithms)),
+        ("Results of codec calls", ([copy_runtime(naming, "status.h")],)),
+        ("Numbers and characters", copy_numbers(naming, layout)),
+        ("Checksums", declare_checksums(naming, layout)),
         ("Enums and codes", (declare_enum(naming, enum) for enum in device.enums.values())),
-        ("Words of flags", (declare_flags(naming, word) for word in device.flags.values())),
+        ("Bit fields", (declare_flags(naming, word) for word in device.flags.values())),
         ("Signals", (declare_signal(naming, signal) for signal in device.signals.values())),
-        ("Conversions, which a machine without double leaves out", _conversions(naming, layout)),
+        ("Conversions, which need double", _conversions(naming, layout)),
         (
             "Records",
             (
@@ -94,7 +89,7 @@ def _print_sections(naming: Naming, layout: DeviceLayout, algorithms: set[str]) 
         ),
         ("Data of requests and responses", _messages(naming, layout)),
         ("Registers", (declare_register(naming, device, register) for register in layout.registers)),
-        ("Tables of records", (declare_table(naming, device, table) for table in layout.tables.values())),
+        ("Record tables", (declare_table(naming, device, table) for table in layout.tables.values())),
         (
             "Parameters",
             (
@@ -137,7 +132,7 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
     """For each message its code and number, then the data of its request and of its response."""
     for layout_of_message in layout.messages.values():
         message = layout_of_message.message
-        beside = f"Sent only beside {', '.join(message.supplements)}." if message.supplements else ""
+        beside = f"Sent only together with {', '.join(message.supplements)}." if message.supplements else ""
         links = f"On {', '.join(message.links)}." if message.links and len(layout.links) > 1 else ""
         about = " ".join(text for text in (message.title and f"{message.title}.", links, beside) if text)
         numbers = (("code", message.code), ("number", message.number))
@@ -148,6 +143,12 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
             for name, number in numbers
             if number is not None
         ]
+        access = message.accesses
+        if access is not None and access.set is not None:
+            block += [
+                Define(naming.macro("message", layout_of_message.name, name), hexadecimal(number, 2))
+                for name, number in (("bit_set", access.set), ("bit_clear", access.clear))
+            ]
         yield block
         for data in (layout_of_message.request, layout_of_message.response):
             yield declare_record(naming, layout.device, data, comment())
@@ -177,32 +178,40 @@ def _claim_names(naming: Naming, version: str, versions: Sequence[str]) -> None:
 def _describe_switches(naming: Naming, algorithms: set[str], texts: bool, conversions: bool) -> str:
     """What may be defined before the header is included, as lines of a comment."""
     known = (
-        ("with_texts", "for the texts of codes, which take memory", texts),
-        ("without_double", "to leave conversions out, which need double", conversions),
-        ("wide_crc_table", "for a faster check with a table of 512 bytes", "crc16_modbus" in algorithms),
+        ("with_texts", "adds the texts of codes, which take memory", texts),
+        ("without_double", "leaves out the conversions, which need double", conversions),
+        ("wide_crc_table", "takes a table of 512 bytes for a faster CRC", "crc16_modbus" in algorithms),
     )
     lines = [f" *   {naming.own_macro(name)} {what}\n" for name, what, used in known if used]
-    return "".join([" *\n * Before it is included there may be defined:\n", *lines] if lines else [])
+    return "".join([" *\n * Define before you include it:\n", *lines] if lines else [])
 
 
 def _selecting_header(versions: Sequence[DeviceLayout]) -> dict[str, str]:
-    """The header that takes that of the version which is asked for; `versions` are one device's, the oldest first."""
+    """The header that includes the one of the requested version, or of the only one; `versions` are of one device."""
     device = versions[-1].device
     naming = Naming(device.id)
     names = [(version, layout) for layout in versions for version in (layout.device.version, *layout.equal_versions)]
     macros = {version: naming.own_macro(_SELECT, version_word(version)) for version, _ in names}
     select = naming.own_macro(_SELECT)
     headers = [(macros[version], f"{stem(device.id, layout.device.version)}.h", layout) for version, layout in names]
+    usage = f"Selects the header of a version. Define {select} before you include this header, or on the command line:"
+    choices, latest = ", ".join(macros.values()), naming.own_macro(_SELECT, _LATEST)
+    otherwise = f'#error "define {select} as one of {choices} or {latest}"\n'
+    if len(headers) == 1:
+        usage = f"Includes the header of the only version. You may define {select} to rely on that version:"
+        otherwise = f'#include "{headers[0][1]}"\n'
     text = fill(
         "c/selection.h.j2",
         title=escape_comment(f"{device.name} ({device.vendor}), in any of its versions"),
         identity=versions[-1].identity,
         select=select,
-        latest=naming.own_macro(_SELECT, _LATEST),
+        latest=latest,
         newest=macros[device.version],
         versions=[f" * {macro}: {name}, identity {layout.identity}\n" for macro, name, layout in headers],
         defined=[f"#define {macro} {number}\n" for number, (macro, _, _) in enumerate(headers, 1)],
         included=[f'#elif {select} + 0 == {macro}\n#include "{name}"\n' for macro, name, _ in headers],
-        choices=", ".join(macros.values()),
+        choices=choices,
+        usage=usage,
+        otherwise=otherwise,
     )
     return {f"{Name.of(device.id).snake()}.h": text}

@@ -77,10 +77,11 @@ class Enumerator:
 
 @dataclass(frozen=True, slots=True)
 class Enumeration:
-    """`typedef enum name { ... } name;`"""
+    """`typedef enum name { ... } attribute name;`"""
 
     name: str
     enumerators: tuple[Enumerator, ...]
+    attribute: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,13 +170,13 @@ def describe_value(value: Value | None) -> str:
     facts = []
     if value.scaled or value.unit:
         scale = value.scale_text or str(value.scale)
-        offset = f", then {value.offset} added" if value.offset else ""
+        offset = f", plus {value.offset}" if value.offset else ""
         facts.append(f"One count is {scale} {value.unit}".rstrip() + f"{offset}.")
     if value.ranges is not None:
         facts.append(f"Range: {value.ranges.text()}.")
     if value.write_ranges is not None:
-        facts.append(f"May be written: {value.write_ranges.text()}.")
+        facts.append(f"Writable: {value.write_ranges.text()}.")
     if value.enum or value.flags:
         facts.append(f"See {value.enum or value.flags}.")
-    facts += [f"{sentinel.text} is {sentinel.name}." for sentinel in value.sentinels]
+    facts += [f"{sentinel.text} means {sentinel.name}." for sentinel in value.sentinels]
     return " ".join(facts)

@@ -74,7 +74,7 @@ def declare_unwrap(naming: Naming, link: LinkLayout) -> list[Declaration]:
         Variable(Type("size_t", pointer=True), "length"),
     )
     return [
-        comment("Takes the marks away and writes the bytes between them. They may replace the frame itself."),
+        comment("Removes the delimiters and writes the bytes between them. `out` may be the frame itself."),
         Function(status_type(naming), naming.function("link", link.name, "parts"), parameters, tuple(body)),
     ]
 

@@ -54,7 +54,7 @@ from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.statements import CountUp, If, Return, Statement, Table, Variable, discard
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, Member
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 # What the constants of an enum may be: an int, which has 16 bits on small machines.
 _LEAST, _LARGEST = -(2**15) + 1, 2**15 - 1
@@ -81,7 +81,7 @@ def declare_enum(naming: Naming, enum: Enum) -> list[Declaration]:
     """
     members = available_members(enum)
     declarations: list[Declaration] = [describe_fact(enum, "Other values may occur." if enum.open else "")]
-    if all(_LEAST <= member.value <= _LARGEST for member in members):
+    if _fits_int(members):
         declarations += _enumeration(naming, enum, members)
     else:
         declarations += _macros(naming, enum, members)
@@ -102,7 +102,7 @@ def _enumeration(naming: Naming, enum: Enum, members: list[Member]) -> list[Decl
         )
         for member in members
     )
-    return [Enumeration(naming.type("enum", enum.name), enumerators)]
+    return [Enumeration(naming.type("enum", enum.name), enumerators, naming.own_macro("enum_16"))]
 
 
 def _macros(naming: Naming, enum: Enum, members: list[Member]) -> list[Declaration]:
@@ -125,6 +125,41 @@ def _macros(naming: Naming, enum: Enum, members: list[Member]) -> list[Declarati
 def _remark(member: Member) -> str:
     number = f"Number {member.number}." if member.number is not None else ""
     return escape_comment(" ".join(part for part in (member.printed_name, member.label, number, member.doc) if part))
+
+
+def _fits_int(members: list[Member]) -> bool:
+    return all(_LEAST <= member.value <= _LARGEST for member in members)
+
+
+def enum_type(device: Device, value: Value) -> Enum | None:
+    """The closed enum whose type a value has as a parameter or a result of C; None where that is an integer."""
+    enum = _closed_enum(device, value)
+    return None if enum is None or integer_reason(device, value) else enum
+
+
+def integer_reason(device: Device, value: Value) -> str:
+    """Why a value of a closed enum has an integer type in C; empty where it has the type of its enum, or has none."""
+    enum = _closed_enum(device, value)
+    if enum is None:
+        return ""
+    members = available_members(enum)
+    if not members:
+        return f"An integer, as {enum.name} has no members."
+    if not _fits_int(members):
+        return f"An integer, as 16 bits do not hold all members of {enum.name}."
+    if not all(value.type.low <= member.value <= value.type.high for member in members):
+        return f"An integer, as {value.type.name} does not hold all members of {enum.name}."
+    numbers = {member.value for member in members}
+    missing = [sentinel.name for sentinel in value.sentinels if sentinel.value not in numbers]
+    return f"An integer, as {enum.name} does not have {', '.join(missing)}." if missing else ""
+
+
+def _closed_enum(device: Device, value: Value) -> Enum | None:
+    """The closed enum of an integer that is no constant."""
+    if not value.enum or value.const is not None or value.type.kind is not Kind.INTEGER:
+        return None
+    enum = device.enums[value.enum]
+    return None if enum.open else enum
 
 
 def _is_wide(enum: Enum) -> bool:
@@ -188,7 +223,7 @@ def enum_implies_range(device: Device, value: Value) -> bool:
 def declare_code_texts(naming: Naming, enum: Enum) -> list[Declaration]:
     """A function from a code to its texts, for tables of alarms, faults, exceptions and errors."""
     struct = naming.own("code_text")
-    about = f"The texts of a code of {naming.type('enum', enum.name)}, or NULL where it is not listed."
+    about = f"The texts of a code of {naming.type('enum', enum.name)}, or NULL if the code is unknown."
     members = [member for member in enum.members if member.value <= _LARGEST_CODE]
     texts, code = Identifier("texts"), Identifier("code")
     row = Element(texts, INDEX)
@@ -254,8 +289,8 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
     levels = [f"{n}: {text}." for n, text in ((0, bit.zero), (1, bit.one)) if text]
     facts = [
         " ".join(levels),
-        f"Its {bit.edge} edge counts." if bit.edge else "",
-        "It is 0 while what its name says is so." if bit.active == "low" else "",
+        f"It acts on its {bit.edge} edge." if bit.edge else "",
+        "It is active low: 0 means what its name says." if bit.active == "low" else "",
         f"See {bit.enum}." if bit.enum else "",
         f"When {bit.when}." if bit.when else "",
     ]
@@ -310,9 +345,9 @@ def _declare_states(naming: Naming, word: Flags, kind: Type) -> list[Declaration
     ]
     return [
         *declarations,
-        comment("The states that the word shows."),
+        comment("The states that the word can show."),
         Enumeration(name, tuple(enumerators)),
-        comment("The first state whose bits the word has, in the order above."),
+        comment("The first state, in the order above, whose bits match the word."),
         Function(
             Type(name),
             naming.function("word", word.name, "state_of"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.c.checksums import compute_checksum, is_wrong, store_checksum
 from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Function, Struct, comment, describe_fact
 from fieldspec.backends.c.delimiters import declare_unwrap, is_wrapped, wrap_frame
 from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
@@ -54,7 +55,6 @@ from fieldspec.backends.c.statements import (
 )
 from fieldspec.backends.c.values import (
     WireValue,
-    access_name,
     check_constant,
     declare_value,
     load,
@@ -92,7 +92,7 @@ def part_pointer(pointer: Expression, part: PartLayout, total: Expression) -> Ex
 
 def declare_link(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[Declaration]:
     """The structs of opened frames, and the functions that open and close frames."""
-    declarations: list[Declaration] = [describe_fact(link.link, f"A frame is {_describe_form(link)}.")]
+    declarations: list[Declaration] = [describe_fact(link.link, f"Frames are {_describe_form(link)}.")]
     if is_wrapped(link):
         declarations += [*declare_unwrap(naming, link), BLANK]
     for direction in DIRECTIONS:
@@ -103,10 +103,11 @@ def declare_link(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list
 
 
 def _describe_form(link: LinkLayout) -> str:
-    text = "bytes" if link.link.encoding == "binary" else "hexadecimal characters"
-    start = [f"from {link.link.start.hex(' ').upper()}"] if link.link.start else []
-    end = [f"to {link.link.end.hex(' ').upper()}"] if link.link.end else []
-    return " ".join([text, *start, *end])
+    text = "binary" if link.link.encoding == "binary" else "hexadecimal characters"
+    start = [f"begin with {link.link.start.hex(' ').upper()}"] if link.link.start else []
+    end = [f"end with {link.link.end.hex(' ').upper()}"] if link.link.end else []
+    delimiters = " and ".join([*start, *end])
+    return f"{text}; they {delimiters}" if delimiters else text
 
 
 def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[Declaration]:
@@ -116,13 +117,13 @@ def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[De
     for part in header_parts(frame):
         inside += [describe_fact(part.part), declare_value(part_value(part), frame_member(part.name))]
     if frame.role("code") is not None:
-        inside += [comment("The code, without the flag of an error reply."), Variable(CODE_TYPE, "code")]
+        inside += [comment("The code, without the flag of an exception response."), Variable(CODE_TYPE, "code")]
     if direction == "response" and link.link.exception_response is not None:
-        about = comment("The frame refuses a request; its body is an error record.")
+        about = comment("The frame is an exception response; its body is the record of the exception.")
         inside += [about, Variable(Type("bool"), "error")]
     inside += [Variable(INPUT_BYTES, "body"), Variable(SIZE_TYPE, "body_length")]
     return [
-        comment(f"An opened {direction}: what stands before the body, and where the body is."),
+        comment(f"An opened {direction}: its header, and where its body is."),
         Struct(naming.type("link", link.name, direction, "frame"), tuple(inside)),
     ]
 
@@ -140,7 +141,7 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
     parameters = [Variable(INPUT_BYTES, "frame"), Variable(SIZE_TYPE, "size")]
     body: list[Statement] = []
     if is_wrapped(link):
-        about.append("The buffer receives the frame's bytes, and the body lies in it.")
+        about.append("`buffer` receives the bytes of the frame, and the body points into it.")
         parameters += [Variable(OUTPUT_BYTES, "buffer"), Variable(SIZE_TYPE, "capacity")]
         received = Identifier("frame"), Identifier("size"), Identifier("buffer"), CAPACITY, address_of(LENGTH)
         body += [
@@ -180,25 +181,13 @@ def _check_frame(naming: Naming, frame: FrameLayout) -> Body:
         received = load(naming, part_value(length), part_pointer(IN, length, LENGTH))
         number, unrepresentable = _length_number(frame, length, LENGTH)
         body += refuse(naming, any_of([*unrepresentable, different(received, number)]), "err_wrong_length")
-    checksum = frame.checksum
-    if checksum is not None:
-        received = Call(naming.own(f"load_{_checksum_access(checksum)}"), (part_pointer(IN, checksum, LENGTH),))
-        computed = _compute_checksum(naming, checksum, IN, LENGTH)
-        body += refuse(naming, different(computed, received), "err_wrong_check")
+    for checksum in frame.checksums:
+        computed = compute_checksum(naming, checksum, IN, LENGTH)
+        test = is_wrong(naming, checksum, computed, part_pointer(IN, checksum, LENGTH))
+        body += refuse(naming, test, "err_wrong_check")
     for part in frame.constants:
         body += check_constant(naming, part_value(part), part_pointer(IN, part, LENGTH))
     return body
-
-
-def _compute_checksum(naming: Naming, checksum: PartLayout, source: Expression, total: Expression) -> Call:
-    """`crc16_modbus(in + 1, length - 3u)`: the checksum of the bytes that it covers in a frame of `total` bytes."""
-    start, stop = checksum.start, checksum.stop or 0
-    first = source
-    if start:
-        first = add(source, decimal(start) if start > 0 else add_size(total, start))
-    # A start and a stop that are counted from the same end bound a constant size.
-    size = unsigned(stop - start) if start < 0 or stop > 0 else add_size(total, stop - start)
-    return Call(naming.own(checksum.algorithm), (first, size))
 
 
 def _length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
@@ -214,10 +203,6 @@ def _length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> t
         unrepresentable.append(different(Operation("%", (number, unit)), ZERO))
         number = Operation("/", (number, unit))
     return number, unrepresentable
-
-
-def _checksum_access(checksum: PartLayout) -> str:
-    return access_name(checksum.size, checksum.order, False)
 
 
 def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
@@ -273,10 +258,9 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     for part in frame.parts:
         if part.role != "checksum":
             body += _write_part(naming, layout, link, frame, part)
-    checksum = frame.checksum
-    if checksum is not None:
+    for checksum in frame.checksums:
         target = part_pointer(OUT, checksum, _TOTAL)
-        body.append(store(naming, _checksum_access(checksum), target, _compute_checksum(naming, checksum, OUT, _TOTAL)))
+        body.append(store_checksum(naming, checksum, compute_checksum(naming, checksum, OUT, _TOTAL), target))
     if is_wrapped(link):
         body += wrap_frame(naming, link)
     if not frame.parts and not is_wrapped(link):
@@ -285,7 +269,9 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     body += [assign(dereference(LENGTH), add_size(size, delimiters)), return_ok(naming)]
     name = naming.function("link", link.name, direction, "close")
     return [
-        comment(f"Completes a frame whose body lies at out + {frame.header_size}. Length receives the frame's size."),
+        comment(
+            f"Completes a frame whose body is at out + {frame.header_size}. `length` receives the size of the frame."
+        ),
         Function(status_type(naming), name, tuple(parameters), tuple(body)),
     ]
 

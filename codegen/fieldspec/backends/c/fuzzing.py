@@ -40,7 +40,7 @@ from fieldspec.backends.c.frames import header_parts
 from fieldspec.backends.c.naming import Naming, Noun, frame_member
 from fieldspec.backends.c.packing import is_packed
 from fieldspec.backends.c.printer import Printer
-from fieldspec.backends.c.runtime_files import all_records, copy_runtime, runtime_parts
+from fieldspec.backends.c.runtime_files import all_records, copy_runtime, is_bit, runtime_parts
 from fieldspec.backends.c.statements import (
     Break,
     Constant,
@@ -53,11 +53,12 @@ from fieldspec.backends.c.statements import (
     assign,
     call,
 )
-from fieldspec.backends.c.values import WireValue, declare_value, status_type, type_name
+from fieldspec.backends.c.values import WireValue, accessed_type, declare_value, status_type
 from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.record import Orders, RecordLayout
+from fieldspec.model.device import Device
 from fieldspec.model.value import Kind
 
 _BYTE = Type("uint8_t")
@@ -74,7 +75,11 @@ def write_fuzz_target(layout: DeviceLayout, naming: Naming, header: str) -> str:
     """The text of the target."""
     directions = [(link, direction) for link in layout.links.values() for direction in ("request", "response")]
     frames = [Call(f"frame_{number}", (_DATA, _SIZE)) for number in range(2 * len(directions))]
-    macros = [*_record_macros(layout, naming), *_value_macros(layout, naming), *_other_macros(layout, naming)]
+    macros = [
+        *_record_macros(layout, naming),
+        *_value_macros(layout, naming),
+        *_address_and_conversion_macros(layout, naming),
+    ]
     choices = [*frames, *macros]
     used = {macro.function for macro in macros}
     functions = [
@@ -142,10 +147,12 @@ def _record_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
 def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
     device = layout.device
     for register in layout.registers:
+        if is_bit(register):
+            continue
         value = register.register.value
         wire = WireValue(value, register.order, register.swapped)
         yield _value_macro(
-            naming, "register", (register.name,), wire, value.size + value.size % 2, register.register.trigger
+            naming, device, "register", (register.name,), wire, value.size + value.size % 2, register.register.trigger
         )
     orders = Orders(device.byte_order, device.word_order)
     for parameters in device.parameters.values():
@@ -156,12 +163,15 @@ def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
             inner = [((*names, inner.name), inner.value) for inner in parameter.subindices if not inner.reserved]
             for full_names, value in [(names, parameter.value), *inner]:
                 wire = WireValue(value, *orders.of(value))
-                yield _value_macro(naming, "parameter", full_names, wire, value.size, parameter.trigger)
+                yield _value_macro(naming, device, "parameter", full_names, wire, value.size, parameter.trigger)
 
 
-def _value_macro(naming: Naming, noun: Noun, names: tuple[str, ...], wire: WireValue, size: int, trigger: bool) -> Call:
+def _value_macro(
+    naming: Naming, device: Device, noun: Noun, names: tuple[str, ...], wire: WireValue, size: int, trigger: bool
+) -> Call:
     """Of a trigger whose enum is closed the device may answer anything."""
-    kind = Identifier(type_name(wire.value))
+    answer = wire.value.as_answer(trigger)
+    kind = Identifier(accessed_type(naming, device, answer))
     functions = _names(*(naming.function(noun, *names, verb) for verb in ("decode", "encode")))
     if wire.value.const is not None:
         return Call("CONSTANT", (kind, *functions, unsigned(size)))
@@ -169,11 +179,13 @@ def _value_macro(naming: Naming, noun: Noun, names: tuple[str, ...], wire: WireV
         exact = _flag(wire.kind is Kind.BYTES and wire.size == size)
         declared = Identifier(Printer().print_variable(declare_value(wire, "value")))
         return Call("ARRAY", (declared, *functions, exact, unsigned(size)))
-    macro = "VALUE" if wire.value.as_answer(trigger) == wire.value else "TRIGGER"
-    return Call(macro, (kind, *functions, unsigned(wire.size), unsigned(size)))
+    sizes = unsigned(wire.size), unsigned(size)
+    if answer == wire.value:
+        return Call("VALUE", (kind, *functions, *sizes))
+    return Call("TRIGGER", (kind, Identifier(accessed_type(naming, device, wire.value)), *functions, *sizes))
 
 
-def _other_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
+def _address_and_conversion_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
     for table in layout.tables.values():
         yield Call("ADDRESS", _names("uint16_t", naming.function("table", table.name, "at")))
     for conversion in layout.device.conversions.values():

@@ -82,7 +82,7 @@ def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: Link
     code: list[Expression] = [Operation("|", (_CODE, unsigned(error.flag)))]
     parameters = [Variable(CODE_TYPE, "code")]
     record = layout.records[error.record]
-    about = comment("Writes the whole frame of an error reply to a code.")
+    about = comment("Writes the whole frame of an exception response to a code.")
     return [about, _encode_frame(naming, link, "response", record, function, parameters, code)]
 
 

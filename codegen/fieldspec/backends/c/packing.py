@@ -51,14 +51,14 @@ def is_packed(record: RecordLayout) -> bool:
 
 def declare_packing(naming: Naming, record: RecordLayout, checks: Body) -> list[Declaration]:
     """The functions that move a record between its struct and bytes, and the one with the checks, if there are some."""
-    struct, size = naming.type("record", record.name), f"{record.size} bytes"
+    struct, size = naming.type("record", record.name), f"{record.size} byte{'s' * (record.size != 1)}"
     local_variables = function_locals(naming)
     source = Variable(Type(struct, const=True, pointer=True), "in")
     target = Variable(Type(struct, pointer=True), "out")
     declarations: list[Declaration] = []
     if checks:
         declarations = [
-            comment(f"Whether the values of {struct} are such as may be written."),
+            comment(f"Whether the values of {struct} may be written."),
             Function(
                 status_type(naming),
                 naming.function("record", record.name, "check"),
@@ -73,10 +73,10 @@ def declare_packing(naming: Naming, record: RecordLayout, checks: Body) -> list[
     pack, unpack = naming.function("record", record.name, "pack"), naming.function("record", record.name, "unpack")
     return [
         *declarations,
-        comment(f"Writes {struct} to {size} without any check."),
+        comment(f"Writes {struct} to {size} without checks."),
         Function(Type("void"), pack, (source, Variable(OUTPUT_BYTES, "out")), stored, local_variables),
         BLANK,
-        comment(f"Reads {struct} from {size} without any check."),
+        comment(f"Reads {struct} from {size} without checks."),
         Function(Type("void"), unpack, (Variable(INPUT_BYTES, "in"), target), loaded, local_variables),
     ]
 

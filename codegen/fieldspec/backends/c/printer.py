@@ -236,7 +236,7 @@ class Printer(ExpressionPrinter):
             self.lines.append(f"{indent} */")
 
     def _define(self, node: Define) -> None:
-        self.lines.append(f"#define {node.name} {self._text(node.value)}{_beside(node.remark)}")
+        self.lines.append(f"#define {node.name} {self._text(node.value)}{_remark_text(node.remark)}")
 
     def _struct(self, node: Struct) -> None:
         self.lines.append(f"typedef struct {node.name} {{")
@@ -259,8 +259,9 @@ class Printer(ExpressionPrinter):
         last = len(node.enumerators) - 1
         for number, member in enumerate(node.enumerators):
             comma = "," if number < last else ""
-            self.lines.append(f"{_STEP}{member.name} = {self._text(member.value)}{comma}{_beside(member.remark)}")
-        self.lines.append(f"}} {node.name};")
+            self.lines.append(f"{_STEP}{member.name} = {self._text(member.value)}{comma}{_remark_text(member.remark)}")
+        attribute = f"{node.attribute} " if node.attribute else ""
+        self.lines.append(f"}} {attribute}{node.name};")
 
     def _function(self, node: Function) -> None:
         parameters = ", ".join([self.print_variable(parameter) for parameter in node.parameters]) or "void"
@@ -378,7 +379,7 @@ def _declarator(kind: Type, name: str) -> str:
     return f"{const}{kind.name} *{name}" if kind.pointer else f"{const}{kind.name} {name}"
 
 
-def _beside(remark: str) -> str:
+def _remark_text(remark: str) -> str:
     """A comment behind what it is about."""
     return f" /**< {remark} */" if remark else ""
 

@@ -81,14 +81,15 @@ def declare_record(naming: Naming, device: Device, record: RecordLayout, about: 
     """The struct of a record, if it has members, and its functions."""
     name = naming.type("record", record.name)
     fields = members(record)
-    size = f"{record.size} bytes" if record.size is not None else f"{record.least} to {record.most} bytes"
+    plural = "s" * (record.size != 1)
+    size = f"{record.size} byte{plural}" if record.size is not None else f"{record.least} to {record.most} bytes"
     assert record.most is not None
     declarations: list[Declaration] = [Define(naming.macro("record", record.name, "size"), unsigned(record.most))]
     if fields:
         inside = [part for field in fields for part in declare_member(naming, record, field)]
         declarations += [about, Struct(name, tuple(inside))]
     else:
-        declarations.append(comment("There is nothing to give: no struct is needed."))
+        declarations.append(comment("It has no values, so it needs no struct."))
     checks: Body = ()
     if is_packed(record):
         checks = check_members(naming, device, record)
@@ -96,7 +97,7 @@ def declare_record(naming: Naming, device: Device, record: RecordLayout, about: 
     return [
         *declarations,
         BLANK,
-        comment(f"Writes {name}: {size}.", "Length receives how many bytes were written."),
+        comment(f"Writes {name}: {size}.", "`length` receives the number of bytes written."),
         _encode_function(naming, device, record, bool(checks)),
         BLANK,
         comment(f"Reads {name} from exactly {size}."),
@@ -241,7 +242,7 @@ def _write_measure(naming: Naming, record: RecordLayout, field: FieldLayout, tar
     most = _greatest_measure(record, field)
     fits = (most is not None and most <= highest) or highest >= 2**31
     checks = () if fits else refuse(naming, greater(measured, unsigned(highest)), "err_out_of_range")
-    number = Cast(f"uint{8 * wire.size}_t", Group(measured))
+    number = Cast(f"uint{8 * wire.value.type.container}_t", Group(measured))
     return (*checks, store(naming, wire.access, target, number))
 
 

@@ -14,6 +14,7 @@ from fieldspec.backends.c.declarations import (
     describe_fact,
     describe_value,
 )
+from fieldspec.backends.c.enums import enum_type, integer_reason
 from fieldspec.backends.c.expressions import (
     IN,
     INPUT_BYTES,
@@ -43,20 +44,23 @@ from fieldspec.backends.c.expressions import (
     negate,
     subtract,
     unsigned,
-    whole_float,
+    whole_real,
 )
 from fieldspec.backends.c.naming import Naming, Noun
+from fieldspec.backends.c.runtime_files import is_bit
 from fieldspec.backends.c.statements import Body, Variable, assign
 from fieldspec.backends.c.values import (
     WireValue,
+    accessed_type,
     declare_value,
+    decode_enum,
     decode_value,
+    encode_enum,
     encode_value,
     refuse,
     return_ok,
     status_type,
     store_constant,
-    type_name,
 )
 from fieldspec.classes import replace
 from fieldspec.layout.device import TableLayout
@@ -102,7 +106,8 @@ def _bound(value: Value, number: int) -> Expression:
     """A bound of the value's range as a constant of its type."""
     if value.type.kind is not Kind.FLOAT:
         return integer(number, value.size, value.type.signed)
-    return Group(whole_float(number)) if number < 0 else whole_float(number)
+    real = whole_real(number, value.size)
+    return Group(real) if number < 0 else real
 
 
 def access_functions(
@@ -111,28 +116,41 @@ def access_functions(
     """The functions that read and write a value, as its bytes lie in a frame, filled up to `size` bytes.
 
     What the device answers is read whatever it is. Only what is written must be the constant or, of a `trigger`, a
-    member of its closed enum.
+    member of its closed enum. A value of a closed enum has the type of the enum where that holds all that it may be.
 
     `codec_status reg_speed_decode(const uint8_t *in, uint16_t *out)`, `reg_speed_encode(uint16_t value, uint8_t *out)`
     """
     value = wire.value
     answer = replace(wire, value=value.as_answer(trigger))
-    result = declare_value(wire, "out") if wire.is_array else Variable(Type(type_name(value), pointer=True), "out")
+    result_type = Type(accessed_type(naming, device, answer.value), pointer=True)
+    result = declare_value(wire, "out") if wire.is_array else Variable(result_type, "out")
     inputs, outputs = (Variable(INPUT_BYTES, "in"), result), [Variable(OUTPUT_BYTES, "out")]
-    decode = decode_value(naming, device, answer, IN, OUT if wire.is_array else dereference(OUT))
+    if enum_type(device, answer.value) is not None:
+        decode = decode_enum(naming, device, answer)
+    else:
+        decode = decode_value(naming, device, answer, IN, OUT if wire.is_array else dereference(OUT))
     if value.const is not None:
         encode = store_constant(naming, wire, value.const, OUT)
+    elif enum_type(device, value) is not None:
+        encode = encode_enum(naming, device, wire)
+        outputs.insert(0, Variable(Type(accessed_type(naming, device, value)), "value"))
     else:
         encode = encode_value(naming, device, wire, VALUE, OUT)
         outputs.insert(0, declare_value(wire, "value", const=wire.is_array))
     padding = [assign(Element(OUT, decimal(at)), ZERO) for at in range(wire.size, size)]
-    place = f" its value from the {size} bytes of its words." if noun == "register" else " its value."
+    source, target = "", ""
+    if noun == "register":
+        source, target = f" from the {size} bytes of its words", f" into the {size} bytes of its words"
+    reason = integer_reason(device, value)
+    answer_reason = integer_reason(device, answer.value)
+    if value.enum and value.const is None and answer.value.enum != value.enum and not device.enums[value.enum].open:
+        answer_reason = f"An integer, as the device may answer what {value.enum} does not have."
     decode_name, encode_name = naming.function(noun, *names, "decode"), naming.function(noun, *names, "encode")
     return [
-        comment(f"Reads{place}"),
+        comment(f"Decodes the value{source}.", answer_reason),
         Function(status_type(naming), decode_name, inputs, (*decode, return_ok(naming))),
         BLANK,
-        comment(f"Writes{place.replace(' from ', ' to ')}"),
+        comment(f"Encodes the value{target}.", reason),
         Function(status_type(naming), encode_name, tuple(outputs), (*encode, *padding, return_ok(naming))),
     ]
 
@@ -148,14 +166,14 @@ def declare_register(naming: Naming, device: Device, layout: RegisterLayout) -> 
         ACCESS[register.access],
         "A change takes effect after a restart." if register.restart else "",
         "Writing starts an action." if register.trigger else "",
+        f"A bit: {naming.own('load_bit')} takes it out of the bytes of a message." if is_bit(layout) else "",
         f"{layout.words} words must be accessed in one request." if register.atomic and layout.words > 1 else "",
         f"The same as {register.same_as}." if register.same_as else "",
         f"A copy of {register.copy_of}." if register.copy_of else "",
     )
-    constants: list[tuple[str, Expression]] = [
-        ("address", hexadecimal(layout.address, 2)),
-        ("words", unsigned(layout.words)),
-    ]
+    constants: list[tuple[str, Expression]] = [("address", hexadecimal(layout.address, 2))]
+    if not is_bit(layout):
+        constants.append(("words", unsigned(layout.words)))
     if register.number is not None:
         constants.append(("number", unsigned(register.number)))
     if layout.count > 1:
@@ -170,9 +188,13 @@ def declare_register(naming: Naming, device: Device, layout: RegisterLayout) -> 
         describe_fact(register, " ".join(fact for fact in facts if fact), describe_value(value)),
         *(Define(naming.macro("register", layout.name, name), number) for name, number in constants),
         *define_constants(naming, "register", names, value),
-        BLANK,
-        *access_functions(naming, device, "register", names, wire, value.size + value.size % 2, register.trigger),
     ]
+    if not is_bit(layout):
+        size = value.size + value.size % 2
+        declarations += [
+            BLANK,
+            *access_functions(naming, device, "register", names, wire, size, register.trigger),
+        ]
     if layout.count > 1:
         declarations += [BLANK, *_address_function(naming, "register", layout.name, f"{layout.name} by its number")]
     return declarations
@@ -214,7 +236,7 @@ def _address_function(naming: Naming, noun: Noun, name: str, what: str) -> list[
     )
     parameters = Variable(Type("uint32_t"), "number"), Variable(Type("uint16_t", pointer=True), "address")
     return [
-        comment(f"The address of {what}; a number that there is not is refused."),
+        comment(f"The address of {what}; other numbers are refused."),
         Function(status_type(naming), naming.function(noun, name, "at"), parameters, body),
     ]
 
@@ -263,7 +285,7 @@ def _declare_set(naming: Naming, parameters: ParameterSet) -> list[Declaration]:
     base_text = _number_text(parameters, parameters.base)
     base = Identifier(naming.macro("parameter", parameters.name, "base"))
     declarations: list[Declaration] = [
-        describe_fact(parameters, f"Their numbers on the wire are those of the set and {base_text}."),
+        describe_fact(parameters, f"On the wire, {base_text} is added to the numbers of the set."),
         Define(base.name, _number(parameters, parameters.base)),
     ]
     numbers = parameters.numbers
@@ -290,7 +312,7 @@ def _declare_set(naming: Naming, parameters: ParameterSet) -> list[Declaration]:
         (Variable(Type("uint32_t"), "number"), Variable(Type(kind, pointer=True), "out")),
         body,
     )
-    about = f"A number of the set as it is on the wire: {example}. A number that there is not is refused."
+    about = f"A number of the set as it is on the wire: {example}. Other numbers are refused."
     return [*declarations, comment(about), function]
 
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from fieldspec.backends.c.assertions import expect, expect_bytes, expect_equal
 from fieldspec.backends.c.conversions import count_bounds, count_type
-from fieldspec.backends.c.enums import available_members, code_tables, named_bits
+from fieldspec.backends.c.enums import available_members, code_tables, enum_type, named_bits
 from fieldspec.backends.c.expressions import (
     FALSE,
     NULL,
@@ -37,9 +37,10 @@ from fieldspec.backends.c.expressions import (
 )
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.registers import wire_number_type
+from fieldspec.backends.c.runtime_files import is_bit
 from fieldspec.backends.c.sample_values import legal_numbers, value_bytes
 from fieldspec.backends.c.statements import Block, CompileIf, Statement, Variable, assign, discard
-from fieldspec.backends.c.values import type_name
+from fieldspec.backends.c.values import accessed_type, type_name
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import Orders
 from fieldspec.model.device import Device
@@ -187,9 +188,12 @@ def test_values(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
     """Each register's and each parameter's value at its bounds."""
     device = layout.device
     for register in layout.registers:
+        if is_bit(register):
+            continue
         value, order = register.register.value, (register.order, register.swapped)
         size = value.size + value.size % 2
-        yield from _test_value(device, naming, "register", (register.name,), value, order, size)
+        trigger = register.register.trigger
+        yield from _test_value(device, naming, "register", (register.name,), value, order, size, trigger)
     orders = Orders(device.byte_order, device.word_order)
     for parameters in device.parameters.values():
         for parameter in parameters.parameters:
@@ -199,7 +203,8 @@ def test_values(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
             inner = [((*names, inner.name), inner.value) for inner in parameter.subindices if not inner.reserved]
             for full_names, value in [(names, parameter.value), *inner]:
                 order = orders.of(value)
-                yield from _test_value(device, naming, "parameter", full_names, value, order, value.size)
+                trigger = parameter.trigger
+                yield from _test_value(device, naming, "parameter", full_names, value, order, value.size, trigger)
 
 
 def _test_value(
@@ -210,6 +215,7 @@ def _test_value(
     value: Value,
     order: tuple[str, bool],
     size: int,
+    trigger: bool,
 ) -> Iterator[list[Statement]]:
     if value.type.kind is not Kind.INTEGER:
         return
@@ -233,20 +239,35 @@ def _test_value(
             expect_equal(f"{label} {other}", _OUT, integer(other, value.size, value.type.signed)),
         ]
         return
-    body += [Variable(kind, "out", value=ZERO), Variable(kind, "in", value=ZERO, storage="volatile")]
+    numbers = sorted(set(legal_numbers(device, value)))
+    encoded_constants = _constants(naming, device, value, numbers)
+    decoded_constants = _constants(naming, device, value.as_answer(trigger), numbers)
+    out_type, in_type = (Type(accessed_type(naming, device, content)) for content in (value.as_answer(trigger), value))
+    # An enum has no neutral value: `out` starts with another number than the first that is read.
+    out_start = ZERO if enum_type(device, value.as_answer(trigger)) is None else decoded_constants[numbers[-1]]
+    in_start = ZERO if enum_type(device, value) is None else encoded_constants[numbers[0]]
+    body += [Variable(out_type, "out", value=out_start), Variable(in_type, "in", value=in_start, storage="volatile")]
     encoded, decoded = Call(encode, (_IN, _BYTES)), Call(decode, (_BYTES, _OUT_POINTER))
-    for number in sorted(set(legal_numbers(device, value))):
+    for number in numbers:
         data = value_bytes(value, *order, number).ljust(size, b"\0")
-        literal = integer(number, value.size, value.type.signed)
         what = f"{label} {number}"
         body += [
-            assign(_IN, literal),
+            assign(_IN, encoded_constants[number]),
             expect_equal(what, encoded, ok),
             expect_bytes(f"{what} bytes", _BYTES, data),
             expect_equal(what, decoded, ok),
-            expect_equal(what, _OUT, literal),
+            expect_equal(what, _OUT, decoded_constants[number]),
         ]
     yield body
+
+
+def _constants(naming: Naming, device: Device, value: Value, numbers: list[int]) -> dict[int, Expression]:
+    """How C writes numbers of a value: by the names of its enum where they have its type."""
+    enum = enum_type(device, value)
+    if enum is None:
+        return {number: integer(number, value.size, value.type.signed) for number in numbers}
+    names = {member.value: member.name for member in available_members(enum)}
+    return {number: Identifier(naming.macro("enum", enum.name, names[number])) for number in numbers}
 
 
 def test_conversions(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:

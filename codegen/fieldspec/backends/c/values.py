@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
+from fieldspec.backends.c.enums import enum_implies_range, enum_type, unknown_value_test
 from fieldspec.backends.c.expressions import (
+    IN,
+    OUT,
+    VALUE,
     ZERO,
     Call,
     Cast,
@@ -11,6 +14,7 @@ from fieldspec.backends.c.expressions import (
     Element,
     Expression,
     Group,
+    Identifier,
     Literal,
     Type,
     all_of,
@@ -18,6 +22,7 @@ from fieldspec.backends.c.expressions import (
     at_least,
     at_most,
     decimal,
+    dereference,
     different,
     equal,
     greater,
@@ -25,27 +30,26 @@ from fieldspec.backends.c.expressions import (
     less,
     negate,
     unsigned,
-    whole_float,
+    whole_real,
 )
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.statements import Assignment, Body, Evaluation, Return, Variable, call, return_if
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import CaseLayout, FieldLayout
 from fieldspec.model.device import Device
-from fieldspec.model.value import Kind, Ranges, Value
+from fieldspec.model.value import PRIMITIVES, Kind, Ranges, Value
 
 _TYPES = {
-    "u8": "uint8_t",
-    "i8": "int8_t",
-    "u16": "uint16_t",
-    "i16": "int16_t",
-    "u32": "uint32_t",
-    "i32": "int32_t",
-    "u64": "uint64_t",
-    "i64": "int64_t",
+    **{
+        name: f"{'' if primitive.signed else 'u'}int{8 * primitive.container}_t"
+        for name, primitive in PRIMITIVES.items()
+        if primitive.kind is Kind.INTEGER
+    },
     "f32": "float",
+    "f64": "double",
     "bool8": "bool",
     "bool16": "bool",
+    "bit": "bool",
 }
 _NUL = Literal("'\\0'")
 
@@ -103,6 +107,12 @@ def declare_value(wire: WireValue, name: str, count: int | None = None, const: b
     return Variable(Type(type_name(wire.value), const=const), name, dimensions)
 
 
+def accessed_type(naming: Naming, device: Device, value: Value) -> str:
+    """The type of a value as a parameter or a result: that of its closed enum, where it may have it."""
+    enum = enum_type(device, value)
+    return type_name(value) if enum is None else naming.type("enum", enum.name)
+
+
 def access_name(size: int, order: str, swapped: bool) -> str:
     """What the functions that load and store such a number are called after: `u32_be`, `u32_be_words_le`."""
     if size == 1:
@@ -110,6 +120,11 @@ def access_name(size: int, order: str, swapped: bool) -> str:
     first = "be" if order == "big" else "le"
     second = ("_words_le" if order == "big" else "_words_be") if swapped else ""
     return f"u{8 * size}_{first}{second}"
+
+
+def real_functions(size: int) -> tuple[str, str]:
+    """The functions from the bits of a floating-point number to the number, and back."""
+    return ("float_of", "bits_of") if size == 4 else ("double_of", "bits_of_double")
 
 
 def load(naming: Naming, wire: WireValue, source: Expression) -> Expression:
@@ -156,10 +171,12 @@ def out_of_range_test(value: Value, number: Expression) -> Expression | None:
     Bounds that are those of the type are left out: compilers warn of comparisons that are always true. A sentinel
     beside the range is taken.
     """
+    kind = value.type
     ranges = value.writable_ranges
+    if ranges is None and kind.is_odd:
+        ranges = Ranges(((kind.low, kind.high),))
     if ranges is None:
         return None
-    kind = value.type
     if kind.kind is Kind.FLOAT:
         return _float_out_of_range_test(value, ranges, number)
     tests: list[Expression] = []
@@ -169,9 +186,9 @@ def out_of_range_test(value: Value, number: Expression) -> Expression | None:
             tests.append(equal(number, least))
             continue
         bounds: list[Expression] = []
-        if low > kind.low:
+        if low > kind.low or (kind.is_odd and kind.signed):
             bounds.append(at_least(number, least))
-        if high < kind.high:
+        if high < kind.high or kind.is_odd:
             bounds.append(at_most(number, most))
         if not bounds:
             return None
@@ -190,7 +207,8 @@ def _float_out_of_range_test(value: Value, ranges: Ranges, number: Expression) -
     Where a NaN stands for an absent value: `(value < -5.0f || value > 5.0f)`, in which none is.
     """
     sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
-    bounds = [(whole_float(low), whole_float(high)) for low, high in sorted([*ranges.intervals, *sentinels])]
+    size = value.size
+    bounds = [(whole_real(low, size), whole_real(high, size)) for low, high in sorted([*ranges.intervals, *sentinels])]
     if value.absent_nan:
         return all_of([Group(any_of([less(number, low), greater(number, high)])) for low, high in bounds])
     return negate(any_of([Group(all_of([at_least(number, low), at_most(number, high)])) for low, high in bounds]))
@@ -208,7 +226,7 @@ def load_value(naming: Naming, wire: WireValue, source: Expression, target: Expr
         return (copy_bytes(naming, target, source, unsigned(wire.size)),)
     number = load(naming, wire, source)
     if wire.kind is Kind.FLOAT:
-        number = Call(naming.own("float_of"), (number,))
+        number = Call(naming.own(real_functions(wire.size)[0]), (number,))
     elif wire.kind is Kind.BOOLEAN:
         number = different(number, ZERO)
     return (Assignment(target, number),)
@@ -235,6 +253,17 @@ def decode_value(naming: Naming, device: Device, wire: WireValue, source: Expres
     return (*load_value(naming, wire, source, target), *checks)
 
 
+def decode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
+    """`*out = (stop_mode)number;`: a number is checked before it becomes a member of its enum."""
+    number = Identifier("number")
+    member = Cast(accessed_type(naming, device, wire.value), number)
+    return (
+        Variable(Type(type_name(wire.value), const=True), number.name, value=load(naming, wire, IN)),
+        *check_loaded(naming, device, wire, IN, number),
+        Assignment(dereference(OUT), member),
+    )
+
+
 def check_constant(naming: Naming, wire: WireValue, source: Expression) -> Body:
     """`if (load_u8(in + 4) != 3u) { return ERR_WRONG_CONST; }`"""
     assert wire.value.const is not None
@@ -252,12 +281,17 @@ def check_stored(naming: Naming, device: Device, wire: WireValue, source: Expres
         return refuse(naming, negate(text_test), "err_unknown_value")
     if wire.kind not in (Kind.INTEGER, Kind.FLOAT):
         return ()
+    return _check_known(naming, device, wire, source) + _check_range(naming, device, wire, source)
+
+
+def _check_known(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
     unknown = unknown_value_test(naming, device, wire.value, source)
+    return refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()
+
+
+def _check_range(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
     outside = None if enum_implies_range(device, wire.value) else out_of_range_test(wire.value, source)
-    return (
-        *(refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()),
-        *(refuse(naming, outside, "err_out_of_range") if outside is not None else ()),
-    )
+    return refuse(naming, outside, "err_out_of_range") if outside is not None else ()
 
 
 def store_value(naming: Naming, wire: WireValue, source: Expression, target: Expression) -> Body:
@@ -266,10 +300,10 @@ def store_value(naming: Naming, wire: WireValue, source: Expression, target: Exp
         return (call(naming.own("put_text"), target, source, unsigned(wire.size)),)
     if wire.kind is Kind.BYTES:
         return (copy_bytes(naming, target, source, unsigned(wire.size)),)
-    number_type = f"uint{8 * wire.size}_t"
+    number_type = f"uint{8 * wire.value.type.container}_t"
     number = source
     if wire.kind is Kind.FLOAT:
-        number = Call(naming.own("bits_of"), (source,))
+        number = Call(naming.own(real_functions(wire.size)[1]), (source,))
     elif wire.kind is Kind.BOOLEAN:
         number = Cast(number_type, Conditional(source, decimal(1), ZERO))
     elif wire.value.type.signed:
@@ -280,6 +314,23 @@ def store_value(naming: Naming, wire: WireValue, source: Expression, target: Exp
 def encode_value(naming: Naming, device: Device, wire: WireValue, source: Expression, target: Expression) -> Body:
     """Checks the value `source` and writes it at `target`."""
     return (*check_stored(naming, device, wire, source), *store_value(naming, wire, source, target))
+
+
+def encode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
+    """`store_u16_be(out, (uint16_t)value);`: checks a member of an enum, as a cast makes one of any number.
+
+    A range that leaves out members is tested on a variable: gcc warns of bounds that the type of the enum implies.
+    """
+    number = Identifier("number")
+    range_check = _check_range(naming, device, wire, number)
+    # No signed type that is too small for what a cast may have made of it.
+    kind = "int64_t" if wire.value.type.signed else type_name(wire.value)
+    return (
+        *((Variable(Type(kind, const=True), number.name, value=Cast(kind, VALUE)),) if range_check else ()),
+        *_check_known(naming, device, wire, VALUE),
+        *range_check,
+        store(naming, wire.access, OUT, Cast(f"uint{8 * wire.size}_t", VALUE)),
+    )
 
 
 def store_constant(naming: Naming, wire: WireValue, number: int, target: Expression) -> Body:

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from fieldspec.backends import PageLink
 from fieldspec.backends.docs.context import cited
+from fieldspec.backends.docs.device import version_title
 from fieldspec.backends.docs.document import (
     Block,
     Cell,
@@ -24,7 +25,6 @@ from fieldspec.backends.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.backends.docs.identity import version_title
 from fieldspec.changes.acceptances import ComparedVersions, JudgedChange, judged_changes
 from fieldspec.changes.change import Change, Effect
 from fieldspec.classes import dataclass
@@ -44,14 +44,14 @@ COLUMNS = (
 MEANINGS = {
     Effect.WIRE: (
         "On the wire",
-        "Bytes mean something else. Programs for the older version do wrong with the newer one.",
+        "Bytes have another meaning. Programs for the older version do not work correctly with the newer one.",
     ),
     Effect.SOURCE: (
         "In the source code",
         "Generated names or types change. Programs must be changed before they compile.",
     ),
-    Effect.BEHAVIOUR: ("In behaviour", "Limits, defaults or access change, or there is more than there was."),
-    Effect.DOCS: ("In the documentation", "What people read. No program is concerned."),
+    Effect.BEHAVIOUR: ("In behaviour", "Limits, defaults or access change, or something is new."),
+    Effect.DOCS: ("In the documentation", "Only texts for people change. No program is affected."),
 }
 _TARGETS = {"python": "Python", "c": "C", "plc": "PLC"}
 
@@ -175,6 +175,8 @@ def _row(judged_change: JudgedChange, pages: _Pages) -> TableRow:
     remarks: list[Line] = []
     if change.outputs:
         remarks.append((text_piece(f"in {', '.join(_TARGETS.get(name, name) for name in change.outputs)}"),))
+    if change.reason:
+        remarks.append((styled("reason: ", "strong"), text_piece(change.reason)))
     if judged_change.accepted is not None:
         remarks.append((styled("accepted: ", "strong"), text_piece(judged_change.accepted.reason)))
     return TableRow((cell(change.message), cell(code(change.path, pages.fact(change))), cell(*remarks)))
@@ -207,7 +209,7 @@ VERSION_COLUMNS = (
     TableColumn("Messages", "number"),
     TableColumn("Parameters", "number"),
     TableColumn("Example frames", "number"),
-    TableColumn("Changed since the version before"),
+    TableColumn("Changed since the previous version"),
     TableColumn("Identity", unbroken=True),
     TableColumn("Source", "source"),
 )

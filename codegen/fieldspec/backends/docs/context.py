@@ -74,10 +74,10 @@ class Holding:
         return ((text_piece("all"),),) if versions == self.all else ((text_piece(", ".join(versions)),),)
 
 
-_MEMORY = {"volatile": " It is lost with the power.", "nonvolatile": " It is kept without power."}
+_MEMORY = {"volatile": " It is lost when the power is switched off.", "nonvolatile": " It is nonvolatile."}
 _ENDURANCE = {
-    "limited": "It may be written a limited number of times, which is not printed.",
-    "unlimited": "It may be written as often as one likes.",
+    "limited": "It may be written a limited number of times; the number is not printed.",
+    "unlimited": "It may be written any number of times.",
 }
 
 

@@ -50,7 +50,7 @@ def codes(context: Context) -> Section:
 def enums(context: Context) -> Section:
     """The values of fields by name."""
     inner = tuple(_enum(context, enum, VALUES, _value) for enum in context.device.enums.values() if enum.kind == "enum")
-    return Section("enums", (text_piece("Values by name"),), (), inner)
+    return Section("enums", (text_piece("Enums"),), (), inner)
 
 
 def _enum(
@@ -154,7 +154,7 @@ UPRIGHT = 4
 def words(context: Context) -> Section:
     """All words of flags."""
     inner = tuple(_word(context, word) for word in context.device.flags.values())
-    return Section("flags", (text_piece("Words of bits"),), (), inner)
+    return Section("flags", (text_piece("Bit fields"),), (), inner)
 
 
 def _word(context: Context, word: Flags) -> Section:
@@ -183,10 +183,10 @@ def _row(context: Context, word: Flags, bit: Bit, marks: Inferences) -> TableRow
     if bit.reserved:
         more.append((styled("reserved", "badge"),))
     if bit.edge:
-        text = " The change of the bit has the effect, not its level."
+        text = " The edge of the bit has the effect, not its level."
         more.append((styled(f"{bit.edge} edge", "badge"), text_piece(text)))
     if bit.active == "low":
-        more.append((styled("active low", "badge"), text_piece(" It is 0 while what its name says is so.")))
+        more.append((styled("active low", "badge"), text_piece(" It is 0 while what its name says is true.")))
     if bit.when:
         more.append((styled("only when ", "strong"), text_piece(bit.when)))
     if bit.enum:

@@ -39,10 +39,10 @@ COLUMNS = (
     TableColumn("Source", "source"),
 )
 EFFECTS = {
-    "bytes": ("Wrong bytes", "Who trusts the print gets wrong bytes."),
-    "range": ("Wrong range", "Who trusts the print gets a wrong range."),
-    "name": ("Wrong name", "Who trusts the print gets a wrong name."),
-    "ambiguous": ("Ambiguous", "Who trusts the print cannot tell."),
+    "bytes": ("Wrong bytes", "A reader who trusts the print gets wrong bytes."),
+    "range": ("Wrong range", "A reader who trusts the print gets a wrong range."),
+    "name": ("Wrong name", "A reader who trusts the print gets a wrong name."),
+    "ambiguous": ("Ambiguous", "A reader who trusts the print cannot decide."),
 }
 VERDICTS = ("proven", "judgement", "open")
 COUNTS = (
@@ -51,9 +51,9 @@ COUNTS = (
     *(TableColumn(verdict.capitalize(), unbroken=True) for verdict in VERDICTS),
 )
 INTRODUCTION = (
-    "What the manual prints, and what is used here instead. Proven: the check that is named finds the printed value "
-    "wrong as soon as it is put back. The compiler does that at every build, and writes nothing where the check "
-    "passes. A judgement is that of a person. What is open is not decided by the manual, and by nobody here."
+    "What the manual prints, and what is used instead. Proven: the named check fails when the printed value is "
+    "put back. The compiler verifies this at every build, and writes nothing if the check passes. A judgement "
+    "is the decision of a person. What is open is decided neither by the manual nor by anybody else."
 )
 
 
@@ -101,7 +101,7 @@ def _row(context: Context, erratum: Erratum) -> TableRow:
                 *context.holding.badges(erratum.place.path),
             ),
             _both_values([(key, _printed(key, erratum.printed[key])) for key in keys], (label(erratum.literal),)),
-            _both_values([(key, _used(holder, key)) for key in keys], ()),
+            _both_values([(key, _spec_value(holder, key)) for key in keys], ()),
             cell(erratum.reason),
             cell(
                 styled(erratum.confidence, style),
@@ -147,7 +147,7 @@ def _text(value: object) -> str:
     return str(value)
 
 
-def _used(holder: Holder | None, key: str) -> str:
+def _spec_value(holder: Holder | None, key: str) -> str:
     """What the spec has under a key, empty where it has nothing."""
     if key == "present":
         return "belongs there"

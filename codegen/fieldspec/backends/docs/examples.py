@@ -55,11 +55,11 @@ REGISTERS = (
     TableColumn("Source", "source"),
 )
 REFUSALS = {
-    "unknown_code": "its code is not known",
-    "wrong_check": "its check is wrong",
+    "unknown_code": "its code is unknown",
+    "wrong_check": "its checksum is wrong",
     "wrong_length": "its length is wrong",
     "out_of_range": "a value is out of range",
-    "incomplete": "it is not complete",
+    "incomplete": "it is incomplete",
 }
 
 
@@ -95,7 +95,7 @@ def _section(
     blocks.append(Strips(tuple(_strips(example, print_of, explanation))))
     blocks.append(Facts(facts))
     rows = [_byte_row(row) for row in explanation.rows]
-    blocks.append(table("What the bytes say", BYTES, rows, heading=3))
+    blocks.append(table("The meaning of the bytes", BYTES, rows, heading=3))
     if explanation.registers:
         touched = [_register_row(row) for row in explanation.registers]
         blocks.append(table("Registers that the frame accesses", REGISTERS, touched, heading=2))
@@ -120,10 +120,12 @@ def _strips(example: Example, print_of: Printed, explanation: Explanation) -> It
     right = _pairs(example.frame.hex())
     as_printed = _pairs(print_of.frame)
     if print_of.frame and as_printed != right:
-        yield Strip("printed", _compared(as_printed, right))
-        yield Strip("right", _compared(right, as_printed))
+        yield Strip("printed", _marked_differences(as_printed, right))
+        yield Strip("right", _marked_differences(right, as_printed))
     else:
-        yield Strip("computed, not printed" if example.origin == "computed" else "frame", _compared(right, right))
+        yield Strip(
+            "computed, not printed" if example.origin == "computed" else "frame", _marked_differences(right, right)
+        )
     if any(row.characters for row in explanation.rows):
         characters = example.frame.decode("latin-1")
         if print_of.characters and print_of.characters != characters:
@@ -137,7 +139,7 @@ def _pairs(text: str) -> list[str]:
     return [digits[at : at + 2] for at in range(0, len(digits), 2)]
 
 
-def _compared(first: list[str], other: list[str]) -> Line:
+def _marked_differences(first: list[str], other: list[str]) -> Line:
     """Bytes, those marked that the other frame does not have."""
     if first == other:
         return tuple(styled(pair, "code") for pair in first)
@@ -165,7 +167,7 @@ def _facts(
         yield "Answers", ((text_piece(example.reply_to, f"#examples/{example.reply_to}"),),)
     if example.elided:
         names = joined((code(name),) for name in example.elided)
-        yield "Printed as dots", ((*names, text_piece("; the values here are ours")),)
+        yield "Printed as dots", ((*names, text_piece("; these values are our own")),)
     if holds:
         yield "Versions", holds
     if example.sources:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.backends.docs.checksums import DIGITS, checksum_text
 from fieldspec.backends.docs.context import Context, cited, many, names, sources
 from fieldspec.backends.docs.document import (
     Cell,
@@ -16,11 +17,11 @@ from fieldspec.backends.docs.document import (
     TableRow,
     cell,
     code,
-    joined,
     styled,
     table,
     text_piece,
 )
+from fieldspec.backends.docs.link_settings import serial_facts, station_facts
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
 from fieldspec.classes import dataclass
@@ -30,11 +31,6 @@ from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import Link, Part
 
-CHECKS = {
-    "crc16_modbus": "CRC-16 with polynomial 8005h, reflected, start value FFFFh, of all bytes",
-    "lrc": "two's complement of the sum of all bytes",
-    "sum8": "low byte of the sum of all bytes",
-}
 END_FIRST = {"big": "high", "little": "low"}
 
 COLUMNS = (
@@ -96,7 +92,8 @@ class FrameTable:
 
     def _mark(self, name: str, place: str, mark: bytes) -> Iterator[TableRow]:
         if mark:
-            yield self._row(place, cell(name), cell((code(mark.hex(" ").upper()), text_piece(f", the {name} mark"))))
+            delimiter = code(mark.hex(" ").upper()), text_piece(f", the {name} delimiter")
+            yield self._row(place, cell(name), cell(delimiter))
 
     def _end(self, record: RecordLayout | None) -> str:
         """The place of the end mark, counted from the end where the size of the body is open."""
@@ -137,9 +134,12 @@ class FrameTable:
             yield (text_piece(self._length(part, record)),)
         elif part.role == "checksum":
             order = f"; the {END_FIRST[part.order]} byte is sent first" if part.size > 1 else ""
-            yield (text_piece(f"{CHECKS[part.algorithm]} {self._covered(part)}{order}"),)
+            order = f"; {DIGITS[part.digits]}" if part.digits else order
+            yield (text_piece(f"{checksum_text(part)} {self._covered(part)}{order}"),)
         elif part.reserved:
             yield (styled("reserved", "badge"),)
+        elif part.part.same_as:
+            yield (text_piece("the same as "), code(part.part.same_as), text_piece(" of the request"))
 
     def _length(self, part: PartLayout, record: RecordLayout | None) -> str:
         around = self.shape.header_size + self.shape.trailer_size
@@ -154,13 +154,13 @@ class FrameTable:
         added = f", {'plus' if more > 0 else 'minus'} {abs(more)}" if more else ""
         number = part.number(around + record.size) if record is not None and record.size is not None else None
         fixed = "" if number is None else f": {number}"
-        return f"the number of {unit} {self._spanned(part)}{added}{fixed}"
+        return f"the number of {unit} {self._span_text(part)}{added}{fixed}"
 
     def _covered(self, part: PartLayout) -> str:
         """Over what a check is worked out."""
-        return "before it" if (part.start, part.stop) == (0, part.offset) else self._spanned(part)
+        return "before it" if (part.start, part.stop) == (0, part.offset) else self._span_text(part)
 
-    def _spanned(self, part: PartLayout) -> str:
+    def _span_text(self, part: PartLayout) -> str:
         """`from command to crc`: what a length counts or a check covers."""
         parts = self.link.link.parts(self.direction)
         first, last = self.link.link.span(self.direction, part.part) or (0, len(parts) - 1)
@@ -307,7 +307,7 @@ def _link(context: Context, link_layout: LinkLayout) -> Section:
     link = link_layout.link
     blocks = context.opening(link)
     blocks.append(Facts(tuple(_facts(link))))
-    if _alike(link):
+    if _has_equal_parts(link):
         frame = FrameTable(context, link_layout, "request", f"{link.place.path}/frame", "links/")
         blocks.append(frame.table("Requests and responses", None))
     else:
@@ -318,16 +318,25 @@ def _link(context: Context, link_layout: LinkLayout) -> Section:
         anchor = f"{link.place.path}/refusal-frame"
         body = context.layout.records[link.exception_response.record]
         frame = FrameTable(context, link_layout, "response", anchor, "")
-        blocks.append(frame.table("Responses that refuse a request", body))
+        blocks.append(frame.table("Exception responses", body))
     return Section(link.place.path, context.section_title(link.title or link.name, link), tuple(blocks))
 
 
-def _alike(link: Link) -> bool:
+def _has_equal_parts(link: Link) -> bool:
     """Whether requests and responses have the same parts."""
 
     def facts_of(part: Part) -> tuple[object, ...]:
         return (
-            (part.name, part.role, part.value, part.algorithm, part.byte_order, part.reserved),
+            (
+                part.name,
+                part.role,
+                part.value,
+                part.algorithm,
+                part.byte_order,
+                part.reserved,
+                part.same_as,
+                part.digits,
+            ),
             (part.span, part.unit_size, part.plus),
             (part.doc, part.label, part.notes, part.sources),
         )
@@ -358,42 +367,7 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
             "Refusals",
             ((text_piece(text), code(link.exception_response.record, f"#records/{link.exception_response.record}")),),
         )
-    yield from _stations(link)
-    yield from _serial(link)
+    yield from station_facts(link)
+    yield from serial_facts(link)
     if link.sources:
         yield "Source", (cited(link.sources),)
-
-
-def _stations(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    stations = link.unit_addresses
-    if stations is None:
-        return
-    if stations.ranges is not None:
-        yield "Stations", ((text_piece(spoken(stations.ranges.text())),),)
-    if stations.broadcast is not None:
-        yield "All stations", ((text_piece(str(stations.broadcast)),),)
-    if stations.rule:
-        yield "How a station is set", ((text_piece(stations.rule),),)
-    for note in stations.notes:
-        yield "Note on the stations", ((text_piece(note),),)
-    if stations.sources:
-        yield "Source of the stations", (cited(stations.sources),)
-
-
-def _serial(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    serial = link.serial
-    if serial is None:
-        return
-    if serial.baud:
-        default = "" if serial.default_baud is None else f"; {serial.default_baud} by default"
-        yield "Baud rate", ((text_piece(f"{', '.join(map(str, serial.baud))} bit/s{default}"),),)
-    for title, settings in (
-        ("Start bits", () if serial.start_bits is None else (serial.start_bits,)),
-        ("Data bits", serial.data_bits),
-        ("Parity", serial.parity),
-        ("Stop bits", serial.stop_bits),
-    ):
-        if settings:
-            yield title, (joined(((text_piece(str(setting)),) for setting in settings), " or "),)
-    if serial.sources:
-        yield "Source of the settings", (cited(serial.sources),)

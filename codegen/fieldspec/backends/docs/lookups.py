@@ -43,7 +43,7 @@ LIMITS = (
 STATEMENTS = (
     TableColumn("Subject", unbroken=True),
     TableColumn("Is so", unbroken=True),
-    TableColumn("What that place says", "wide"),
+    TableColumn("What that place states", "wide"),
     TableColumn("Source", "source"),
 )
 
@@ -51,7 +51,7 @@ STATEMENTS = (
 def lookups(context: Context) -> Section:
     """All tables of pins, lamps, priorities and their like."""
     inner = tuple(_lookup(context, lookup) for lookup in context.device.lookups)
-    return Section("lookups", (text_piece("Pins, lamps and other tables"),), (), inner)
+    return Section("lookups", (text_piece("Pins, LEDs and other tables"),), (), inner)
 
 
 def _lookup(context: Context, lookup: Lookup) -> Section:
@@ -168,7 +168,7 @@ def _note(context: Context, note: Note) -> Section:
             )
             for statement in note.statements
         ]
-        blocks.append(table("What places of the manual state", STATEMENTS, rows))
+        blocks.append(table("General statements of the manual", STATEMENTS, rows))
     blocks += [Paragraph(line) for line in context.holding.badges(note.place.path)]
     if facts:
         blocks.append(Facts(tuple(facts)))

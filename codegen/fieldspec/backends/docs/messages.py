@@ -106,9 +106,9 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
         if number is not None
     ]
     if words:
-        yield "Words of data as printed", ((text_piece(", ".join(words)),),)
+        yield "Data words as printed", ((text_piece(", ".join(words)),),)
     if message.broadcast:
-        yield "Broadcast", ((text_piece("may be sent to all stations at once"),),)
+        yield "Broadcast", ((text_piece("may be broadcast to all stations"),),)
     if message.accesses is not None:
         verb, spaces = f"{message.accesses.operation}s", context.device.spaces
         if spaces:

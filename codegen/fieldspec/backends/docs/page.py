@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from fieldspec.backends.docs.context import Context, Holding
+from fieldspec.backends.docs.device import identity, version_title
 from fieldspec.backends.docs.document import (
     Document,
     Line,
@@ -21,15 +22,14 @@ from fieldspec.backends.docs.document import (
 from fieldspec.backends.docs.enums import codes, enums, words
 from fieldspec.backends.docs.errata import errata
 from fieldspec.backends.docs.examples import examples
-from fieldspec.backends.docs.identity import identity, version_title
 from fieldspec.backends.docs.links import links
 from fieldspec.backends.docs.lookups import limits, lookups, notes
 from fieldspec.backends.docs.messages import conversions, messages, signals, telegrams
 from fieldspec.backends.docs.parameters import parameters
 from fieldspec.backends.docs.records import records, tables
-from fieldspec.backends.docs.registers import registers
-from fieldspec.backends.docs.spaces import spaces
+from fieldspec.backends.docs.registers import registers, spaces
 from fieldspec.backends.docs.tasks import tasks
+from fieldspec.backends.docs.units import units
 from fieldspec.classes import replace
 from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
@@ -92,6 +92,7 @@ SECTIONS = (
     codes,
     lookups,
     limits,
+    units,
     notes,
     examples,
     errata,

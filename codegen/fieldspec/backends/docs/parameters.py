@@ -49,11 +49,11 @@ COLUMNS = (
 
 def parameters(context: Context) -> Section:
     """All sets of parameters."""
-    inner = tuple(_set(context, parameter_set) for parameter_set in context.device.parameters.values())
+    inner = tuple(_set_section(context, parameter_set) for parameter_set in context.device.parameters.values())
     return Section("parameters", (text_piece("Parameters"),), (), inner)
 
 
-def _set(context: Context, parameter_set: ParameterSet) -> Section:
+def _set_section(context: Context, parameter_set: ParameterSet) -> Section:
     path = parameter_set.place.path
     blocks = context.opening(parameter_set)
     if numbering := tuple(_numbering(parameter_set)):
@@ -79,14 +79,10 @@ def _numbering(parameter_set: ParameterSet) -> Iterator[tuple[str, tuple[Line, .
     if parameter_set.base:
         yield "On the wire", ((text_piece("its number + "), code(f"0x{parameter_set.base:X}")),)
     if parameter_set.numbers is not None:
-        first, last = (
-            parameter_set.number_text(parameter_set.numbers.low),
-            parameter_set.number_text(parameter_set.numbers.high),
-        )
-        yield (
-            "All numbers",
-            ((code(first), text_piece(" to "), code(last), text_piece("; the table has those that are described")),),
-        )
+        numbers = parameter_set.numbers
+        first, last = parameter_set.number_text(numbers.low), parameter_set.number_text(numbers.high)
+        remark = text_piece("; the table has those that the manual describes")
+        yield "All numbers", ((code(first), text_piece(" to "), code(last), remark),)
 
 
 def _rows(
@@ -133,10 +129,10 @@ def _special(parameter: Parameter) -> Iterator[Line]:
     if parameter.reserved:
         yield (styled("reserved", "badge"),)
     if parameter.trigger:
-        text = " Writing has an effect; reading does not give back what was written."
+        text = " Writing has an effect; reading does not return the written value."
         yield (styled("trigger", "badge"), text_piece(text))
     if parameter.elements is not None:
-        yield (text_piece(f"{parameter.elements} elements, sub-index 0 to {parameter.elements - 1}"),)
+        yield (text_piece(f"{parameter.elements} elements, subindex 0 to {parameter.elements - 1}"),)
 
 
 def _subindex(context: Context, parameter: Parameter, inner: Subindex, marks: Inferences) -> TableRow:

@@ -1,4 +1,4 @@
-"""The registers by group."""
+"""The registers by group, and the address spaces: what an address holds and which messages reach it."""
 
 from __future__ import annotations
 
@@ -29,6 +29,8 @@ from fieldspec.backends.docs.value_cells import (
     restart_cell,
     value_cells,
 )
+from fieldspec.classes import replace
+from fieldspec.model.address_space import BIT, AddressSpace
 from fieldspec.model.registers import Gap, Register, RegisterGroup
 
 COLUMNS = (
@@ -46,6 +48,9 @@ COLUMNS = (
 )
 
 
+BIT_COLUMNS = tuple(replace(column, title="Bits") if column.title == "Words" else column for column in COLUMNS)
+
+
 def registers(context: Context) -> Section:
     """All groups of registers."""
     inner = tuple(_group(context, group) for group in context.device.groups)
@@ -61,7 +66,8 @@ def _group(context: Context, group: RegisterGroup) -> Section:
     restart = any(register.restart is not None for register in group.registers)
     rows = [row for register in group.registers for row in _rows(context, register, marks, restart)]
     title = group.title or group.name
-    blocks.append(table(title, COLUMNS, rows, marks.footnotes(), heading=3))
+    columns = BIT_COLUMNS if context.device.space(group.space).unit == BIT else COLUMNS
+    blocks.append(table(title, columns, rows, marks.footnotes(), heading=3))
     if context.device.spaces:
         space = context.device.space(group.space)
         blocks.append(Facts((("Address space", ((text_piece(space.title or space.name, f"#{space.place.path}"),),)),)))
@@ -118,16 +124,17 @@ def _address(register: Register, first_number: int) -> Cell:
 def _special(register: Register) -> Iterator[Line]:
     """What is special about reading and writing a register."""
     if register.count > 1:
-        apart = "" if register.stride == register.width else f", {register.stride} words apart"
+        units = "bits" if register.value.type.name == BIT else "words"
+        apart = "" if register.stride == register.width else f", {register.stride} {units} apart"
         last = register.index_from + register.count - 1
         yield (text_piece(f"{register.count} registers, numbered {register.index_from} to {last}{apart}."),)
     if register.reserved:
         yield (styled("reserved", "badge"),)
     if register.trigger:
-        text = " Writing has an effect; reading does not give back what was written."
+        text = " Writing has an effect; reading does not return the written value."
         yield (styled("trigger", "badge"), text_piece(text))
     if register.atomic:
-        yield (styled("atomic", "badge"), text_piece(" All of its words are to be accessed in one request."))
+        yield (styled("atomic", "badge"), text_piece(" All of its words must be accessed in one request."))
     if register.copy_of:
         yield (text_piece("Another copy of "), code(register.copy_of, f"#registers/{register.copy_of}"))
     if register.same_as:
@@ -153,3 +160,53 @@ def _element(register: Register, number: int, first_number: int) -> TableRow:
         f"{register.place.path}/{index}",
         element=True,
     )
+
+
+_SPACE_COLUMNS = (
+    TableColumn("Name", unbroken=True),
+    TableColumn("Address holds", "short", unbroken=True),
+    TableColumn("Addresses", unbroken=True),
+    TableColumn("First number", "number"),
+    TableColumn("Read by"),
+    TableColumn("Written by"),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
+)
+
+
+def spaces(context: Context) -> Section:
+    """All address spaces in one table."""
+    address_spaces = context.device.spaces
+    marks = Inferences("spaces")
+    rows = [_space_row(context, space, marks) for space in address_spaces.values()]
+    blocks = (table("Address spaces", _SPACE_COLUMNS, rows, marks.footnotes()),) if rows else ()
+    return Section("spaces", (text_piece("Address spaces"),), blocks)
+
+
+def _space_row(context: Context, space: AddressSpace, marks: Inferences) -> TableRow:
+    bounds = joined(((code(f"{address(low)}..{address(high)}"),) for low, high in space.bounds.intervals), ", ")
+    return TableRow(
+        (
+            names(space, space.name, mark=marks.all_marks(space.inferred)),
+            cell(f"a {space.unit}"),
+            cell(bounds),
+            cell(str(space.first_number)),
+            cell(_space_messages(context, space, "read")),
+            cell(_space_messages(context, space, "write")),
+            cell(*context.about(space)),
+            sources(space),
+        ),
+        space.place.path,
+    )
+
+
+def _space_messages(context: Context, space: AddressSpace, operation: str) -> Line:
+    device = context.device
+    messages = [
+        message
+        for message in device.messages.values()
+        if message.accesses is not None
+        and message.accesses.operation == operation
+        and device.space_name(message.accesses.space) == space.name
+    ]
+    return joined(((code(message.name, f"#{message.place.path}"),) for message in messages), ", ")

@@ -18,10 +18,10 @@ Holder: TypeAlias = Fact | Claim | Example | Note | Statement | UnitAddresses | 
 
 def holders(device: Device) -> dict[str, Holder]:
     """What a device says, by path, in the order of the spec's sections."""
-    return {holder.place.path: holder for holder in _all(device)}
+    return {holder.place.path: holder for holder in _all_holders(device)}
 
 
-def _all(device: Device) -> Iterator[Holder]:
+def _all_holders(device: Device) -> Iterator[Holder]:
     for fact in _facts(device):
         yield fact
         yield from fact.restated

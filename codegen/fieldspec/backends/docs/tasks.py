@@ -40,8 +40,8 @@ STEPS = (
     TableColumn("Source", "source"),
 )
 INTRODUCTION = (
-    "Each task as the steps that the manual prints. A task without steps says why the device has none, or which "
-    "question the manual leaves open. What stands in angle brackets is chosen by whoever does the task."
+    "The steps of each task, as the manual prints them. A task without steps states why the device has none, or "
+    "which question the manual leaves open. Names in angle brackets are arguments of the task."
 )
 
 

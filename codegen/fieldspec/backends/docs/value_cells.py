@@ -30,7 +30,7 @@ MOST_MEMBERS = 8
 VALUE_COLUMNS = (TableColumn("Type"), TableColumn("Unit", "short"), TableColumn("Range", "range"))
 PARTS = {
     "number": "The number of one of: ",
-    "subindex": "The first element that is meant of one of: ",
+    "subindex": "The first accessed element of one of: ",
     "value": "The value of one of: ",
     "values": "The values of all: ",
 }

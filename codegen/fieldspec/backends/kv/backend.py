@@ -31,7 +31,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     known: dict[tuple[int, str], AreaRows] = {}
     for layout in versions:
         name = stem(layout.device.id, layout.device.version)
-        map_rows = [_area_rows(layout, base, area, known) for base, area in _placed(layout, KV)]
+        map_rows = [_area_rows(layout, base, area, known) for base, area in _placed_areas(layout, KV)]
         words = [csv_text(word_map.head(layout)), *(rows_of_area.words for rows_of_area in map_rows)]
         texts[f"{name}_words.csv"] = BYTE_ORDER_MARK + "".join(words)
         texts[f"{name}_comments.csv"] = "".join(rows_of_area.comments for rows_of_area in map_rows)
@@ -55,7 +55,7 @@ def shared() -> dict[str, str]:
     return {}
 
 
-def _placed(layout: DeviceLayout, dialect: WordDialect) -> Iterator[tuple[int, Area]]:
+def _placed_areas(layout: DeviceLayout, dialect: WordDialect) -> Iterator[tuple[int, Area]]:
     """The areas with the numbers of their first words, one behind the other."""
     at = dialect.base
     for area in areas(layout):
@@ -67,7 +67,9 @@ _TABLE = "are in the table, for people; KV STUDIO imports comments alone"
 _NOT_EXACT = {
     "wide_numbers": lossy("are words; no instruction of the KV takes them"),
     "wide_lists": lossy("are words; no instruction of the KV takes them"),
+    "bits": refused("are in no word; the bytes of their messages are in the map"),
     "choices": lossy("stand once for each type, with the values that decide it"),
+    "other_frames": lossy("are words to fill in and to compare; nothing sums and compares them"),
     "frames": lossy("are words to fill in and to compare; nothing sums and compares them"),
     "orders": lossy("are said for each value; the ladder turns words and bytes"),
     "scales": lossy(_TABLE),

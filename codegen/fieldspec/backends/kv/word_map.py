@@ -78,12 +78,12 @@ def meanings(device: Device, area: Area) -> list[Enum | Flags]:
 def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dialect: WordDialect) -> Iterator[Cells]:
     value = placed_value.value
     word = placed_value.start // area.unit
-    number = value is None or value.type.letter != "s"
+    number = value is None or value.type.is_number
     places = bits(placed_value.start, placed_value.size, placed_value.order, placed_value.swapped, area.unit)
     place: Cells = {"area": area.name, "device": dialect.device(base + word), "word": word}
     if placed_value.elements > 1:
         place |= {"elements": placed_value.elements, "stride": placed_value.stride // area.unit}
-    where = _where(area, placed_value)
+    where = _place_cells(area, placed_value)
     row = (
         place
         | where
@@ -129,7 +129,7 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
         }
 
 
-def _where(area: Area, placed_value: PlacedValue) -> Cells:
+def _place_cells(area: Area, placed_value: PlacedValue) -> Cells:
     """Where a value is on the wire: the address of its first register, or its first byte."""
     if area.address is None:
         return {"byte": placed_value.start}

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Container, Sequence
 
+from fieldspec.backends.fact_texts import sentence
 from fieldspec.backends.python.device import device_view
 from fieldspec.backends.python.imports import imports_view
 from fieldspec.backends.python.naming import Scope, module_name, package_name
-from fieldspec.backends.python.text import docstring, literal, sentence
+from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
@@ -16,7 +17,10 @@ PACKAGE = "fieldspec_devices"
 PACKAGE_NAMES = ("for_firmware", "latest")
 RUNTIME = (
     "__init__",
+    "_bits",
     "_checks",
+    "_carried",
+    "_checksums",
     "_choices",
     "_codes",
     "_conversions",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from fieldspec.backends.fact_texts import sentence
 from fieldspec.backends.python.enums import enum_view, flags_view
 from fieldspec.backends.python.frames import code_literal
 from fieldspec.backends.python.links import Exchange, ExchangeView, LinkView, carries, link_view
@@ -16,7 +17,7 @@ from fieldspec.backends.python.records import RecordShape, RecordView, record_vi
 from fieldspec.backends.python.registers import register_view, table_view
 from fieldspec.backends.python.requests import space_accesses
 from fieldspec.backends.python.slots import Words
-from fieldspec.backends.python.text import docstring, literal, sentence
+from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import tuple_of
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout

@@ -11,7 +11,8 @@ from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import chained, filled, literal, unpacked
 from fieldspec.backends.python.writing import greatest
 from fieldspec.classes import dataclass
-from fieldspec.layout.frame import CHECKSUMS, FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.checksums import checksum
+from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 
 TABLES = 8
 _WORDS = "crc16_modbus"
@@ -107,7 +108,9 @@ def fixed_frame(
         if station is not None and station.size == 1:
             most, table = greatest_part(link, station), f"_STATIONS{name}"
             declared = [_begun(table, encoding_terms, most)]
-            encoding_terms, read = ([f"{table}[station]", *_others(terms)] for terms in (encoding_terms, read))
+            encoding_terms, read = (
+                [f"{table}[station]", *_terms_outside_table(terms)] for terms in (encoding_terms, read)
+            )
             # The table has no greater addresses, and `pack` refuses negative ones.
             tests = [test for test in tests if test != f"station <= {most}"]
         letters += "H"
@@ -153,7 +156,7 @@ def _begun(table: str, terms: list[str], most: int) -> str:
     return f"{table} = tuple({terms[0]} ^ term for term in {station_terms}[:{most + 1}])"
 
 
-def _others(terms: list[str]) -> list[str]:
+def _terms_outside_table(terms: list[str]) -> list[str]:
     """The terms of a CRC that are not in its table."""
     return [term for term in terms[1:] if not term.endswith(_STATION)]
 
@@ -207,7 +210,8 @@ def _crc_terms(
     varying: list[tuple[int, int, bool, int, str]] = []
     for part in frame.header:
         if part.name in constants:
-            known = constants[part.name].to_bytes(part.size, "little" if part.order == "little" else "big")
+            number = constants[part.name] & ((1 << 8 * part.size) - 1)
+            known = number.to_bytes(part.size, "little" if part.order == "little" else "big")
             base[part.offset : part.offset + part.size] = known
         else:
             flags = raw if part.value is not None and part.value.flags else ""
@@ -220,7 +224,7 @@ def _crc_terms(
             varying.append((at, field.field.size, signed, most, local(field) + flags))
         elif field.constant:
             base[at : at + field.field.size] = field.bytes_of(field.constant)
-    constant, same = CHECKSUMS[_WORDS](bytes(base)), frame.checksum is not None and frame.checksum.order == order
+    constant, same = checksum(_WORDS, bytes(base)), frame.checksum is not None and frame.checksum.order == order
     yield str(constant if same else (constant & 0xFF) << 8 | constant >> 8)
     table = "_C" if same else "_X"
     for at, width, signed, most, expression in varying:

@@ -11,6 +11,7 @@ from fieldspec.backends.python.writing import packed, pairs, tuple_of, within
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.checksums import SIMPLE, checksum_named
 from fieldspec.model.value import Ranges
 
 
@@ -87,9 +88,34 @@ def is_simple(frame: FrameLayout) -> bool:
         len({part.order for part in frame.header if part.size > 1}) <= 1
         and not any(part.reserved for part in frame.header)
         and frame.trailer == (() if check is None else (check,))
-        and (check is None or (check.start, check.stop) == (0, check.offset))
+        and (check is None or _is_usual(check))
         and (length is None or (length.unit_size, length.base) == (1, 0))
     )
+
+
+def _is_usual(check: PartLayout) -> bool:
+    """Whether a checksum has an algorithm with its own function, covers everything before it, and is sent as bytes."""
+    return check.algorithm in SIMPLE and not check.digits and (check.start, check.stop) == (0, check.offset)
+
+
+def check_rows(frame: FrameLayout) -> str:
+    """The checksums in the order in which they are computed: place, function, what it covers, and its digits."""
+    rows = [
+        f"({frame.parts.index(check)}, {_function(check)}, {check.start}, {check.stop}, {literal(check.digits)})"
+        for check in frame.checksums
+    ]
+    return tuple_of(rows) if rows else "()"
+
+
+def _function(check: PartLayout) -> str:
+    """`_Sum(8)`, `_Crc(16, 0x1021, 0xFFFF, False, False, 0x0)`: the function of an algorithm."""
+    kind = checksum_named(check.algorithm)
+    if kind.method == "crc":
+        numbers = f"{kind.width}, {kind.polynomial:#x}, {kind.initial:#x}"
+        return f"_Crc({numbers}, {kind.reflect_in}, {kind.reflect_out}, {kind.final_xor:#x})"
+    name = "_Sum" if kind.method == "sum" else "_Xor"
+    order = literal("little" if check.order == "little" else "big")
+    return f"{name}({kind.width}, {kind.initial:#x}, {literal(kind.complement)}, {kind.unit_size}, {order})"
 
 
 def part_rows(parts: tuple[PartLayout, ...]) -> str:
@@ -159,10 +185,8 @@ def _simple_arguments(frame: FrameLayout) -> list[str]:
 
 def _part_arguments(frame: FrameLayout) -> list[str]:
     """The arguments of `_PartFrames` for the parts."""
-    check, length = frame.checksum, frame.role("length")
-    arguments = [part_rows(frame.header), part_rows(frame.trailer), literal(check.algorithm if check else "")]
-    if check is not None:
-        arguments += [f"check={frame.parts.index(check)}", f"covers=({check.start}, {check.stop})"]
+    length = frame.role("length")
+    arguments = [part_rows(frame.header), part_rows(frame.trailer), check_rows(frame)]
     if length is not None:
         arguments += [f"unit={length.unit_size}", f"base={length.base}"]
     return arguments

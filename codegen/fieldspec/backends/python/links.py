@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from fieldspec.backends.fact_texts import described
 from fieldspec.backends.python.fixed_frames import FixedFrame, fixed_frame, has_fixed_length
 from fieldspec.backends.python.frames import (
     PartView,
@@ -19,7 +20,7 @@ from fieldspec.backends.python.frames import (
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Words
-from fieldspec.backends.python.text import chained, described, docstring, item_lines, literal, union
+from fieldspec.backends.python.text import chained, docstring, item_lines, literal, union
 from fieldspec.backends.python.writing import pairs
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
@@ -272,7 +273,7 @@ def _quick_key(code: PartLayout | None) -> str:
     return str(code.offset) if code is not None and code.size == 1 else ""
 
 
-def _known(message: MessageLayout) -> list[str]:
+def _message_names(message: MessageLayout) -> list[str]:
     """The names of a message whose frames have no code: its number and its name."""
     number = message.message.number
     return ([] if number is None else [str(number)]) + [literal(message.name)]
@@ -297,7 +298,7 @@ def _exchange(
         reader=f"_from_{link.name}" if reads else "",
         message=name,
         key=code_literal(code) if part is not None else name,
-        known=_known(exchange.message) if part is None else [],
+        known=_message_names(exchange.message) if part is None else [],
         fixed=fixed_frame(shaped, link, direction, code, upper, frames, tests, reads) if together else None,
         parameters="".join(
             [", station: int"] * (station is not None)

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from fieldspec.backends.fact_texts import described, places
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.naming import PARAMETERS, TYPES, Scope
 from fieldspec.backends.python.registers import ACCESS, register_value, value_facts
 from fieldspec.backends.python.requests import ParameterMessageView, parameter_messages
 from fieldspec.backends.python.slots import Words, value_type
-from fieldspec.backends.python.text import described, docstring, filled, literal, places
+from fieldspec.backends.python.text import docstring, filled, literal
 from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import FieldLayout
+from fieldspec.layout.record import FieldLayout, Orders
 from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 from fieldspec.model.value import Value
 from fieldspec.names import Name
@@ -186,7 +187,8 @@ def _row(
     names: Scope,
 ) -> RowView:
     value, run = row.value, row.count > 1
-    order = carrier.order if carrier else layout.device.byte_order
+    orders = Orders(layout.device.byte_order, layout.device.word_order)
+    order, swapped = orders.of(value)
     number, name = _digits(row.number, parameter_set), literal(row.name)
     printed_name = literal(row.printed_name or parameter_set.number_text(row.number))
     if run:
@@ -198,11 +200,11 @@ def _row(
         )
     more = {
         "type": literal(value.type.name),
-        "carrier": literal(_letters(row, carrier, order)),
+        "carrier": literal(_letters(row, carrier, (order == "big") != swapped)),
         "printed_name": printed_name if run or row.printed_name or parameter_set.printed_as else "",
         "default": _default(row),
         "elements": "" if row.elements is None else str(row.elements),
-        "subindices": tuple_of(_subindex(subindex, order, words, row.trigger) for subindex in row.subindices),
+        "subindices": tuple_of(_subindex(subindex, orders, words, row.trigger) for subindex in row.subindices),
         "restart": "" if row.restart is None else str(row.restart),
         "applies_to": tuple_of(map(literal, row.applies_to)),
         "messages": tuple_of(map(literal, row.messages)),
@@ -216,7 +218,7 @@ def _row(
     arguments = [
         name,
         number,
-        register_value(value, value.size, order, False, words, row.trigger),
+        register_value(value, value.size, order, swapped, words, row.trigger),
         literal(row.access),
         *keywords,
     ]
@@ -228,14 +230,14 @@ def _row(
     )
 
 
-def _letters(row: Parameter, carrier: FieldLayout | None, order: str) -> str:
-    """The Struct that converts the bytes of a value to the number in a message; empty where the type is the same."""
+def _letters(row: Parameter, carrier: FieldLayout | None, big: bool) -> str:
+    """The Struct that turns a value into the number in a message, in its own order; empty where there is none."""
     if carrier is None or carrier.value is None:
         return ""
     letter = carrier.value.type.letter if carrier.size == row.value.size else row.value.type.letter
     if row.subindices or letter == "s":
         return ""
-    return f"{'>' if order == 'big' else '<'}{letter}"
+    return f"{'>' if big else '<'}{letter}"
 
 
 def _default(row: Parameter) -> str:
@@ -243,8 +245,9 @@ def _default(row: Parameter) -> str:
     return "" if default is None else literal(default) if isinstance(default, str) else str(default)
 
 
-def _subindex(subindex: Subindex, order: str, words: Words, trigger: bool) -> str:
-    value = register_value(subindex.value, subindex.value.size, order, False, words, trigger)
+def _subindex(subindex: Subindex, orders: Orders, words: Words, trigger: bool) -> str:
+    order, swapped = orders.of(subindex.value)
+    value = register_value(subindex.value, subindex.value.size, order, swapped, words, trigger)
     more = [f"type={literal(subindex.value.type.name)}"]
     more += ["reserved=True"] if subindex.reserved else []
     more += [f"source={literal(places(subindex.sources))}"] if subindex.sources else []
@@ -254,10 +257,10 @@ def _subindex(subindex: Subindex, order: str, words: Words, trigger: bool) -> st
 def _type(row: Parameter, words: Words) -> str:
     """The type of the values of a parameter and of all its elements."""
     every = [row.value, *(subindex.value for subindex in row.subindices)]
-    return " | ".join(dict.fromkeys(_answered(value, words, row.trigger) for value in every))
+    return " | ".join(dict.fromkeys(_answer_value(value, words, row.trigger) for value in every))
 
 
-def _answered(value: Value, words: Words, trigger: bool) -> str:
+def _answer_value(value: Value, words: Words, trigger: bool) -> str:
     """The type of a parameter that is read: of a trigger, any number beside the members of a closed enum."""
     more = " | int" if value.as_answer(trigger).enum != value.enum and not value.sentinels else ""
     return value_type(value, words) + more

@@ -1,1 +1,1 @@
-"""The example frames of a device as JSON, for codecs in any language. docs/vectors.md describes the format."""
+"""Example frames and reads of an idle device as JSON, for codecs in any language; docs/vectors.md describes them."""

@@ -1,4 +1,4 @@
-"""The file of test vectors: example frames as data."""
+"""The file of test vectors: example frames and reads of an idle device as data."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import math
 from collections.abc import Sequence
 from typing import TypeAlias
 
+from fieldspec.backends.vectors.idle_reads import IdleRead, idle_reads
 from fieldspec.explain.examples import explained_example, printed
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import Raw
@@ -66,6 +67,43 @@ def vector(layout: DeviceLayout, example: Example) -> Vector:
     }
 
 
+def idle_vectors(layouts: Sequence[DeviceLayout]) -> list[Vector]:
+    """The reads of an idle device at all versions by address; equal ones in one, with the versions that have it."""
+    versions_of: dict[str, list[Json]] = {}
+    vectors_of_text: dict[str, tuple[str, int, Vector]] = {}
+    for layout in layouts:
+        for read in idle_reads(layout):
+            read_vector = idle_vector(layout, read)
+            text = json.dumps(read_vector)
+            versions_of.setdefault(text, []).append(layout.device.version)
+            vectors_of_text.setdefault(text, (read.block.space, read.block.start, read_vector))
+    ordered = sorted(vectors_of_text.items(), key=lambda item: item[1][:2])
+    return [{"versions": versions_of[text], **read_vector} for text, (_, _, read_vector) in ordered]
+
+
+def idle_vector(layout: DeviceLayout, read: IdleRead) -> Vector:
+    """The read of a block at one version, without the versions that have it."""
+    by_characters = layout.links[read.link].link.encoding != "binary"
+
+    def frame(data: bytes, values: dict[str, Raw]) -> Json:
+        return {
+            "right": data.hex(),
+            "characters": data.decode("latin-1") if by_characters else None,
+            "values": {name: _json_value(raw) for name, raw in values.items()},
+        }
+
+    return {
+        "link": read.link,
+        "message": read.block.message,
+        "space": read.block.space or None,
+        "address": read.block.start,
+        "words": read.block.words,
+        "request": frame(read.request, read.request_values),
+        "response": frame(read.response, read.response_values),
+        "registers": {name: _json_value(raw) for name, raw in read.values.items()},
+    }
+
+
 def _json_value(raw: Raw) -> Json:
     """A raw value as JSON has it: bytes as hexadecimal digits; what is no number as its name."""
     if isinstance(raw, bytes):
@@ -80,12 +118,13 @@ def _json_value(raw: Raw) -> Json:
 
 
 def files(layouts: Sequence[DeviceLayout]) -> dict[str, str]:
-    """The example frames of all versions of one device, the oldest first, by path."""
+    """The vectors of all versions of one device, the oldest first, by path."""
     device = layouts[-1].device.id
     document = {
         "device": device,
         "identities": {layout.device.version: layout.identity for layout in layouts},
         "vectors": vectors(layouts),
+        "idle_reads": idle_vectors(layouts),
     }
     return {f"{device}.json": json.dumps(document, ensure_ascii=False, allow_nan=False, indent=1) + "\n"}
 

@@ -25,12 +25,12 @@ def enum_changed(comparison: Comparison) -> Iterator[Change]:
     """
 
     for value_pair in comparison.values:
-        yield from _compared(comparison, value_pair, value_pair.old.enum, value_pair.new.enum)
+        yield from _compare_members(comparison, value_pair, value_pair.old.enum, value_pair.new.enum)
     for pair in comparison.of(Bit):
-        yield from _compared(comparison, pair, pair.old.enum, pair.new.enum)
+        yield from _compare_members(comparison, pair, pair.old.enum, pair.new.enum)
 
 
-def _compared(comparison: Comparison, differing: ValuePair | Pair[Bit], old: str, new: str) -> Iterator[Change]:
+def _compare_members(comparison: Comparison, differing: ValuePair | Pair[Bit], old: str, new: str) -> Iterator[Change]:
     before, after = _names(comparison.old, old), _names(comparison.new, new)
     old = comparison.renamed_to("enums", old)
     if old == new:

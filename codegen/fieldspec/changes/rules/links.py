@@ -37,7 +37,7 @@ def framing_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def check_changed(comparison: Comparison) -> Iterator[Change]:
-    """The checksum of a frame has another algorithm or covers other parts, or a length counts other parts.
+    """A checksum has another algorithm, has other digits or covers other parts, or a length counts other parts.
 
     Why: each side refuses the frames of the other.
 
@@ -52,6 +52,9 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
         if old != new:
             text = f"{named(pair.new)}: {difference_text('the algorithm', old, new)}"
             yield change("check_changed", Effect.WIRE, pair, "algorithm", text, old, new)
+        if pair.old.digits != pair.new.digits:
+            text = f"{named(pair.new)}: {difference_text('the digits', pair.old.digits, pair.new.digits)}"
+            yield change("check_changed", Effect.WIRE, pair, "digits", text, pair.old.digits, pair.new.digits)
         old, new = _span_text(pair.old), _span_text(pair.new)
         if old != new:
             check = "checksum" in (pair.old.role, pair.new.role)
@@ -143,6 +146,11 @@ def role_changed(comparison: Comparison) -> Iterator[Change]:
     for part in comparison.of(Part):
         if part.old.role != part.new.role:
             yield _role_text(part, "role", "the role", part.old.role, part.new.role)
+        beside = part.old.place.path.rpartition("/")[0].rpartition("/")[0] + "/request"
+        same = comparison.renamed_to(beside, part.old.same_as) if part.old.same_as else ""
+        if same != part.new.same_as:
+            text = f"{named(part.new)}: {difference_text('the part that it repeats', same, part.new.same_as)}"
+            yield change("role_changed", Effect.BEHAVIOUR, part, "same_as", text, same, part.new.same_as)
     for field in comparison.of(Field):
         yield from _of_field(comparison, field)
     for value_pair in comparison.values:
@@ -199,7 +207,8 @@ def _access(comparison: Comparison | None, message: Message) -> str:
     text = ", ".join(
         f"{word} as {part}" for word, part in zip(words, ("start", "count", "values"), strict=True) if word
     )
-    return f"{access.operation} with {text}"
+    bits = "" if (access.set, access.clear) == (None, 0) else f", a bit as {access.set} or {access.clear}"
+    return f"{access.operation} with {text}{bits}"
 
 
 def _renamed(comparison: Comparison, message: Message, name: str) -> str:

@@ -19,6 +19,7 @@ from fieldspec.plc.routines.expressions import (
     Expression,
     Member,
     Negation,
+    Operation,
     Truth,
     Type,
     Variable,
@@ -289,7 +290,10 @@ def compare_answer(
             kind = world.type_of(field.value)
             words = ours.get(world.variable(access.count, kind))
             if words is not None and elements in theirs and isinstance(kind, Elementary):
-                tests["other"].append(compared(converted(theirs[elements], kind), "<>", words))
+                carried: Expression = words
+                if world.layout.device.bit_access(message.message) is not None:
+                    carried = Operation("/", (Operation("+", (words, Whole(7, kind)), kind), Whole(8, kind)), kind)
+                tests["other"].append(compared(converted(theirs[elements], kind), "<>", carried))
     return tests
 
 

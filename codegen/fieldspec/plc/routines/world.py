@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.classes import dataclass, field
+from fieldspec.layout.bits import packed_size
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.model.address_space import BIT as BIT_UNIT
+from fieldspec.model.checksums import checksum_named
 from fieldspec.model.fact import Fact
-from fieldspec.model.link import CHECKSUM_SIZES
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
@@ -20,6 +22,7 @@ from fieldspec.plc.routines.expressions import (
     REAL,
     SIGNED,
     UNSIGNED,
+    USINT,
     WORD,
     ArrayType,
     Call,
@@ -107,7 +110,7 @@ class World:
 
     def checksum(self, algorithm: str, length: Expression, frame: Expression, first: Expression) -> Call:
         """The check of the bytes of a frame from an index on up to a length."""
-        kind = WORD if CHECKSUM_SIZES[algorithm] == 2 else BYTE
+        kind = WORD if checksum_named(algorithm).size == 2 else BYTE
         begin = (("iFirst", first),) if self.begins_later(algorithm) else ()
         return Call(self.routine(algorithm), (*begin, ("iLength", length), ("aFrame", frame)), (), kind)
 
@@ -179,11 +182,19 @@ class World:
         return sequence(max(_frame_sizes(self.layout), default=1), BYTE)
 
     @property
+    def bits(self) -> ArrayType:
+        """The bytes of the longest list of bits that a message carries; where none does, of the longest group."""
+        device = self.layout.device
+        lists = list(_bit_lists(self.layout))
+        groups = [group for group in device.groups if device.space(group.space).unit == BIT_UNIT] if not lists else []
+        return sequence(max([*lists, *(packed_size(_span(group)) for group in groups)], default=1), USINT)
+
+    @property
     def words(self) -> ArrayType:
         """The words of the longest list of registers that a message carries; where none does, of the longest group."""
         lists = [most // 2 for most in _register_lists(self.layout)]
         tables = [table.words for table in self.layout.tables.values()]
-        groups = [_span(group) for group in self.layout.device.groups] if not lists else []
+        groups = [_span(group) for group in self.layout.device.word_groups()] if not lists else []
         return sequence(max([*lists, *tables, *groups], default=1), WORD)
 
 
@@ -216,6 +227,15 @@ def _register_lists(layout: DeviceLayout) -> Iterator[int]:
             field = data.named(access.values) if access is not None else None
             if field is not None and field.field.repeat is not None:
                 yield field.field.repeat.high * field.size
+
+
+def _bit_lists(layout: DeviceLayout) -> Iterator[int]:
+    for message in layout.messages.values():
+        access = layout.device.bit_access(message.message)
+        for data in (message.request, message.response):
+            field = data.named(access.values) if access is not None else None
+            if field is not None and field.field.repeat is not None:
+                yield field.field.repeat.high
 
 
 def values_of(layout: DeviceLayout) -> Iterator[Value]:

@@ -47,6 +47,7 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
             records=_by_name(root, "records", lambda entry: records.record(entry, reused), reused),
             enums=_by_name(root, "enums", enums.enum, reused),
             flags=_by_name(root, "flags", enums.flags, reused),
+            units=_by_name(root, "units", texts.declared_unit, reused),
             spaces=_by_name(root, "spaces", registers.address_space, reused),
             groups=_groups(root, reused),
             tables=_by_name(root, "tables", registers.table, reused),
@@ -60,6 +61,7 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
             examples=_by_name(root, "examples", texts.example, reused, "id"),
             errata=tuple(_by_name(root, "errata", texts.erratum, reused, "id").values()),
             accepts=tuple(texts.acceptance(entry) for entry in root.named("accepts", "accepts")),
+            stated_changes=tuple(texts.stated_change(entry) for entry in root.named("changes", "changes")),
         ),
         findings,
     )

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from fieldspec.model.checksums import SIMPLE
 from fieldspec.model.link import ExceptionResponse, Link, Part, PartSpan, Serial, UnitAddresses
+from fieldspec.reading.building.checksums import algorithm_of
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.building.values import VALUE_KEYS, value
 
@@ -13,19 +15,23 @@ _KEYS = {
     "code": _NUMBER_KEYS,
     "length": _NUMBER_KEYS | {"range", "counts"},
     "body": frozenset[str](),
-    "checksum": frozenset({"algorithm", "byte_order", "covers"}),
-    "plain": VALUE_KEYS - {"length", "characters", "sentinels", "parameter", "default", "unit_default"} | {"reserved"},
+    "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits"}),
+    "plain": VALUE_KEYS - {"length", "characters", "sentinels", "parameter", "default", "unit_default"}
+    | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except those of every fact."""
-_SPECIFIC = VALUE_KEYS | {"algorithm", "covers", "counts", "reserved"}
+_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "digits", "reserved", "same_as"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
 _HELP = {
     "const": "remove `const`, or remove the `role` of the part",
     "offset": "a length takes `counts: {plus: ..}` instead; remove `offset`",
     "counts": "move it to the part with `role: length`",
     "covers": "move it to the part with `role: checksum`",
+    "checksum": "move it to the part with `role: checksum`",
+    "digits": "move it to the part with `role: checksum`",
     "algorithm": "add or remove `algorithm`",
     "reserved": "move it to a part without a `role`",
+    "same_as": "move it to a part without a `role`; a response always has the unit address of its request",
 }
 
 
@@ -47,8 +53,8 @@ def link(entry: Entry) -> Link:
         end=bytes.fromhex(entry.text("end")),
         byte_order=entry.text("byte_order"),
         word_order=entry.text("word_order"),
-        request=tuple(_part(inner) for inner in entry.entries("request")),
-        response=tuple(_part(inner) for inner in entry.entries("response")),
+        request=tuple(_part(inner, entry.text("byte_order")) for inner in entry.entries("request")),
+        response=tuple(_part(inner, entry.text("byte_order")) for inner in entry.entries("response")),
         message_name=entry.text("message_name") or "message",
         request_name=names.text("request") if names and names.text("request") else "request",
         response_name=names.text("response") if names and names.text("response") else "response",
@@ -65,12 +71,18 @@ def _exception_response(entry: Entry) -> ExceptionResponse:
     return ExceptionResponse(flag=entry.integer("flag") or 0, record=entry.text("record"), sources=entry.sources)
 
 
-def _part(entry: Entry) -> Part:
+def _part(entry: Entry, link_order: str) -> Part:
     role = entry.text("role") or "plain"
-    algorithm = entry.text("algorithm")
+    algorithm = algorithm_of(entry)
     if (role == "checksum") != bool(algorithm):
         entry.refuse("wrong_form", "role", "a checksum has an algorithm, other parts have none", _HELP["algorithm"])
         algorithm = algorithm or "sum8"
+    order, digits = entry.text("byte_order"), entry.text("digits")
+    if role == "checksum" and algorithm not in SIMPLE:
+        order = order or link_order
+    if digits and entry.text("byte_order"):
+        text = "`byte_order` has no effect on digits, which begin with the highest one"
+        entry.refuse("wrong_form", "byte_order", text, "remove `byte_order`")
     for key in entry.own:
         if key in _SPECIFIC and key not in _KEYS[role] and key != "algorithm":
             text = f"`{key}` has no effect in a part with the role {role}"
@@ -82,11 +94,13 @@ def _part(entry: Entry) -> Part:
         role=role,
         value=value(entry) if role in _VALUED else None,
         algorithm=algorithm,
-        byte_order=entry.text("byte_order"),
+        byte_order=order,
         span=PartSpan(span.text("from"), span.text("to")) if span is not None else PartSpan("", ""),
         unit_size=_UNIT_SIZES[span.text("in") or "bytes"] if span is not None else 1,
         plus=(span.integer("plus") or 0) if span is not None else 0,
         reserved=entry.flag("reserved"),
+        digits=digits,
+        same_as=entry.text("same_as"),
     )
 
 

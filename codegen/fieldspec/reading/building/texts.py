@@ -2,9 +2,21 @@
 
 from __future__ import annotations
 
-from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, LookupColumn, LookupRow, Note, Statement
+from fieldspec.model.texts import (
+    Acceptance,
+    Erratum,
+    Example,
+    Limit,
+    Lookup,
+    LookupColumn,
+    LookupRow,
+    Note,
+    StatedChange,
+    Statement,
+)
+from fieldspec.model.units import DeclaredUnit
 from fieldspec.reading.building.context import Entry, free
-from fieldspec.reading.nodes import Scalar, Sequence
+from fieldspec.reading.nodes import Scalar, Sequence, identity
 
 
 def lookup(entry: Entry) -> Lookup:
@@ -46,6 +58,18 @@ def limit(entry: Entry) -> Limit:
         sum_of=entry.texts("sum_of"),
         within=entry.text("within"),
         transmits=entry.text("transmits"),
+    )
+
+
+def declared_unit(entry: Entry) -> DeclaredUnit:
+    """A unit that the language does not have."""
+    return DeclaredUnit(
+        **entry.fact(),
+        symbol=entry.text("symbol"),
+        title=entry.text("title"),
+        quantity=entry.text("quantity"),
+        ucum=entry.text("ucum"),
+        factor=entry.text("factor"),
     )
 
 
@@ -124,3 +148,16 @@ def acceptance(entry: Entry) -> Acceptance:
         date=entry.text("date"),
         since=entry.texts("since"),
     )
+
+
+def stated_change(entry: Entry) -> StatedChange:
+    """An entry of a version overlay."""
+    kind, path = entry.text("kind"), entry.text("fact")
+    if kind == "adds":
+        item, path = entry.own.get("item"), entry.text("in")
+        name = identity(item) if item is not None else None
+        section, _, inner = path.partition("/")
+        if section == "registers" and inner:  # the path of a register does not name its group
+            path = section
+        path = f"{path}/{name}" if name else path
+    return StatedChange(entry.place(), kind, path, entry.text("to"), entry.text("reason"), entry.sources)

@@ -5015,7 +5015,7 @@ Source: 2.4 L328.
 PUSH_END_POSITION: _Final = _Register("push_end_position", 0x07EC, 2, _Number(">i"), "rw", atomic=True)
 """Push end position (PushEndPos, 推力運動結束座標).
 
-Where the push ends at the latest.
+Where the push ends.
 
 0x07EC, 2 words, read and write, i32, all words in one request.
 
@@ -5038,7 +5038,7 @@ Source: 2.4 L330.
 START_HOMING: _Final = _Register("start_homing", 0x07EF, 1, _Setting(">H", 1), "rw", trigger=True)
 """Start homing (MoveOrigin, 開始回原點).
 
-Writing 1 starts homing in the way that the parameters 13A4h to 13B0h define. Reading gives 0.
+Writing 1 starts homing. The parameters define the method. Reading gives 0.
 
 0x07EF, 1 word, read and write, u16, writing starts an action.
 
@@ -5171,7 +5171,7 @@ Source: 2.5 L347.
 COMPARE_ENABLE: _Final = _Register("compare_enable", 0x07FD, 1, _Boolean(">H"), "rw")
 """Compare enable (CmpEnable).
 
-The compare output is in use.
+Enables the compare output.
 
 0x07FD, 1 word, read and write, bool16.
 
@@ -5180,7 +5180,7 @@ Source: 2.5 L348.
 COMPARE_ACTIVE: _Final = _Register("compare_active", 0x07FE, 1, _Boolean(">H"), "ro")
 """Compare active (CmpStat).
 
-Whether it really is.
+Whether the compare output is enabled.
 
 0x07FE, 1 word, read only, bool16.
 
@@ -7785,7 +7785,7 @@ class PointsTable(_Table[Point]):
     128 records of 32 words, 0 to 127, the first at 0x2710, each 32 words behind the one before, read
     and write.
 
-    Note: Wrong data may lead to wrong moves.
+    Note: Wrong data may cause errors when a point is carried out (2.7 L607).
 
     Note: Decimal addresses are printed for the points 0, 1, 2 and 127: 10000, 10032, 10064 and 14064.
 

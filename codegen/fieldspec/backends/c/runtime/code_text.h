@@ -1,5 +1,5 @@
-/** The texts of a code. Several causes, or remedies, are parted by line ends.
- * The number is the other one under which the manual knows the code, or -1; printed is how the manual writes it. */
+/** The texts of a code. Line ends separate several causes or remedies. `printed` is the code as the manual writes it;
+ * `number` is the second number that the manual gives the code, or -1. */
 typedef struct device_code_text {
     int64_t code;
     int64_t number;

@@ -1,6 +1,6 @@
 /* ---- RECORD ---- */
 
-/* Decodes, encodes, and does both again; then encodes into exactly enough room, and into one byte less. */
+/* Decodes and encodes twice, then encodes into a buffer of the exact size, and into one that is a byte too small. */
 #define RECORD(type, decode, encode, most, exact) \
     do { \
         type value, second; \
@@ -30,7 +30,7 @@
 
 /* ---- PACKED ---- */
 
-/* Reads any bytes as a record and writes it, twice: the second time changes nothing. */
+/* Unpacks any bytes and packs them, twice: the second time changes nothing. */
 #define PACKED(type, unpack, pack, length) \
     do { \
         type value; \
@@ -48,7 +48,7 @@
 
 /* ---- FIXED ---- */
 
-/* A record that nobody gives anything: there is one form of it. */
+/* A record without values, which has only one form. */
 #define FIXED(decode, encode, most, exact) \
     do { \
         uint8_t out[(most) + 1u]; \
@@ -89,7 +89,7 @@
 
 /* ---- CONSTANT ---- */
 
-/* A constant: what is written can be read, and so can what else the device answers. */
+/* A constant: what is encoded can be decoded, and so can anything else that the device answers. */
 #define CONSTANT(type, decode, encode, length) \
     do { \
         type value; \
@@ -100,8 +100,9 @@
 
 /* ---- TRIGGER ---- */
 
-/* What starts an action: the device answers anything, and what may be written is read as it was. */
-#define TRIGGER(type, decode, encode, held, length) \
+/* A trigger: the device may answer anything, and whatever can be encoded is decoded to the same. `argument` is the type
+ * of the value to encode: an enum, which need not hold every answer. */
+#define TRIGGER(type, argument, decode, encode, held, length) \
     do { \
         type value; \
         uint8_t out[length]; \
@@ -109,12 +110,14 @@
             break; \
         } \
         hold(decode(data, &value) == DEVICE_OK); \
-        hold(encode(value, out) != DEVICE_OK || memcmp(out, data, held) == 0); \
+        if ((type)(argument)value == value) { \
+            hold(encode((argument)value, out) != DEVICE_OK || memcmp(out, data, held) == 0); \
+        } \
     } while (0)
 
 /* ---- ADDRESS ---- */
 
-/* An address or a number that is worked out from another: of those that are taken no two have the same. */
+/* An address or a number that is computed from another: two different ones that are accepted give different results. */
 #define ADDRESS(type, at) \
     do { \
         type one = 0, other = 0; \
@@ -131,7 +134,7 @@
 
 /* ---- CONVERSION ---- */
 
-/* Any quantity is refused or becomes a count, and a count becomes itself again where the reference is a usual one. */
+/* Any quantity is refused or becomes a count; with a reference of usual size, converting a count back and forth keeps it. */
 #define CONVERSION(type, from_raw, to_raw, exact) \
     do { \
         type raw = 0, again = 0; \

@@ -215,6 +215,22 @@ DEVICE_INLINE void device_store_u64_le_words_be(uint8_t *out, uint64_t value)
     out[7] = (uint8_t)(value >> 8);
 }
 
+/* ---- bits ---- */
+
+/* The bit with an index, from 0; the first one is the least significant bit of the first byte. */
+DEVICE_INLINE bool device_load_bit(const uint8_t *in, size_t index)
+{
+    return (((uint32_t)in[index / 8u] >> (index % 8u)) & 1u) != 0u;
+}
+
+/* Changes the bit with an index, from 0, and no other. */
+DEVICE_INLINE void device_store_bit(uint8_t *out, size_t index, bool value)
+{
+    uint32_t mask = (uint32_t)1u << (index % 8u);
+    uint32_t byte = out[index / 8u];
+    out[index / 8u] = (uint8_t)(value ? byte | mask : byte & ~mask);
+}
+
 /* ---- signed ---- */
 
 DEVICE_INLINE int8_t device_signed_8(uint8_t raw)
@@ -253,6 +269,22 @@ DEVICE_INLINE uint32_t device_bits_of(float value)
     return bits;
 }
 
+/* ---- double ---- */
+
+DEVICE_INLINE double device_double_of(uint64_t bits)
+{
+    double value;
+    DEVICE_COPY(&value, &bits, sizeof value);
+    return value;
+}
+
+DEVICE_INLINE uint64_t device_bits_of_double(double value)
+{
+    uint64_t bits;
+    DEVICE_COPY(&bits, &value, sizeof bits);
+    return bits;
+}
+
 /* ---- text ---- */
 
 static inline bool device_is_ascii(const uint8_t *in, size_t size)
@@ -266,7 +298,7 @@ static inline bool device_is_ascii(const uint8_t *in, size_t size)
     return true;
 }
 
-/** Whether a text of at most size characters has no others than those of ASCII. */
+/** Whether a text of at most `size` characters is ASCII. */
 static inline bool device_is_text(const char *text, size_t size)
 {
     size_t at;
@@ -278,7 +310,7 @@ static inline bool device_is_text(const char *text, size_t size)
     return true;
 }
 
-/** Writes a text of at most size characters, filled up with zeros. */
+/** Writes a text of at most `size` characters, padded with zeros. */
 static inline void device_put_text(uint8_t *out, const char *text, size_t size)
 {
     size_t at;

@@ -34,7 +34,7 @@ static bool same_text(const char *left, const char *right)
     return false;
 }
 
-/* Copies by volatile accesses: the compiler cannot know what is copied, so what follows happens when the test runs. */
+/* Copies by volatile accesses: the compiler cannot know what is copied, so the code that follows runs when the test does. */
 static void copy(void *to, const void *from, size_t size)
 {
     volatile uint8_t *target = (uint8_t *)to;

@@ -8,31 +8,32 @@ from ._frames import Frames
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Literal
 
     from ._typing import Data
 
     Part = tuple[str, int, Literal["big", "little"], bool, int | None, bool]
+    Check = tuple[int, Callable[[Data], int], int, int | None, str]
 
 
 class PartFrames(Frames):
     """The frames of one link in one direction, as rows of parts: those before the body, and those after it.
 
     A row is the name, the size in bytes, the order, whether it has a sign, the constant, and whether any other number
-    is refused. `check` is the place of the checksum in these rows, `covers` are the bytes that it covers. A length of n
+    is refused. `checks` are the checksums in the order in which they are computed: the place in these rows, the
+    function, the bounds of the bytes that it covers, and the digits of one that is sent as characters. A length of n
     means that the parts have `unit` * n + `base` bytes.
     """
 
-    __slots__ = ("base", "check", "covers", "rows", "tail", "unit")
+    __slots__ = ("base", "checks", "rows", "tail", "unit")
 
     def __init__(
         self,
         head: tuple[Part, ...],
         tail: tuple[Part, ...],
-        algorithm: str,
+        checks: tuple[Check, ...],
         *,
-        check: int = -1,
-        covers: tuple[int, int | None] = (0, None),
         code: int = -1,
         code_offset: int = 0,
         length: int = -1,
@@ -47,7 +48,7 @@ class PartFrames(Frames):
     ) -> None:
         super().__init__(
             "",
-            algorithm,
+            "",
             code=code,
             code_offset=code_offset,
             length=length,
@@ -58,7 +59,7 @@ class PartFrames(Frames):
             end=end,
             hexadecimal=hexadecimal,
         )
-        self.rows, self.tail, self.check, self.covers, self.unit, self.base = head, tail, check, covers, unit, base
+        self.rows, self.tail, self.checks, self.unit, self.base = head, tail, checks, unit, base
         self.head_size = sum(row[1] for row in head)
         self.tail_size = sum(row[1] for row in tail)
 
@@ -75,10 +76,10 @@ class PartFrames(Frames):
         return numbers
 
     def _wrong(self, data: Data, numbers: list[tuple[Part, int, int]]) -> CodecError | None:
-        """The error of the checksum, or of the first constant with another number; None where all are right."""
-        if self.algorithm is not None:
-            (_, size, _, _, _, _), at, have = numbers[self.check]
-            want = self.algorithm(data[self.covers[0] : self.covers[1]])
+        """The error of the first wrong checksum, or else of the first wrong constant; None where all are right."""
+        for place, function, start, stop, digits in self.checks:
+            (_, size, order, _, _, _), at, have = numbers[place]
+            want = _number(function(data[start:stop]), size, order, digits)
             if have != want:
                 text = f"the check is {have:0{2 * size}X}, not {want:0{2 * size}X}"
                 return CodecError("wrong_check", text, at)
@@ -120,8 +121,9 @@ class PartFrames(Frames):
                 raise CodecError("wrong_length", f"{self.length_name} cannot say that the frame has {total} bytes")
             numbers[self.length] = units
         data = self._packed(numbers, body)
-        if self.algorithm is not None:
-            numbers[self.check] = self.algorithm(data[self.covers[0] : self.covers[1]])
+        for place, function, start, stop, digits in self.checks:
+            _, size, order, _, _, _ = (*self.rows, *self.tail)[place]
+            numbers[place] = _number(function(data[start:stop]), size, order, digits)
             data = self._packed(numbers, body)
         return self.marked(data)
 
@@ -132,6 +134,14 @@ class PartFrames(Frames):
         ]
         packed.insert(len(self.rows), body)
         return b"".join(packed)
+
+
+def _number(checksum: int, size: int, order: Literal["big", "little"], digits: str) -> int:
+    """The number whose bytes are those of a checksum, which may be sent as digits."""
+    if not digits:
+        return checksum
+    text = f"{checksum:0{size}d}" if digits == "decimal" else f"{checksum:0{size}x}"
+    return int.from_bytes((text.upper() if digits == "upper_hex" else text).encode(), order)
 
 
 class CountFramer(LengthFramer):

@@ -1,0 +1,97 @@
+/* ---- reflected ---- */
+
+/** ABOUT */
+static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
+{
+    static const REGISTER table[16] = {
+TABLE
+    };
+    REGISTER crc = START;
+    size_t at;
+    for (at = 0; at < size; at++) {
+        crc = (REGISTER)(crc ^ in[at]);
+        crc = (REGISTER)(crc >> 4 ^ table[crc & 15u]);
+        crc = (REGISTER)(crc >> 4 ^ table[crc & 15u]);
+    }
+    FINISH
+}
+
+/* ---- forward ---- */
+
+/** ABOUT */
+static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
+{
+    static const REGISTER table[16] = {
+TABLE
+    };
+    REGISTER crc = START;
+    size_t at;
+    for (at = 0; at < size; at++) {
+        crc = (REGISTER)(crc ^ (REGISTER)((REGISTER)in[at] << BYTE_SHIFT));
+        crc = (REGISTER)((REGISTER)(crc << 4) ^ table[crc >> DIGIT_SHIFT]);
+        crc = (REGISTER)((REGISTER)(crc << 4) ^ table[crc >> DIGIT_SHIFT]);
+    }
+    FINISH
+}
+
+/* ---- total ---- */
+
+/** ABOUT */
+static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
+{
+    REGISTER number = START;
+    size_t at;
+    for (at = 0; at < size; at++) {
+        number = (REGISTER)(number OPERATOR TERM);
+    }
+    FINISH
+}
+
+/* ---- reverse ---- */
+
+/** The lowest bits of a number in the opposite order. */
+static inline uint64_t device_reversed(uint64_t number, unsigned width)
+{
+    uint64_t result = 0;
+    unsigned bit;
+    for (bit = 0; bit < width; bit++) {
+        result = result << 1 | (number >> bit & 1u);
+    }
+    return result;
+}
+
+/* ---- characters ---- */
+
+/** One byte of a checksum that is sent as bytes (base 256) or as digits of a base; `letter` is the digit of ten. */
+static inline uint8_t device_checksum_byte(unsigned digit, unsigned base, uint8_t letter)
+{
+    if (base == 256u) {
+        return (uint8_t)digit;
+    }
+    return (uint8_t)(digit < 10u ? 0x30u + digit : letter + digit - 10u);
+}
+
+/** Writes a checksum of so many bytes or digits; those of a little one begin with the lowest. */
+static inline void device_store_checksum(
+    uint8_t *out, size_t size, uint64_t number, unsigned base, uint8_t letter, bool little)
+{
+    size_t at;
+    for (at = 0; at < size; at++) {
+        out[little ? at : size - 1u - at] = device_checksum_byte((unsigned)(number % base), base, letter);
+        number /= base;
+    }
+}
+
+/** Whether the bytes are those of a checksum. */
+static inline bool device_is_checksum(
+    const uint8_t *in, size_t size, uint64_t number, unsigned base, uint8_t letter, bool little)
+{
+    size_t at;
+    for (at = 0; at < size; at++) {
+        if (in[little ? at : size - 1u - at] != device_checksum_byte((unsigned)(number % base), base, letter)) {
+            return false;
+        }
+        number /= base;
+    }
+    return true;
+}

@@ -1,0 +1,45 @@
+"""What a checksum is, in words."""
+
+from __future__ import annotations
+
+from fieldspec.layout.frame import PartLayout
+from fieldspec.model.checksums import checksum_named
+
+_TEXTS = {
+    "crc16_modbus": "CRC-16 with polynomial 8005h, reflected, start value FFFFh, of all bytes",
+    "lrc": "two's complement of the sum of all bytes",
+    "sum8": "low byte of the sum of all bytes",
+}
+_REFLECTED = {
+    (False, False): "",
+    (True, True): ", reflected",
+    (True, False): ", with reflected bytes",
+    (False, True): ", with a reflected result",
+}
+DIGITS = {
+    "decimal": "sent as decimal digits",
+    "upper_hex": "sent as hexadecimal digits in capitals",
+    "lower_hex": "sent as hexadecimal digits in small letters",
+}
+
+
+def checksum_text(part: PartLayout) -> str:
+    """`CRC-16 with polynomial 8005h, reflected, start value FFFFh, of all bytes`"""
+    if part.algorithm in _TEXTS:
+        return _TEXTS[part.algorithm]
+    kind = checksum_named(part.algorithm)
+    if kind.method == "crc":
+        order = {
+            (True, True): ", reflected",
+            (True, False): ", with reflected bytes",
+            (False, True): ", reflected result",
+        }
+        reflected = order.get((kind.reflect_in, kind.reflect_out), "")
+        final = f", final xor {kind.final_xor:X}h" if kind.final_xor else ""
+        start = f", start value {kind.initial:X}h{final}, of all bytes"
+        return f"CRC-{kind.width} with polynomial {kind.polynomial:X}h{reflected}{start}"
+    complement = {"ones": "one's complement of the ", "twos": "two's complement of the ", "": ""}[kind.complement]
+    what = "sum" if kind.method == "sum" else "exclusive or"
+    start = f", start value {kind.initial:X}h" if kind.initial else ""
+    taken = "all bytes" if kind.unit_size == 1 else f"all numbers of {kind.unit_size} bytes"
+    return f"low {kind.width} bits of the {complement}{what}{start}, of {taken}"

@@ -1,0 +1,73 @@
+"""The device of a page, its manual and its versions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.docs.context import Context, cited
+from fieldspec.backends.docs.document import (
+    DocumentTable,
+    Facts,
+    Line,
+    Paragraph,
+    Section,
+    TableColumn,
+    TableRow,
+    cell,
+    code,
+    label,
+    styled,
+    table,
+    text_piece,
+)
+from fieldspec.model.device import Device, Version, VersionLine
+
+VERSIONS = (TableColumn("Version"), TableColumn("What it is"), TableColumn("Source"))
+
+
+def identity(context: Context) -> Section:
+    """The device, its manual and its versions."""
+    device = context.device
+    blocks: list[Paragraph | Facts | DocumentTable] = []
+    if device.doc:
+        blocks.append(Paragraph((text_piece(device.doc),)))
+    blocks.append(Facts(tuple(_facts(context))))
+    blocks += [_versions(line, device.version) for line in device.lines]
+    return Section("device", (text_piece("Device and manual"),), tuple(blocks))
+
+
+def _facts(context: Context) -> Iterator[tuple[str, tuple[Line, ...]]]:
+    device, manual = context.device, context.device.manual
+    yield "Device", ((text_piece(f"{device.vendor} {device.name}, "), code(device.id)),)
+    yield "Version", ((text_piece(version_title(device)),),)
+    remark = text_piece(": the same in all outputs with the same bytes on the wire")
+    yield "Identity", ((code(context.layout.identity), remark),)
+    yield "Manual", ((label(manual.title),),)
+    if manual.edition:
+        yield "Edition", ((label(manual.edition),),)
+    if manual.language:
+        yield "Language", ((code(manual.language),),)
+    yield "Text", ((code(manual.file), text_piece(f", {manual.lines} lines; a source is a section and its lines")),)
+    yield "SHA-256", ((code(manual.sha256),),)
+
+
+def version_title(device: Device) -> str:
+    """`firmware 2.0`, or the version alone where the device declares no versions."""
+    for line in device.lines:
+        for version in line.versions:
+            if version.id == device.version:
+                return f"{' '.join(line.name.split('_'))} {version.id}"
+    return device.version
+
+
+def _versions(line: VersionLine, present: str) -> DocumentTable:
+    caption = line.title or line.name
+    return table(caption, VERSIONS, [_version(version, present) for version in line.versions])
+
+
+def _version(version: Version, present: str) -> TableRow:
+    here: Line = (text_piece(" "), styled("this page", "badge")) if version.id == present else ()
+    doc: list[Line] = [(text_piece(text),) for text in (version.title, version.doc) if text]
+    if version.inferred:
+        doc.append((styled("inferred: ", "strong"), text_piece(version.inferred)))
+    return TableRow((cell((code(version.id), *here)), cell(*doc), cell(cited(version.sources))))

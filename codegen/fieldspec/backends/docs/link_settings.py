@@ -1,0 +1,47 @@
+"""The unit addresses and the serial settings of a link, as facts below its heading."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.docs.context import cited
+from fieldspec.backends.docs.document import Line, joined, text_piece
+from fieldspec.backends.docs.value_cells import spoken
+from fieldspec.model.link import Link
+
+
+def station_facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
+    """The addresses on the line and how they are set."""
+    stations = link.unit_addresses
+    if stations is None:
+        return
+    if stations.ranges is not None:
+        yield "Unit addresses", ((text_piece(spoken(stations.ranges.text())),),)
+    if stations.broadcast is not None:
+        yield "Broadcast address", ((text_piece(str(stations.broadcast)),),)
+    if stations.rule:
+        yield "How to set the unit address", ((text_piece(stations.rule),),)
+    for note in stations.notes:
+        yield "Note on unit addresses", ((text_piece(note),),)
+    if stations.sources:
+        yield "Source of unit addresses", (cited(stations.sources),)
+
+
+def serial_facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
+    """The settings of the serial line."""
+    serial = link.serial
+    if serial is None:
+        return
+    if serial.baud:
+        default = "" if serial.default_baud is None else f"; {serial.default_baud} by default"
+        yield "Baud rate", ((text_piece(f"{', '.join(map(str, serial.baud))} bit/s{default}"),),)
+    for title, settings in (
+        ("Start bits", () if serial.start_bits is None else (serial.start_bits,)),
+        ("Data bits", serial.data_bits),
+        ("Parity", serial.parity),
+        ("Stop bits", serial.stop_bits),
+    ):
+        if settings:
+            yield title, (joined(((text_piece(str(setting)),) for setting in settings), " or "),)
+    if serial.sources:
+        yield "Source of the settings", (cited(serial.sources),)

@@ -1,0 +1,1 @@
+"""The JavaScript output: an ES module with types for each version of a device."""

@@ -1,0 +1,76 @@
+"""Enums as frozen objects, and words of flags as functions between a number and its bits."""
+
+from __future__ import annotations
+
+from fieldspec.backends.fact_texts import described, sentence
+from fieldspec.backends.js.declaration import Declaration, Names
+from fieldspec.backends.js.naming import property_scope
+from fieldspec.backends.js.text import comment, literal
+from fieldspec.model.enums import Bit, Enum, Flags
+from fieldspec.names import Name
+
+TEXTS = ("alarm", "error", "exception", "fault", "warning")
+"""The kinds of enums whose members have texts that people look up."""
+
+
+def declare_enum(enum: Enum, name: str) -> Declaration:
+    """The members of an enum by name."""
+    scope = property_scope()
+    members = [(scope.take(Name.of(member.name).pascal()), member) for member in enum.members if not member.unavailable]
+    code = [f"export const {name} = /* @__PURE__ */ Object.freeze({{"]
+    code += [f"  {key}: {member.value}," for key, member in members]
+    code += ["});", ""]
+    others = "Other values are passed on as numbers." if enum.open else "Other values are refused."
+    types = comment(described(enum.title or Name.of(enum.name).title(), enum, others))
+    types += [f"export declare const {name}: {{"]
+    for key, member in members:
+        causes = [
+            f"Cause: {sentence(cause.cause)} {' '.join(map(sentence, cause.remedies))}" for cause in member.causes
+        ]
+        remedies = [f"Remedy: {sentence(remedy)}" for remedy in member.remedies]
+        types += comment(
+            described(Name.of(member.name).title(), member, sentence(member.problem), *causes, *remedies), 2
+        )
+        types.append(f"  readonly {key}: {member.value};")
+    types.append("};")
+    if members:
+        types += [f"export type {name} = (typeof {name})[keyof typeof {name}];", ""]
+    else:
+        types += [f"export type {name} = never;", ""]
+    return Declaration(code, types)
+
+
+def declare_flags(flags: Flags, name: str, names: Names) -> Declaration:
+    """The functions `of`, from a number to its bits, and `raw` back; the latter keeps all other bits of a number."""
+    scope = property_scope()
+    bits = [(scope.take(Name.of(bit.name).camel()), bit) for bit in flags.bits if not bit.reserved]
+    wide = flags.type.size > 6
+    code = [f"export const {name} = /* @__PURE__ */ Object.freeze({{"]
+    code.append("  of: (raw) => ({")
+    code += [f"    {key}: {_bit(bit, wide)}," for key, bit in bits]
+    code.append("  }),")
+    arguments = f"{literal(flags.name)}, BITS_OF_{name}, bits, raw, {8 * flags.type.size}"
+    code.append(f"  raw: (bits, raw = {'0n' if wide else '0'}) => setBits({arguments}),")
+    code += ["});", ""]
+    table = ", ".join(f"{key}: [{bit.first}, {bit.width}]" for key, bit in bits)
+    code.insert(0, f"const BITS_OF_{name} = {{ __proto__: null{', ' + table if table else ''} }};")
+    types = comment(described(Name.of(flags.name).title(), flags))
+    types.append(f"export interface {name} {{")
+    for key, bit in bits:
+        number = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
+        meanings = [f"{value} = {sentence(text)}" for value, text in ((0, bit.zero), (1, bit.one)) if text]
+        types += comment(described(f"{Name.of(bit.name).title()}, {number}", bit, *meanings), 2)
+        types.append(f"  readonly {key}: {'boolean' if bit.width == 1 else 'number'};")
+    types += ["}", f"export declare const {name}: Flags<{name}, {'bigint' if wide else 'number'}>;", ""]
+    return Declaration(code, types)
+
+
+def _bit(bit: Bit, wide: bool) -> str:
+    if wide:
+        mask = bit.mask >> bit.first
+        field = f"(raw >> {bit.first}n) & {mask}n"
+        return f"({field}) !== 0n" if bit.width == 1 else f"Number({field})"
+    if bit.width == 1:
+        return f"(raw & {bit.mask}) !== 0" if bit.first < 31 else f"raw >>> {bit.first} !== 0"
+    mask = bit.mask >> bit.first
+    return f"(raw >>> {bit.first}) & {mask}" if mask < 1 << 31 else f"raw >>> {bit.first}"

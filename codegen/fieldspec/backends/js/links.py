@@ -1,0 +1,266 @@
+"""Links: the frames of both directions, the messages that they carry, and the framers."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import Any
+
+from fieldspec.backends.fact_texts import described
+from fieldspec.backends.js.declaration import Declaration, Names
+from fieldspec.backends.js.naming import property_scope
+from fieldspec.backends.js.text import comment, flag, literal, object_of
+from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.record import RecordLayout
+from fieldspec.model.checksums import checksum_named
+from fieldspec.model.value import Ranges
+from fieldspec.names import Name
+
+SHORT = {"crc16_modbus": "crc16", "lrc": "lrc", "sum8": "sum8"}
+"""The functions of `checksums.js` by the names of the algorithms that have one of their own."""
+
+LONGEST = 0xFFFF
+"""The bytes of a body that nothing bounds."""
+
+
+def carries(link: LinkLayout, message: MessageLayout) -> bool:
+    """Whether a message is sent on a link: with its code where frames have one, or by being named."""
+    coded = link.request.role("code") is not None
+    if message.name not in link.messages:
+        return False
+    return (message.message.code is not None) == coded or (bool(message.message.links) and not coded)
+
+
+def declare_message(message: MessageLayout, names: Names) -> Declaration:
+    """The object of a message, whose request and response have been declared."""
+    name, own = names.messages[message.name], message.message
+    request, response = names.records[message.request.name], names.records[message.response.name]
+    number = f", {own.number}" if own.number is not None else ""
+    code = "null" if own.code is None else f"0x{own.code:02X}"
+    arguments = f"{literal(message.name)}, {code}, {request}, {response}{number}"
+    return Declaration(
+        [f"export const {name} = /* @__PURE__ */ message({arguments});", ""],
+        [
+            *comment(described(own.title or Name.of(message.name).title(), own)),
+            f"export declare const {name}: Message<{literal(message.name)}, {request}, {response}>;",
+            "",
+        ],
+    )
+
+
+def declare_link(link: LinkLayout, names: Names) -> Declaration:
+    """The object of a link, and its framers."""
+    name = names.scope.take(Name.of(link.name).camel(), f"{Name.of(link.name).camel()}Link")
+    pascal = Name.of(link.name).pascal()
+    carried = [message for message in names.layout.messages.values() if carries(link, message)]
+    exception = link.link.exception_response if link.response.role("code") is not None else None
+    addresses = link.link.unit_addresses
+    frames = f"framesOf{pascal}"
+    code = [f"const {frames} = /* @__PURE__ */ frames({{"]
+    code += [
+        f"  name: {literal(link.name)},",
+        f"  start: {list(link.link.start)},",
+        f"  end: {list(link.link.end)},",
+        f"  hex: {'true' if link.link.encoding == 'hex_ascii' else 'false'},",
+    ]
+    for direction in ("request", "response"):
+        frame = link.frame(direction)
+        order = [frame.parts.index(part) for part in frame.checksums]
+        code += [f"  {direction}: {{", *_parts("header", link, direction), *_parts("trailer", link, direction)]
+        code += [f"    checksums: {order},", "  },"]
+    ranges = _intervals(addresses.ranges) if addresses is not None else "null"
+    broadcast = "null" if addresses is None or addresses.broadcast is None else str(addresses.broadcast)
+    code.append(
+        f"  unitAddresses: {'null' if addresses is None else f'{{ ranges: {ranges}, broadcast: {broadcast} }}'},"
+    )
+    code += ["});", ""]
+    flag = "null" if exception is None else f"{{ flag: {exception.flag}, record: {names.records[exception.record]} }}"
+    carried_names = ", ".join(names.messages[message.name] for message in carried)
+    code += [f"export const {name} = /* @__PURE__ */ link({frames}, [{carried_names}], {flag});", ""]
+    headers = {direction: _header_type(link.frame(direction)) for direction in ("request", "response")}
+    record = names.records[exception.record] if exception is not None else "never"
+    messages = " | ".join(f"typeof {names.messages[message.name]}" for message in carried) or "never"
+    types = [
+        *comment(described(link.link.title or Name.of(link.name).title(), link.link)),
+        f"export declare const {name}: Link<{headers['request']}, {headers['response']}, {messages}, {record}>;",
+        "",
+    ]
+    for direction in ("request", "response"):
+        row = _framer(link, direction, carried, names, frames)
+        if row is not None:
+            framer = names.scope.take(f"{Name.of(link.name).camel()}{direction.capitalize()}Framer")
+            code += [f"export const {framer} = () => {row};", ""]
+            types += [
+                *comment([f"A framer that finds the {direction}s of this link in a stream."]),
+                f"export declare function {framer}(): Framer;",
+                "",
+            ]
+    return Declaration(code, types)
+
+
+def _header_type(frame: FrameLayout) -> str:
+    rows = [f"readonly {key}: number" for key, part in zip(_keys(frame.header), frame.header, strict=True) if key]
+    return f"{{ {'; '.join(rows)} }}" if rows else "Record<string, never>"
+
+
+def _keys(parts: Sequence[PartLayout]) -> list[str]:
+    """The properties of the parts that the caller supplies; empty for the others."""
+    scope = property_scope()
+    return [
+        scope.take("unitAddress" if part.role == "unit_address" else Name.of(part.name).camel())
+        if part.is_argument and not part.reserved
+        else ""
+        for part in parts
+    ]
+
+
+def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
+    frame = link.frame(direction)
+    parts = frame.header if place == "header" else frame.trailer
+    lines = [f"    {place}: ["]
+    for part, key in zip(parts, _keys(parts), strict=True):
+        row: dict[str, Any] = {
+            "name": part.name,
+            "role": part.role,
+            "key": key or None,
+            "offset": part.offset,
+            "size": part.size,
+            "order": part.order or "big",
+            "signed": bool(part.value and part.value.type.signed),
+            "low": part.value.type.low if part.value else 0,
+            "high": part.value.type.high if part.value else (1 << 8 * part.size) - 1,
+            "constant": part.constant,
+            "reserved": part.reserved,
+            "unitSize": part.unit_size,
+            "base": part.base,
+            "start": part.start,
+            "stop": part.stop,
+        }
+        more = [f"ranges: {_intervals(part.value.ranges) if part.value else 'null'}"]
+        if part.role == "checksum":
+            more += [f"algorithm: {checksum_function(part.algorithm, part.order)}", f"digits: {literal(part.digits)}"]
+        lines.append(
+            f"      {{ {', '.join([*(f'{field}: {json.dumps(value)}' for field, value in row.items()), *more])} }},"
+        )
+    return [*lines, "    ],"]
+
+
+def checksum_function(algorithm: str, order: str) -> str:
+    """The function that computes a checksum; `order` is that of the numbers which a sum or an xor combines."""
+    short = SHORT.get(algorithm)
+    if short is not None:
+        return short
+    kind = checksum_named(algorithm)
+    if kind.method == "crc":
+        parameters = {
+            "width": str(kind.width),
+            "polynomial": f"0x{kind.polynomial:X}n",
+            "initial": f"0x{kind.initial:X}n",
+            "reflectIn": flag(kind.reflect_in),
+            "reflectOut": flag(kind.reflect_out),
+            "finalXor": f"0x{kind.final_xor:X}n",
+        }
+        return f"crcOf({object_of(parameters)})"
+    parameters = {
+        "method": literal(kind.method),
+        "width": str(kind.width),
+        "initial": f"{kind.initial}n",
+        "complement": literal(kind.complement),
+        "unitSize": str(kind.unit_size),
+        "order": literal(order),
+    }
+    return f"totalOf({object_of(parameters)})"
+
+
+def _intervals(ranges: Ranges | None) -> str:
+    return "null" if ranges is None else json.dumps([list(interval) for interval in ranges.intervals])
+
+
+def _framer(link: LinkLayout, direction: str, carried: list[MessageLayout], names: Names, frames: str) -> str | None:
+    """The call that makes a framer; None where nothing in a frame tells where it ends."""
+    frame = link.frame(direction)
+    refusal = link.link.exception_response if direction == "response" and frame.role("code") is not None else None
+    bodies = [message.data(direction) for message in carried]
+    refused = names.layout.records[refusal.record] if refusal is not None else None
+    bodies += [refused] if refused is not None else []
+    if not bodies:
+        return None
+    rows = [
+        f"...{frames}",
+        f"parts: {frames}.{direction}",
+        *_bounds(link, frame, bodies),
+        _addresses(link, frame, direction),
+    ]
+    length, code = frame.role("length"), frame.role("code")
+    if link.link.start and link.link.end and link.link.encoding == "hex_ascii":
+        return f"delimiterFramer({{ {', '.join(rows)} }})"
+    if link.link.encoding != "binary":
+        return None
+    if length is not None:
+        return f"lengthFramer({{ {', '.join([*rows, f'length: {_number(length)}'])} }})"
+    if code is None:
+        return None
+    extents = [
+        f"{message.message.code}: {_extent(link, frame, message.data(direction))}"
+        for message in carried
+        if message.message.code is not None
+    ]
+    rows += [f"code: {_number(code)}", f"extents: {{ __proto__: null, {', '.join(extents)} }}"]
+    if refused is not None and refusal is not None:
+        rows += [f"flag: {refusal.flag}", f"refusal: {_extent(link, frame, refused)}"]
+    else:
+        rows += ["flag: 0", "refusal: undefined"]
+    return f"codeFramer({{ {', '.join(rows)} }})"
+
+
+def _number(part: PartLayout) -> str:
+    return object_of(
+        {
+            "offset": str(part.offset),
+            "size": str(part.size),
+            "order": literal(part.order or "big"),
+            "signed": flag(bool(part.value and part.value.type.signed)),
+            "unitSize": str(part.unit_size),
+            "base": str(part.base),
+        }
+    )
+
+
+def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) -> list[str]:
+    least = min(record.least for record in bodies)
+    most = max(record.most if record.most is not None else LONGEST for record in bodies)
+    width = 2 if link.link.encoding == "hex_ascii" else 1
+    around = frame.header_size + frame.trailer_size
+    marks = len(link.link.start) + len(link.link.end)
+    return [f"shortest: {marks + width * (around + least)}", f"longest: {marks + width * (around + most)}"]
+
+
+def _addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> str:
+    part, addresses = frame.role("unit_address"), link.link.unit_addresses
+    if part is None or addresses is None or addresses.ranges is None:
+        return "addresses: null"
+    numbers = [n for low, high in addresses.ranges.intervals for n in range(low, high + 1)]
+    if direction == "request" and addresses.broadcast is not None:
+        numbers.append(addresses.broadcast)
+    return f"address: {_number(part)}, addresses: new Set({numbers})"
+
+
+def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> str:
+    """The length without the repeated part; then place and order of its count, and the bytes of each unit."""
+    around = len(link.link.start) + frame.header_size + frame.trailer_size + len(link.link.end)
+    if record.size is not None:
+        return f"{{ length: {around + record.size}, size: 0 }}"
+    tail = record.fields[-1]
+    measures = [
+        field
+        for field in record.fields
+        if field.field.measures is not None and field.field.measures.field == tail.name and field.size <= 4
+    ]
+    if not measures or tail.cases or measures[0].field.measures is None:
+        return "{ length: 0, size: -1 }"
+    measure = measures[0]
+    unit = 1 if measures[0].field.measures.of == "bytes" else tail.size
+    return (
+        f"{{ length: {around + tail.offset}, offset: {frame.header_size + measure.offset}, size: {measure.size},"
+        f' order: "{measure.order}", signed: false, unit: {unit} }}'
+    )

@@ -1,0 +1,98 @@
+"""Sets of numbered parameters."""
+
+from __future__ import annotations
+
+from fieldspec.backends.fact_texts import described
+from fieldspec.backends.js.declaration import Declaration, Names
+from fieldspec.backends.js.naming import property_scope
+from fieldspec.backends.js.text import comment, flag, literal, object_of
+from fieldspec.backends.js.units import unit_of
+from fieldspec.backends.js.values import Slot
+from fieldspec.model.registers import Parameter, ParameterSet, Subindex
+from fieldspec.model.value import Value
+from fieldspec.names import Name
+
+
+def declare_parameters(parameter_set: ParameterSet, names: Names) -> Declaration:
+    """A set of parameters: an object with each by name, and by its number on the wire in `byNumber`."""
+    name = names.scope.take(Name.of(parameter_set.name).pascal(), f"{Name.of(parameter_set.name).pascal()}Parameters")
+    scope = property_scope()
+    rows = [(scope.take(Name.of(row.name).camel()), row) for row in parameter_set.parameters]
+    code = [f"export const {name} = /* @__PURE__ */ parameterSet({literal(parameter_set.name)}, {{"]
+    code += [f"  {key}: {_parameter(row, parameter_set, names)}," for key, row in rows]
+    code += ["});", ""]
+    types = comment(described(parameter_set.title or Name.of(parameter_set.name).title(), parameter_set))
+    types.append(f"export declare const {name}: ParameterSet<{{")
+    for key, row in rows:
+        types += comment(described(Name.of(row.name).title(), row, _facts(row, parameter_set)), 2)
+        kind = f"Parameter<{_type(row, names)}, {'Unit' if unit_of(row.value, row.value.size) else 'null'}>"
+        types.append(f"  readonly {key}: {kind if row.count == 1 else f'readonly {kind}[]'};")
+    types += ["}>;", ""]
+    return Declaration(code, types)
+
+
+def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names) -> str:
+    read, write = _functions(row.name, row.value, row.trigger, names)
+    default = row.value.default
+    more = {
+        "type": literal(row.value.type.name),
+        "kind": _kind(row.value),
+        "size": str(row.value.size),
+        "signed": flag(row.value.type.signed),
+        "default": "" if default is None else literal(default) if isinstance(default, str) else str(default),
+        "elements": "" if row.elements is None else str(row.elements),
+        "units": unit_of(row.value, row.value.size),
+        "subindices": ", ".join(_subindex(row, subindex, names) for subindex in row.subindices),
+        "printedName": literal(row.printed_name or parameter_set.number_text(row.number)) if row.count == 1 else "",
+    }
+    if more["subindices"]:
+        more["subindices"] = f"[{more['subindices']}]"
+    facts = object_of({key: expression for key, expression in more.items() if expression})
+    identity = [literal(row.name), str(row.number), str(parameter_set.base), literal(row.access)]
+    call = ", ".join([*identity, read, write, facts])
+    return f"parameter({call})" if row.count == 1 else f"parameters({row.count}, {call})"
+
+
+def _subindex(row: Parameter, subindex: Subindex, names: Names) -> str:
+    """The object of an element, or of a run of them, with a meaning of its own."""
+    read, write = _functions(f"{row.name}.{subindex.name}", subindex.value, row.trigger, names)
+    return object_of(
+        {
+            "name": literal(subindex.name),
+            "indices": f"[{', '.join(f'[{low}, {high}]' for low, high in subindex.indices.intervals)}]",
+            "size": str(subindex.value.size),
+            "signed": flag(subindex.value.type.signed),
+            "kind": _kind(subindex.value),
+            "read": read,
+            "write": write,
+        }
+    )
+
+
+def _functions(name: str, value: Value, trigger: bool, names: Names) -> tuple[str, str]:
+    """The functions that read and write a value in its own bytes, the most significant one first."""
+    device = names.layout.device
+    answer = value.as_answer(trigger)
+    reading = Slot(name, answer, value.size, "big", False, device).read("number", "o", 0)
+    body = f"{{ {' '.join(reading.lines)} return {reading.expression}; }}" if reading.lines else reading.expression
+    write = " ".join(Slot(name, value, value.size, "big", False, device).write("value", "o", 0))
+    return f"(b, o) => {body}", f"(value, b, o) => {{ {write} }}"
+
+
+def _kind(value: Value) -> str:
+    return literal(value.type.kind.value)
+
+
+def _type(row: Parameter, names: Names) -> str:
+    kinds = [names.type_of(row.value.as_answer(row.trigger), row.value.size)]
+    kinds += [names.type_of(subindex.value.as_answer(row.trigger), subindex.value.size) for subindex in row.subindices]
+    return " | ".join(dict.fromkeys(kinds))
+
+
+def _facts(row: Parameter, parameter_set: ParameterSet) -> str:
+    facts = [f"Number {row.printed_name or parameter_set.number_text(row.number)}", row.value.type.name]
+    facts += [f"{row.elements} elements"] if row.elements is not None else []
+    ranges = row.value.writable_ranges
+    facts += [ranges.text()] if ranges is not None else []
+    facts += [{"ro": "read only", "rw": "read and write", "wo": "write only"}[row.access]] if row.access else []
+    return f"{', '.join(facts)}."

@@ -1,0 +1,81 @@
+"""Records: a codec with generated functions, and the interface of its values with the same name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.fact_texts import cited, described, sentence
+from fieldspec.backends.js.declaration import Declaration, Names
+from fieldspec.backends.js.members import Member, members_of, most_bytes
+from fieldspec.backends.js.record_reading import checked_read, read_functions
+from fieldspec.backends.js.record_writing import write_functions
+from fieldspec.backends.js.text import comment, literal, object_of
+from fieldspec.backends.js.units import unit_of
+from fieldspec.layout.record import RecordLayout
+from fieldspec.model.value import Value
+from fieldspec.names import Name
+
+
+def declare_record(record: RecordLayout, name: str, names: Names, head: str) -> Declaration:
+    """The codec of a record, `name`, and the interface of its values; `head` begins its documentation."""
+    members = [member for member in members_of(record) if member.key]
+    units = {
+        member.key: text
+        for member in members
+        if member.field.value is not None and (text := unit_of(member.field.value, member.field.size))
+    }
+    code = [
+        *read_functions(record, name, names),
+        *write_functions(record, name, names),
+        *checked_read(record, name, names),
+        f"export const {name} = /* @__PURE__ */ record({{",
+        f"  name: {literal(record.name)},",
+        f"  least: {record.least},",
+        f"  most: {most_bytes(record)},",
+        f"  read: check{name},",
+        f"  write: write{name},",
+        f"  size: {'null' if record.size is not None else f'size{name}'},",
+        f"  keys: {{ __proto__: null{''.join(f', {member.key}: 0' for member in members)} }},",
+        f"  units: {object_of(units)},",
+        "});",
+        "",
+    ]
+    unit_type = f"{{ {' '.join(f'readonly {key}: Unit;' for key in units)} }}" if units else "Record<string, never>"
+    types = [
+        *comment([head, sentence(record.record.doc), cited(record.record.sources)]),
+        f"export interface {name} {{",
+        *(line for member in members for line in _property(member, names)),
+        "}",
+        f"export declare const {name}: RecordCodec<{name}, {unit_type}>;",
+        "",
+    ]
+    return Declaration(code, types)
+
+
+def _property(member: Member, names: Names) -> Iterator[str]:
+    """The property of a field in the interface."""
+    field = member.field
+    if field.record is not None:
+        kinds = [names.records[field.record.record.name]]
+    elif field.cases:
+        kinds = list(dict.fromkeys(names.type_of(case.value, case.value.size) for case in field.cases))
+    else:
+        assert field.value is not None
+        kinds = [names.type_of(field.value, field.size)]
+    kind = " | ".join(f"readonly {kind}[]" for kind in kinds) if field.is_list else " | ".join(kinds)
+    facts = [_facts(field.value)] if field.value is not None else []
+    yield from comment(described(Name.of(field.name).title(), field.field, *facts), 2)
+    yield f"  readonly {member.key}: {kind};"
+
+
+def _facts(value: Value) -> str:
+    """What a count means, and what it may be."""
+    facts = []
+    if value.unit:
+        facts.append(f"In counts of {value.scale_text} {value.unit}" if value.scaled else f"In {value.unit}")
+    if value.writable_ranges is not None:
+        facts.append(f"Range {value.writable_ranges.text()}")
+    facts += [f"{sentinel.text} means {Name.of(sentinel.name).title().lower()}" for sentinel in value.sentinels]
+    if value.flags:
+        facts.append(f"A word of {Name.of(value.flags).pascal()}")
+    return " ".join(f"{fact}." for fact in facts)

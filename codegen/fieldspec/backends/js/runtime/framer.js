@@ -1,0 +1,183 @@
+import { readPart, withoutDelimiters, wrongParts } from "./link.js";
+
+/**
+ * Finds the frames of one direction in a stream of bytes that arrives in pieces of any size. It keeps at most the bytes
+ * of one frame. Where bytes look like a frame and are none, it drops one byte and tries again.
+ *
+ * `extent(bytes, at)` is the length of the frame that seems to begin at a byte: 0 for none, -1 where it is unknown.
+ */
+export class Framer {
+  constructor(shape, extent) {
+    this.shape = shape;
+    this.extent = extent;
+    /** The number of bytes that belong to no frame. */
+    this.dropped = 0;
+    this.bytes = new Uint8Array(0);
+  }
+
+  /** The frames that these bytes complete, each with its delimiters and checksum. */
+  feed(piece) {
+    const { shortest, longest } = this.shape;
+    const bytes = joined(this.bytes, piece);
+    const frames = [];
+    let at = 0;
+    while (bytes.length - at >= shortest) {
+      const extent = this.extent(bytes, at);
+      if (at + extent > bytes.length) break;
+      if (extent < 0) {
+        if (bytes.length - at < longest) break;
+      } else if (extent > 0) {
+        const frame = bytes.slice(at, at + extent);
+        if (this.holds(frame)) {
+          frames.push(frame);
+          at += extent;
+          continue;
+        }
+      }
+      this.dropped++;
+      at++;
+    }
+    this.bytes = bytes.slice(at);
+    return frames;
+  }
+
+  /** To be called when the line has been silent: the frames in the bytes so far; the rest is dropped. */
+  idle() {
+    const frames = [];
+    while (this.bytes.length > 0) {
+      const whole = this.bytes;
+      if (whole.length >= this.shape.shortest && this.extent(whole, 0) < 0 && this.holds(whole)) {
+        this.bytes = new Uint8Array(0);
+        frames.push(whole);
+        break;
+      }
+      this.bytes = whole.slice(1);
+      this.dropped++;
+      frames.push(...this.feed(new Uint8Array(0)));
+    }
+    return frames;
+  }
+
+  /** Drops all bytes so far. */
+  reset() {
+    this.bytes = new Uint8Array(0);
+  }
+
+  /** Whether delimiters, checksums and constants of a frame are right. */
+  holds(frame) {
+    try {
+      return wrongParts(this.shape.parts, withoutDelimiters(this.shape, frame)) === null;
+    } catch {
+      return false;
+    }
+  }
+}
+
+function joined(first, second) {
+  if (first.length === 0) return second;
+  const bytes = new Uint8Array(first.length + second.length);
+  bytes.set(first, 0);
+  bytes.set(second, first.length);
+  return bytes;
+}
+
+function beginsWith(bytes, at, mark) {
+  return mark.every((byte, place) => bytes[at + place] === byte);
+}
+
+function foreign({ address, addresses }, bytes, at) {
+  return addresses !== null && !addresses.has(readPart(bytes, at + address.offset, address));
+}
+
+/** The framer of frames whose length part decides where they end. */
+export function lengthFramer(shape) {
+  const { start, end, length, shortest, longest } = shape;
+  return new Framer(shape, (bytes, at) => {
+    if (!beginsWith(bytes, at, start)) return 0;
+    at += start.length;
+    if (foreign(shape, bytes, at)) return 0;
+    const extent = readPart(bytes, at + length.offset, length) * length.unitSize + length.base + start.length + end.length;
+    return extent >= shortest && extent <= longest ? extent : 0;
+  });
+}
+
+/**
+ * The framer of frames whose code decides their length. `extents` has for each code the length of the frame without its
+ * repeated part, then offset, size and order of the part that measures it, and the bytes of each unit of the measure; a
+ * size of 0 where the length is fixed, and of -1 where nothing measures the repeated part.
+ */
+export function codeFramer(shape) {
+  const { start, code, extents, flag, refusal, longest } = shape;
+  return new Framer(shape, (bytes, at) => {
+    if (!beginsWith(bytes, at, start)) return 0;
+    at += start.length;
+    const number = readPart(bytes, at + code.offset, code);
+    const extent = number & flag ? refusal : extents[number];
+    if (extent === undefined || foreign(shape, bytes, at)) return 0;
+    if (extent.size <= 0) return extent.size === 0 ? extent.length : -1;
+    if (at + extent.offset + extent.size > bytes.length) return -1;
+    const length = extent.length + readPart(bytes, at + extent.offset, extent) * extent.unit;
+    return length <= longest ? length : 0;
+  });
+}
+
+/** The framer of frames of characters between delimiters, neither of which occurs within. */
+export function delimiterFramer(shape) {
+  return new DelimiterFramer(shape);
+}
+
+class DelimiterFramer extends Framer {
+  constructor(shape) {
+    super(shape, null);
+  }
+
+  feed(piece) {
+    const { start, end, longest } = this.shape;
+    const bytes = joined(this.bytes, piece);
+    const frames = [];
+    let done = 0;
+    for (let close = find(bytes, end, 0); close >= 0; close = find(bytes, end, done)) {
+      const after = close + end.length;
+      const open = findLast(bytes, start, done, close);
+      const frame = open < 0 ? null : bytes.slice(open, after);
+      if (frame !== null && this.holds(frame)) {
+        frames.push(frame);
+        this.dropped += open - done;
+      } else {
+        this.dropped += after - done;
+      }
+      done = after;
+    }
+    const open = findLast(bytes, start, done, bytes.length);
+    const rest = open >= 0 && bytes.length - open < longest ? open : Math.max(done, bytes.length - start.length + 1);
+    this.dropped += rest - done;
+    this.bytes = bytes.slice(rest);
+    return frames;
+  }
+
+  /** No frames: frames with delimiters may pause, so silence decides nothing. */
+  idle() {
+    return [];
+  }
+
+  holds(frame) {
+    const { shortest, longest } = this.shape;
+    if (frame.length < shortest || frame.length > longest) return false;
+    try {
+      const data = withoutDelimiters(this.shape, frame);
+      return !foreign(this.shape, data, 0) && wrongParts(this.shape.parts, data) === null;
+    } catch {
+      return false;
+    }
+  }
+}
+
+function find(bytes, mark, from) {
+  for (let at = from; at + mark.length <= bytes.length; at++) if (beginsWith(bytes, at, mark)) return at;
+  return -1;
+}
+
+function findLast(bytes, mark, from, to) {
+  for (let at = to - mark.length; at >= from; at--) if (beginsWith(bytes, at, mark)) return at;
+  return -1;
+}

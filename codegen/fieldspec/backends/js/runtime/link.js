@@ -1,0 +1,272 @@
+import { checksumBytes } from "./checksums.js";
+import { CodecError, refusedNumber } from "./error.js";
+import { rangesText, within } from "./values.js";
+
+/** A message: its data in both directions; `code` is null where frames do not carry one. */
+export function message(name, code, request, response, number = null) {
+  return Object.freeze({ name, code, number, request, response });
+}
+
+/**
+ * The frames of a link in both directions: `header` and `trailer` are the parts before and after the body, in their
+ * order, `start` and `end` the delimiters.
+ */
+export function frames({ name, start, end, hex, request, response, unitAddresses }) {
+  return { name, start, end, hex, request: frame(request), response: frame(response), unitAddresses };
+}
+
+/**
+ * A link with its frames and the messages that it carries. `exception` has the flag in the code and the record of an
+ * exception response, or is null.
+ */
+export function link(shapes, messages, exception) {
+  const byCode = new Map();
+  for (const entry of messages) if (entry.code !== null && !byCode.has(entry.code)) byCode.set(entry.code, entry);
+  const context = { ...shapes, messages: new Set(messages), byCode, exception };
+  const { name, request, response, unitAddresses } = shapes;
+  return Object.freeze({
+    name,
+    messages,
+    unitAddresses,
+    /** The frame of a request. Throws CodecError. */
+    encodeRequest(header, entry, data) {
+      return encoded(context, request, header, codeOf(context, request, entry), entry.request, data);
+    },
+    /** The frame of a response. Throws CodecError. */
+    encodeResponse(header, entry, data) {
+      return encoded(context, response, header, codeOf(context, response, entry), entry.response, data);
+    },
+    /** The frame of an exception response to a code. Throws CodecError. */
+    encodeException(header, code, data) {
+      const { flag, record } = expectedException(context);
+      return encoded(context, response, header, code | flag, record, data);
+    },
+    /** The meaning of a request. `entry` is needed where frames carry no code. Throws CodecError. */
+    decodeRequest(bytes, entry) {
+      return decoded(context, request, bytes, entry, "request");
+    },
+    /** The meaning of a response, to the message `entry` where it is present. Throws CodecError. */
+    decodeResponse(bytes, entry) {
+      return decoded(context, response, bytes, entry, "response");
+    },
+  });
+}
+
+function frame({ header, trailer, checksums }) {
+  const sum = (parts) => parts.reduce((size, part) => size + part.size, 0);
+  const parts = [...header, ...trailer];
+  return {
+    header,
+    trailer,
+    parts,
+    headerSize: sum(header),
+    trailerSize: sum(trailer),
+    lengths: header.filter((part) => part.role === "length"),
+    checksums: checksums.map((index) => parts[index]),
+    constants: parts.filter((part) => part.constant !== null && !part.reserved),
+    visible: header.filter((part) => part.key !== null),
+    keys: Object.assign({ __proto__: null }, ...parts.filter((part) => part.key !== null).map((part) => ({ [part.key]: 0 }))),
+    code: parts.find((part) => part.role === "code") ?? null,
+  };
+}
+
+function codeOf(context, { code }, entry) {
+  if (!context.messages.has(entry)) throw new CodecError("unknown_code", `${context.name} does not carry ${entry?.name}`);
+  return code === null ? null : entry.code;
+}
+
+function expectedException({ name, exception }) {
+  if (exception === null) throw new CodecError("unknown_code", `${name} has no exception responses`);
+  return exception;
+}
+
+/** The number of a part of one to six bytes. */
+export function readPart(bytes, offset, { size, order, signed }) {
+  let number = 0;
+  for (let place = 0; place < size; place++) {
+    number = number * 256 + bytes[order === "big" ? offset + place : offset + size - 1 - place];
+  }
+  return signed && number >= 2 ** (8 * size - 1) ? number - 2 ** (8 * size) : number;
+}
+
+function writePart(bytes, offset, { size, order }, number) {
+  let rest = number < 0 ? number + 2 ** (8 * size) : number;
+  for (let place = size - 1; place >= 0; place--) {
+    bytes[order === "big" ? offset + place : offset + size - 1 - place] = rest % 256;
+    rest = Math.floor(rest / 256);
+  }
+}
+
+/** The offset of a place in parts of `size` bytes; negative ones count from the end, and null is the end. */
+function place(offset, size) {
+  return offset === null ? size : offset < 0 ? size + offset : offset;
+}
+
+function isHex(byte) {
+  return (byte >= 48 && byte <= 57) || (byte >= 65 && byte <= 70) || (byte >= 97 && byte <= 102);
+}
+
+function digit(byte) {
+  return byte <= 57 ? byte - 48 : (byte & 0x5f) - 55;
+}
+
+function matches(bytes, offset, mark) {
+  for (let at = 0; at < mark.length; at++) if (bytes[offset + at] !== mark[at]) return false;
+  return true;
+}
+
+function hexText(bytes) {
+  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join(" ");
+}
+
+/** A frame without its delimiters, as bytes instead of characters. Throws CodecError. */
+export function withoutDelimiters({ start, end, hex }, bytes) {
+  if (start.length === 0 && end.length === 0 && !hex) return bytes;
+  if (bytes.length < start.length || !matches(bytes, 0, start)) {
+    throw new CodecError("wrong_mark", `the frame does not start with ${hexText(start)}`, 0);
+  }
+  const last = bytes.length - end.length;
+  if (last < start.length || !matches(bytes, last, end)) {
+    throw new CodecError("wrong_mark", `the frame does not end with ${hexText(end)}`, bytes.length);
+  }
+  if (!hex) return bytes.subarray(start.length, last);
+  for (let at = start.length; at < last; at++) {
+    if (!isHex(bytes[at])) throw new CodecError("not_hex", `byte ${bytes[at]} is no hexadecimal character`, at);
+  }
+  if ((last - start.length) % 2) throw new CodecError("wrong_length", "an odd number of characters", last);
+  const data = new Uint8Array((last - start.length) / 2);
+  for (let at = 0; at < data.length; at++) {
+    data[at] = digit(bytes[start.length + 2 * at]) * 16 + digit(bytes[start.length + 2 * at + 1]);
+  }
+  return data;
+}
+
+function withDelimiters({ start, end, hex }, data) {
+  if (start.length === 0 && end.length === 0 && !hex) return data;
+  const inner = hex ? 2 * data.length : data.length;
+  const bytes = new Uint8Array(start.length + inner + end.length);
+  bytes.set(start, 0);
+  if (hex) {
+    for (let at = 0; at < data.length; at++) {
+      const [high, low] = [data[at] >> 4, data[at] & 15];
+      bytes[start.length + 2 * at] = high + (high < 10 ? 48 : 55);
+      bytes[start.length + 2 * at + 1] = low + (low < 10 ? 48 : 55);
+    }
+  } else {
+    bytes.set(data, start.length);
+  }
+  bytes.set(end, start.length + inner);
+  return bytes;
+}
+
+/** The first reason why the parts of a frame are wrong: its size, a length, a checksum or a constant; null for none. */
+export function wrongParts(shape, data) {
+  const size = data.length;
+  const least = shape.headerSize + shape.trailerSize;
+  if (size < least) return new CodecError("incomplete", `a frame has at least ${least} bytes, not ${size}`, size);
+  for (const part of shape.lengths) {
+    const units = readPart(data, part.offset, part);
+    const extent = units * part.unitSize + part.base;
+    if (extent !== size) {
+      return new CodecError("wrong_length", `${part.name} is ${units}, for a frame of ${extent} bytes, but there are ${size}`, part.offset);
+    }
+  }
+  return wrongChecksum(shape, data) ?? wrongConstant(shape, data);
+}
+
+/** The error of the first wrong checksum, or null. */
+export function wrongChecksum(shape, data) {
+  const size = data.length;
+  for (const part of shape.checksums) {
+    const at = place(part.offset, size);
+    const want = checksumBytes(part, data, place(part.start, size), place(part.stop, size));
+    if (!matches(data, at, want)) {
+      const have = data.subarray(at, at + part.size);
+      return new CodecError("wrong_check", `${part.name} is ${hexText(have)}, not ${hexText(want)}`, at);
+    }
+  }
+  return null;
+}
+
+function wrongConstant(shape, data) {
+  for (const part of shape.constants) {
+    const at = place(part.offset, data.length);
+    const number = readPart(data, at, part);
+    if (number !== part.constant) {
+      return new CodecError("wrong_const", `${part.name} is ${number}, not ${part.constant}`, at);
+    }
+  }
+  return null;
+}
+
+function decoded(context, shape, bytes, entry, direction) {
+  const data = withoutDelimiters(context, bytes);
+  const wrong = wrongParts(shape, data);
+  if (wrong !== null) throw wrong;
+  const end = data.length - shape.trailerSize;
+  const header = {};
+  for (const part of shape.visible) header[part.key] = readPart(data, part.offset, part);
+  if (shape.code === null) {
+    if (!context.messages.has(entry)) {
+      throw new CodecError("unknown_code", "the frame carries no code: pass the message that it belongs to");
+    }
+    return { kind: direction, name: entry.name, header, message: entry, data: entry[direction].read(data, shape.headerSize, end) };
+  }
+  const offset = place(shape.code.offset, data.length);
+  const code = readPart(data, offset, shape.code);
+  const { exception } = context;
+  if (exception !== null && direction === "response" && code & exception.flag) {
+    const asked = code & ~exception.flag;
+    const record = exception.record.read(data, shape.headerSize, end);
+    const answered = context.byCode.get(asked) ?? null;
+    return { kind: "exception", name: answered?.name ?? null, header, message: answered, code: asked, data: record };
+  }
+  const known = context.byCode.get(code);
+  if (known === undefined) {
+    throw new CodecError("unknown_code", `no message has the code 0x${code.toString(16).padStart(2, "0")}`, offset);
+  }
+  if (entry !== undefined && entry !== known) {
+    throw new CodecError("unknown_code", `the code is that of ${known.name}, not of ${entry?.name}`, offset);
+  }
+  return { kind: direction, name: known.name, header, message: known, data: known[direction].read(data, shape.headerSize, end) };
+}
+
+function encoded(context, shape, header, code, record, value) {
+  for (const key in header) {
+    if (!(key in shape.keys)) throw new CodecError("unknown_field", `the header has no part ${key.slice(0, 60)}`);
+  }
+  record.check(value);
+  const { headerSize, trailerSize } = shape;
+  const size = headerSize + (record.size === null ? record.least : record.size(value)) + trailerSize;
+  const data = new Uint8Array(size);
+  for (const part of shape.parts) {
+    if (part.role !== "length" && part.role !== "checksum") {
+      writePart(data, place(part.offset, size), part, partValue(context, part, header, code));
+    }
+  }
+  record.write(value, data, headerSize);
+  for (const part of shape.lengths) {
+    const units = (size - part.base) / part.unitSize;
+    if (!Number.isInteger(units) || units < part.low || units > part.high) {
+      throw new CodecError("wrong_length", `${part.name} cannot say that the frame has ${size} bytes`);
+    }
+    writePart(data, part.offset, part, units);
+  }
+  for (const part of shape.checksums) {
+    data.set(checksumBytes(part, data, place(part.start, size), place(part.stop, size)), place(part.offset, size));
+  }
+  return withDelimiters(context, data);
+}
+
+function partValue({ unitAddresses }, part, header, code) {
+  if (part.constant !== null) return part.constant;
+  if (part.role === "code") return code;
+  const number = header[part.key];
+  const address = part.role === "unit_address" ? unitAddresses : null;
+  if (address !== null && number === address.broadcast && number !== null) return number;
+  const ranges = address?.ranges ?? part.ranges;
+  if (!Number.isInteger(number) || number < part.low || number > part.high || (ranges !== null && !within(ranges, number))) {
+    throw refusedNumber(part.name, number, part.low, part.high, rangesText(ranges ?? [[part.low, part.high]]));
+  }
+  return number;
+}

@@ -1,0 +1,86 @@
+import { CodecError, printed } from "./error.js";
+
+/**
+ * A numbered parameter. `read(bytes, start)` and `write(value, bytes, start)` are its generated functions, for `size`
+ * bytes with the most significant one first.
+ */
+export function parameter(name, number, base, access, read, write, more) {
+  const own = { name, size: more.size, signed: more.signed, kind: more.kind, read, write };
+  const subindices = more.subindices ?? [];
+  const elementOf = (index) => subindices.find(({ indices }) => indices.some(([low, high]) => index >= low && index <= high)) ?? own;
+  return Object.freeze({
+    name,
+    number,
+    wireNumber: base + number,
+    access,
+    units: null,
+    default: null,
+    elements: null,
+    printedName: String(number),
+    ...more,
+    subindices,
+    /** The value of exactly all of its bytes. Throws CodecError. */
+    decode(bytes) {
+      if (bytes.length !== more.size) {
+        const reason = bytes.length < more.size ? "incomplete" : "wrong_length";
+        throw new CodecError(reason, `${name} has ${more.size} bytes, not ${bytes.length}`, Math.min(bytes.length, more.size));
+      }
+      return read(bytes, 0);
+    },
+    /** The bytes of a value. Throws CodecError. */
+    encode(value) {
+      const bytes = new Uint8Array(more.size);
+      write(value, bytes, 0);
+      return bytes;
+    },
+    /** The value of a raw value in a message, which may be signed or not, for the element with an index. */
+    fromRaw(raw, subindex = 0) {
+      return fromRaw(elementOf(subindex), raw);
+    },
+    /** The raw value of a value for a message: without a sign where `unsigned` is set. Throws CodecError. */
+    toRaw(value, { subindex = 0, unsigned = false } = {}) {
+      return toRaw(elementOf(subindex), value, unsigned);
+    },
+  });
+}
+
+function fromRaw(element, raw) {
+  if (element.kind === "float" || element.kind === "text" || element.kind === "bytes") {
+    const bytes = new Uint8Array(element.size);
+    element.write(raw, bytes, 0);
+    return element.read(bytes, 0);
+  }
+  const whole = typeof raw === "boolean" ? Number(raw) : raw;
+  if (typeof whole !== "bigint" && !Number.isInteger(whole)) {
+    throw new CodecError("wrong_type", `${element.name} is a whole number, not ${printed(raw)}`);
+  }
+  const [number, span] = [BigInt(whole), 1n << BigInt(8 * element.size)];
+  if (number >= span || number < -span / 2n) {
+    throw new CodecError("out_of_range", `${element.name} is ${number}, which ${element.size} bytes do not hold`);
+  }
+  const bytes = new Uint8Array(element.size);
+  for (let at = 0; at < element.size; at++) bytes[element.size - 1 - at] = Number((number >> BigInt(8 * at)) & 255n);
+  return element.read(bytes, 0);
+}
+
+function toRaw(element, value, unsigned) {
+  const bytes = new Uint8Array(element.size);
+  element.write(value, bytes, 0);
+  if (element.kind !== "integer" && element.kind !== "boolean") return value;
+  let number = 0n;
+  for (const byte of bytes) number = number * 256n + BigInt(byte);
+  if (element.signed && !unsigned) number = BigInt.asIntN(8 * element.size, number);
+  return element.size > 6 ? number : Number(number);
+}
+
+/** Equal parameters with numbers in a row. */
+export function parameters(count, name, number, base, ...rest) {
+  return Object.freeze(Array.from({ length: count }, (_, index) => parameter(`${name}[${index}]`, number + index, base, ...rest)));
+}
+
+/** The parameters of a set by name; `byNumber(wireNumber)` is one of them, or undefined. */
+export function parameterSet(name, rows) {
+  const index = new Map();
+  for (const row of Object.values(rows)) for (const entry of [row].flat()) index.set(entry.wireNumber, entry);
+  return Object.freeze({ setName: name, parameters: Object.freeze(rows), byNumber: (wireNumber) => index.get(wireNumber) });
+}

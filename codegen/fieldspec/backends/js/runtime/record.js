@@ -1,0 +1,49 @@
+import { CodecError, printed, wrongSize } from "./error.js";
+
+/**
+ * A record. `read(bytes, start, end)` and `write(value, bytes, start)` are its generated functions; `size(value)`
+ * counts the bytes of a value where they vary. `keys` are the names of its fields, `units` their quantities.
+ */
+export function record({ name, least, most, read, write, size, keys, units }) {
+  return Object.freeze({
+    name,
+    least,
+    most,
+    read,
+    write,
+    size,
+    units,
+    /** The value of exactly these bytes. Throws CodecError. */
+    decode(bytes) {
+      return read(bytes, 0, bytes.length);
+    },
+    /** The bytes of a value. Throws CodecError. */
+    encode(value) {
+      knownKeys(name, value, keys);
+      const bytes = new Uint8Array(size === null ? least : size(value));
+      write(value, bytes, 0);
+      return bytes;
+    },
+    /** Throws CodecError for what is no object, and for a field that the record does not have. */
+    check(value) {
+      knownKeys(name, value, keys);
+    },
+  });
+}
+
+/** Throws CodecError for what is no object, and for a field that a record does not have. */
+export function knownKeys(name, value, keys) {
+  if (typeof value !== "object" || value === null) {
+    if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
+    throw new CodecError("wrong_type", `${name} is an object, not ${printed(value)}`);
+  }
+  for (const key in value) {
+    if (!(key in keys)) throw new CodecError("unknown_field", `${name} has no field ${printed(key)}`);
+  }
+}
+
+/** Throws CodecError unless there are `least` to `most` bytes from `start` to `end`. */
+export function checkSize(name, least, most, start, end) {
+  const size = end - start;
+  if (size < least || size > most) throw wrongSize(name, least, most, size, start);
+}

@@ -1,0 +1,175 @@
+import { CodecError } from "./error.js";
+
+/**
+ * A value in registers, `words` of them from `address` on. `read(bytes, start)` and `write(value, bytes, start)` are its
+ * generated functions; `more` has what applies to it beside.
+ */
+export function register(name, address, words, access, read, write, more = {}) {
+  return Object.freeze({
+    name,
+    address,
+    words,
+    access,
+    space: "",
+    atomic: false,
+    trigger: false,
+    units: null,
+    ...more,
+    /** The value of exactly all of its bytes. Throws CodecError. */
+    decode(bytes) {
+      const size = 2 * words;
+      if (bytes.length < size) throw new CodecError("incomplete", `${name} has ${size} bytes, not ${bytes.length}`, bytes.length);
+      if (bytes.length > size) throw new CodecError("wrong_length", `${name} has ${size} bytes, not ${bytes.length}`, size);
+      return read(bytes, 0);
+    },
+    /** The bytes of a value. Throws CodecError. */
+    encode(value) {
+      const bytes = new Uint8Array(2 * words);
+      write(value, bytes, 0);
+      return bytes;
+    },
+  });
+}
+
+/** Equal registers, `stride` words apart, numbered from `first`. */
+export function registerArray(count, first, stride, name, address, words, access, read, write, more = {}) {
+  const registers = Array.from({ length: count }, (_, index) =>
+    register(`${name}[${first + index}]`, address + index * stride, words, access, read, write, more),
+  );
+  return Object.freeze({
+    name,
+    address,
+    first,
+    stride,
+    length: count,
+    /** The register with a number. Throws RangeError. */
+    at(number) {
+      return element(name, registers, number - first, first);
+    },
+    [Symbol.iterator]: () => registers[Symbol.iterator](),
+  });
+}
+
+/** A table of records, `stride` words apart, numbered from `first`. Each is a register whose value is the record. */
+export function table(count, first, stride, name, address, access, record, more = {}) {
+  const make = (index) =>
+    register(
+      `${name}[${first + index}]`,
+      address + index * stride,
+      record.least / 2,
+      access,
+      (bytes, start) => record.read(bytes, start, start + record.least),
+      (value, bytes, start) => {
+        record.check(value);
+        record.write(value, bytes, start);
+      },
+      more,
+    );
+  return Object.freeze({
+    name,
+    address,
+    first,
+    stride,
+    length: count,
+    record,
+    /** The record with a number, as a register. Throws RangeError. */
+    at(number) {
+      if (!Number.isInteger(number) || number < first || number >= first + count) {
+        throw new RangeError(`${name} has the numbers ${first}..${first + count - 1}, not ${number}`);
+      }
+      return make(number - first);
+    },
+  });
+}
+
+function element(name, registers, index, first) {
+  const entry = registers[index];
+  if (entry === undefined) throw new RangeError(`${name} has the numbers ${first}..${first + registers.length - 1}, not ${index + first}`);
+  return entry;
+}
+
+/** The words of bytes, in the byte order of a device. */
+export function wordsOf(bytes, order) {
+  const [high, low] = order === "big" ? [0, 1] : [1, 0];
+  return Array.from({ length: bytes.length / 2 }, (_, word) => bytes[2 * word + high] * 256 + bytes[2 * word + low]);
+}
+
+/** The bytes of words, in the byte order of a device. */
+export function bytesOf(words, order) {
+  const [high, low] = order === "big" ? [0, 1] : [1, 0];
+  const bytes = new Uint8Array(2 * words.length);
+  words.forEach((word, index) => {
+    bytes[2 * index + high] = word >> 8;
+    bytes[2 * index + low] = word & 0xff;
+  });
+  return bytes;
+}
+
+/** Throws CodecError for a register that can only be read, or only be written. */
+export function allowed(entry, operation) {
+  if (operation === "write" && entry.access === "ro") throw new CodecError("read_only", `${entry.name} can only be read`);
+  if (operation === "read" && entry.access === "wo") throw new CodecError("write_only", `${entry.name} can only be written`);
+}
+
+/** The error of registers that no message of the device reads or writes. */
+export function noMessage(entry, operation) {
+  return new CodecError("unknown_code", `no message can ${operation} ${entry.name}, ${entry.words} words in ${entry.space || "the device"}`);
+}
+
+function accessOf(accesses, entry, operation, words) {
+  const own = accesses.filter((access) => access.operation === operation && access.space === entry.space);
+  const access = own.find((candidate) => candidate.single === (words === 1)) ?? own.find((candidate) => !candidate.single) ?? own[0];
+  if (access === undefined) throw noMessage(entry, operation);
+  return access;
+}
+
+function* spansOf(entry, access) {
+  const most = Math.min(access.most, entry.words);
+  if (entry.words > most && entry.atomic) throw noMessage(entry, access.operation);
+  for (let at = 0; at < entry.words; at += most) yield [at, Math.min(most, entry.words - at)];
+}
+
+/** What a message carries for words; in a space of bits, each is 0 or 1. */
+function carriedOf(access, words) {
+  if (access.bit === undefined) return access.single ? words[0] : words;
+  if (access.single) return access.bit[words[0]];
+  const bytes = Array(Math.ceil(words.length / 8)).fill(0);
+  words.forEach((bit, index) => (bytes[index >> 3] |= bit << (index & 7)));
+  return bytes;
+}
+
+/** The words that a message carries for a register; in a space of bits, each is 0 or 1. Throws CodecError. */
+function wordsIn(access, entry, carried) {
+  if (access.bit === undefined) return carried;
+  const bits = access.single ? [access.bit.indexOf(carried)] : Array.from({ length: entry.words }, (_, index) => (carried[index >> 3] >> (index & 7)) & 1);
+  if (bits.includes(-1)) throw new CodecError("unknown_value", `${entry.name} is ${carried}, neither ${access.bit[0]} nor ${access.bit[1]}`);
+  return bits;
+}
+
+function requestOf(access, entry, at, count, words) {
+  const data = { [access.start]: entry.address + at };
+  if (access.count) data[access.count] = count;
+  if (words !== null) data[access.values] = carriedOf(access, words.slice(at, at + count));
+  return { message: access.message, data };
+}
+
+/** The requests that read a register. Throws CodecError. */
+export function readRequestsOf(accesses, entry) {
+  allowed(entry, "read");
+  const access = accessOf(accesses, entry, "read", 0);
+  return [...spansOf(entry, access)].map(([at, count]) => requestOf(access, entry, at, count, null));
+}
+
+/** The requests that write a value to a register. Throws CodecError. */
+export function writeRequestsOf(accesses, entry, value, order) {
+  allowed(entry, "write");
+  const words = wordsOf(entry.encode(value), order);
+  const access = accessOf(accesses, entry, "write", words.length);
+  return [...spansOf(entry, access)].map(([at, count]) => requestOf(access, entry, at, count, words));
+}
+
+/** The value of a register from the data of responses. Throws CodecError. */
+export function valueOf(accesses, entry, responses, order) {
+  const access = accessOf(accesses, entry, "read", 0);
+  return entry.decode(bytesOf(responses.flatMap((response) => wordsIn(access, entry, response[access.values])), order));
+}

@@ -1,0 +1,50 @@
+"""Spec texts as literals of JavaScript and as comments."""
+
+from __future__ import annotations
+
+import json
+import textwrap
+from collections.abc import Iterable, Mapping
+
+WIDTH = 110
+
+
+def literal(text: str) -> str:
+    """A text in double quotes, in ASCII, which also stands safely within HTML."""
+    return json.dumps(text).replace("</", "<\\/").replace("<!--", "<\\u0021--")
+
+
+def object_of(rows: Mapping[str, str]) -> str:
+    """An object on one line, of expressions by property."""
+    return f"{{ {', '.join(f'{key}: {expression}' for key, expression in rows.items())} }}" if rows else "{}"
+
+
+def flag(condition: bool) -> str:
+    """`true` or `false`."""
+    return "true" if condition else "false"
+
+
+def comment(paragraphs: Iterable[str], indent: int = 0) -> list[str]:
+    """The lines of a documentation comment, none where all paragraphs are blank.
+
+    Characters that are invisible, or that change the direction of a line, are written as escapes.
+    """
+    texts = [paragraph for paragraph in paragraphs if paragraph.strip()]
+    lines: list[str] = []
+    for number, text in enumerate(texts):
+        if number:
+            lines.append("")
+        line = _visible(" ".join(text.split()))
+        lines += textwrap.wrap(line, WIDTH - indent, break_long_words=False, break_on_hyphens=False)
+    margin = " " * indent
+    if not lines:
+        return []
+    if len(lines) == 1:
+        return [f"{margin}/** {lines[0]} */"]
+    return [f"{margin}/**", *(f"{margin} * {line}".rstrip() for line in lines), f"{margin} */"]
+
+
+def _visible(text: str) -> str:
+    escaped = "".join(char if char.isprintable() else "".join(f"\\u{{{ord(char):x}}}") for char in text)
+    # `@` would begin a tag, and `*/` would end the comment.
+    return escaped.replace("*/", "*\\/").replace("@", "\\@")

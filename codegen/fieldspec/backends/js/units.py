@@ -1,0 +1,58 @@
+"""Quantities: counts with a scale and a unit, and shares of a reference."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from fieldspec.backends.js.declaration import Declaration, Names
+from fieldspec.backends.js.text import comment, literal
+from fieldspec.model.value import Conversion, Kind, Value
+from fieldspec.names import Name
+
+
+def unit_of(value: Value, size: int) -> str:
+    """The call that makes the `Unit` of a value in `size` bytes; empty where its counts have neither scale nor unit."""
+    if value.type.kind is not Kind.INTEGER or not (value.unit or value.scaled) or value.flags or value.enum:
+        return ""
+    scale, offset = Fraction(value.scale), Fraction(value.offset)
+    divisor = scale.denominator * offset.denominator // _common(scale.denominator, offset.denominator)
+    ranges = value.writable_ranges
+    intervals = ranges.intervals if ranges is not None else ((value.type.low, value.type.high),)
+    rows = [
+        f"unit: {literal(value.unit)}",
+        f"factor: {scale * divisor}n",
+        f"shift: {offset * divisor}n",
+        f"divisor: {divisor}n",
+        f"absent: [{', '.join(f'{sentinel.value}n' for sentinel in value.sentinels)}]",
+        f"ranges: [{', '.join(f'[{low}n, {high}n]' for low, high in intervals)}]",
+        f"wide: {'true' if size > 6 else 'false'}",
+    ]
+    return f"/* @__PURE__ */ unit({{ {', '.join(rows)} }})"
+
+
+def _common(first: int, second: int) -> int:
+    while second:
+        first, second = second, first % second
+    return first
+
+
+def declare_conversion(conversion: Conversion, names: Names) -> Declaration:
+    """The object with the two directions of a conversion."""
+    name = names.scope.take(Name.of(conversion.name).camel(), f"{Name.of(conversion.name).camel()}Conversion")
+    device = names.layout.device
+    ranges = [device.signals[signal].value.ranges for signal in conversion.signals if signal in device.signals]
+    low, high = conversion.type.low, conversion.type.high
+    known = [intervals for intervals in ranges if intervals is not None]
+    if known and len(known) == len(ranges):
+        low, high = max(low, min(r.low for r in known)), min(high, max(r.high for r in known))
+    share = f"raw / {conversion.full_scale}"
+    formula = f"reference * (1 - {share})" if conversion.complement else f"reference * {share}"
+    code = [
+        f"export const {name} = /* @__PURE__ */ conversion({{ full: {conversion.full_scale}n,"
+        f" complement: {'true' if conversion.complement else 'false'}, low: {low}n, high: {high}n }});",
+        "",
+    ]
+    about = [f"{conversion.title or Name.of(conversion.name).title()} = {formula}.", conversion.doc]
+    if conversion.references:
+        about.append(f"Reference: {', '.join(conversion.references)}.")
+    return Declaration(code, [*comment(about), f"export declare const {name}: Conversion;", ""])

@@ -1,0 +1,245 @@
+"""Expressions and statements that read, check and write one value in an array of bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.js.text import literal
+from fieldspec.classes import dataclass
+from fieldspec.model.device import Device
+from fieldspec.model.value import Kind, Value, merged
+
+INLINE = 6
+"""The number of intervals up to which a test is written out; more are looked up in an array."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """How a value is read: statements that bind and check it, and its expression, which may throw too."""
+
+    lines: tuple[str, ...]
+    expression: str
+    throws: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """A value in `size` bytes, which may be more than its type has. `order` and `swapped` as in `FieldLayout`."""
+
+    name: str
+    value: Value
+    size: int
+    order: str
+    swapped: bool
+    device: Device
+
+    @property
+    def wide(self) -> bool:
+        """Whether its numbers are bigints."""
+        return self.value.type.kind is Kind.INTEGER and self.size > 6
+
+    @property
+    def places(self) -> tuple[int, ...]:
+        """The places of its bytes, the most significant one first."""
+        places = list(range(self.size))
+        if self.order != "big":
+            places.reverse()
+        if self.swapped:
+            words = [places[at : at + 2] for at in range(0, self.size, 2)]
+            places = [place for word in reversed(words) for place in word]
+        return tuple(places)
+
+    def number(self, base: str, offset: int) -> str:
+        """The expression of the raw number at `base` + `offset`."""
+        at = [byte(base, offset + place) for place in self.places]
+        signed = self.value.type.signed and self.value.type.kind is Kind.INTEGER
+        if self.size == 1:
+            return f"({at[0]} << 24) >> 24" if signed else at[0]
+        if self.size <= 4:
+            terms = [_shifted(term, 8 * (self.size - 1 - place)) for place, term in enumerate(at)]
+            joined = " | ".join(terms)
+            if signed:
+                return (
+                    f"({joined})" if self.size == 4 else f"(({joined}) << {32 - 8 * self.size}) >> {32 - 8 * self.size}"
+                )
+            return f"(({joined}) >>> 0)" if self.size == 4 else f"({joined})"
+        high, low = _unsigned(at[:-4]), _unsigned(at[-4:])
+        if self.size <= 6:
+            number = f"{high} * 4294967296 + {low}"
+            return f"signed48({number}, {8 * self.size})" if signed else f"({number})"
+        joined = f"(BigInt({high}) << 32n) | BigInt({low})"
+        return f"BigInt.asIntN({8 * self.size}, {joined})" if signed else f"({joined})"
+
+    def stored(self, number: str, base: str, offset: int) -> list[str]:
+        """The statements that write a number, given by the name of a variable."""
+        at = [byte(base, offset + place) for place in reversed(self.places)]
+        if self.size > 6:
+            return [
+                f"{target} = Number({number if not k else f'({number} >> {8 * k}n)'} & 255n);"
+                for k, target in enumerate(at)
+            ]
+        if self.size > 4:
+            return [
+                f"{target} = {number if not k else f'Math.floor({number} / {256**k})'} % 256;"
+                for k, target in enumerate(at)
+            ]
+        return [f"{target} = {number if not k else f'{number} >>> {8 * k}'};" for k, target in enumerate(at)]
+
+    @property
+    def known(self) -> list[int] | None:
+        """The numbers of a closed enum that may be sent, with those that stand for no value; None without one."""
+        enum = self.device.enums.get(self.value.enum)
+        if enum is None or enum.open:
+            return None
+        members = {member.value for member in enum.members if not member.unavailable}
+        return sorted(members | {sentinel.value for sentinel in self.value.sentinels})
+
+    @property
+    def sendable(self) -> list[tuple[int, int]]:
+        """The numbers that may be sent, as intervals in ascending order."""
+        low, high = self.value.type.low, self.value.type.high
+        ranges = self.value.writable_ranges
+        intervals = [(low, high)]
+        if ranges is not None:
+            special = [(sentinel.value, sentinel.value) for sentinel in self.value.sentinels]
+            intervals = merged([*ranges.intervals, *special])
+        intervals = [(max(low, first), min(high, last)) for first, last in intervals if last >= low and first <= high]
+        if self.known is not None:
+            return merged((n, n) for n in self.known if any(first <= n <= last for first, last in intervals))
+        return intervals
+
+    def digits(self, number: int) -> str:
+        """A number as a literal of its type."""
+        return f"{number}n" if self.wide else str(number)
+
+    def test(self, number: str, intervals: list[tuple[int, int]]) -> str:
+        """The condition that a number of the type is in one of some intervals; empty where all are."""
+        low, high = self.value.type.low, self.value.type.high
+        if intervals == [(low, high)]:
+            return ""
+        if len(intervals) > INLINE:
+            rows = ", ".join(f"[{self.digits(first)}, {self.digits(last)}]" for first, last in intervals)
+            return f"within([{rows}], {number})"
+        terms = []
+        for first, last in intervals:
+            parts = [f"{number} >= {self.digits(first)}"] * (first > low) + [f"{number} <= {self.digits(last)}"] * (
+                last < high
+            )
+            terms.append(f"{number} === {self.digits(first)}" if first == last else " && ".join(parts))
+        return " || ".join(f"({term})" if " && " in term and len(terms) > 1 else term for term in terms) or "false"
+
+    def whole(self, number: str) -> str:
+        """The condition that a value of any type is a number of the type of the slot."""
+        signed, size, low, high = self.value.type.signed, self.value.size, self.value.type.low, self.value.type.high
+        if self.wide:
+            return f'typeof {number} === "bigint" && {number} >= {low}n && {number} <= {high}n'
+        if size == 4:
+            return f"({number} | 0) === {number}" if signed else f"({number} >>> 0) === {number}"
+        if size < 4:
+            bounds = f" && {number} >= {low} && {number} <= {high}" if signed else f" && {number} <= {high}"
+            return (f"({number} | 0) === {number}" if signed else f"({number} >>> 0) === {number}") + bounds
+        return f"Number.isInteger({number}) && {number} >= {low} && {number} <= {high}"
+
+    def read(self, variable: str, base: str, offset: int) -> Reading:
+        """How the value at `base` + `offset` is read into a variable."""
+        kind, name = self.value.type.kind, literal(self.name)
+        at = place(base, offset)
+        if kind is Kind.TEXT:
+            return Reading((), f"textOf({name}, b, {at}, {self.size})", throws=True)
+        if kind is Kind.BYTES:
+            return Reading((), f"b.slice({at}, {place(base, offset + self.size)})")
+        number = self.number(base, offset)
+        if kind is Kind.FLOAT:
+            return Reading((), f"{'doubleOf' if self.size == 8 else 'floatOf'}({number})")
+        if kind is Kind.BOOLEAN:
+            return Reading((), f"booleanOf({name}, {number}, {at})", throws=True)
+        checks = list(self._checks(variable, at))
+        return Reading((f"const {variable} = {number};", *checks), variable) if checks else Reading((), number)
+
+    def _checks(self, variable: str, at: str) -> Iterator[str]:
+        """The statements that refuse a number that was received."""
+        const, known = self.value.const, self.known
+        low, high = self.value.type.low, self.value.type.high
+        if const is not None:
+            wrong = throw_wrong_number("wrong_const", self.name, variable, literal(f"not {const}"), at)
+            yield f"if ({variable} !== {self.digits(const)}) {wrong}"
+        if self.size > self.value.size:
+            wrong = throw_wrong_number("unknown_value", self.name, variable, literal(f"not in {low}..{high}"), at)
+            yield f"if ({variable} < {low} || {variable} > {high}) {wrong}"
+        if known is not None and (test := self.test(variable, merged((number, number) for number in known))):
+            text = literal(f"which {self.value.enum} does not list")
+            yield f"if (!({test})) {throw_wrong_number('unknown_value', self.name, variable, text, at)}"
+
+    def write(self, variable: str, base: str, offset: int) -> list[str]:
+        """The statements that check a value, given by the name of a variable, and write it."""
+        kind, name = self.value.type.kind, literal(self.name)
+        at = place(base, offset)
+        if kind is Kind.TEXT:
+            return [f"putText({name}, {variable}, b, {at}, {self.size});"]
+        if kind is Kind.BYTES:
+            return [f"putBytes({name}, {variable}, b, {at}, {self.size});"]
+        raw = f"{variable}Raw"
+        if kind is Kind.BOOLEAN:
+            return [f"const {raw} = numberOf({name}, {variable});", *self.stored(raw, base, offset)]
+        if kind is Kind.FLOAT:
+            arguments = f"{name}, {variable}, {self._float_ranges()}"
+            function = "doubleBitsOf" if self.size == 8 else "bitsOf"
+            return [f"const {raw} = {function}({arguments});", *self.stored(raw, base, offset)]
+        return [self._refusal(variable), *self.stored(variable, base, offset)]
+
+    def _float_ranges(self) -> str:
+        """The ranges of a floating-point number, and the numbers beside them that stand for no value."""
+        ranges = self.value.ranges
+        intervals = "null" if ranges is None else f"[{', '.join(f'[{low}, {high}]' for low, high in ranges.intervals)}]"
+        others = ", ".join("NaN" if sentinel.is_nan else str(sentinel.value) for sentinel in self.value.sentinels)
+        return f"{intervals}, [{others}]"
+
+    def _refusal(self, variable: str) -> str:
+        """The statement that refuses a number that may not be sent."""
+        low, high, const = self.value.type.low, self.value.type.high, self.value.const
+        if const is not None:
+            wrong = throw_wrong_number("wrong_const", self.name, variable, literal(f"not {const}"), "null")
+            return f"if ({variable} !== {self.digits(const)}) {wrong}"
+        tests = [self.whole(variable)]
+        if more := self.test(variable, self.sendable):
+            tests.append(f"({more})" if " || " in more else more)
+        ranges = self.value.writable_ranges
+        arguments = [
+            literal(self.name),
+            variable,
+            self.digits(low),
+            self.digits(high),
+            literal(ranges.text() if ranges else f"{low}..{high}"),
+            *([literal(self.value.enum)] if self.known is not None else []),
+        ]
+        return f"if (!({' && '.join(tests)})) throw refusedNumber({', '.join(arguments)});"
+
+    def constant(self, number: int, base: str, offset: int) -> list[str]:
+        """The statements that write a number that is known."""
+        data = (number & ((1 << (8 * self.size)) - 1)).to_bytes(self.size, "big")
+        return [f"{byte(base, offset + at)} = {value};" for at, value in zip(self.places, data, strict=True) if value]
+
+
+def byte(base: str, offset: int) -> str:
+    """The byte at `base` + `offset` of the array `b`."""
+    return f"b[{place(base, offset)}]"
+
+
+def place(base: str, offset: int) -> str:
+    """`o + 4`, or `o`."""
+    return f"{base} + {offset}" if offset else base
+
+
+def throw_wrong_number(reason: str, name: str, number: str, detail: str, at: str) -> str:
+    """The statement that refuses a number; `number`, `detail` and `at` are expressions."""
+    return f"throw wrongNumber({literal(reason)}, {literal(name)}, {number}, {detail}, {at});"
+
+
+def _shifted(term: str, shift: int) -> str:
+    return f"({term} << {shift})" if shift else term
+
+
+def _unsigned(terms: list[str]) -> str:
+    """The number of up to four bytes, without a sign."""
+    joined = " | ".join(_shifted(term, 8 * (len(terms) - 1 - at)) for at, term in enumerate(terms))
+    return f"(({joined}) >>> 0)" if len(terms) == 4 else f"({joined})"

@@ -1,0 +1,45 @@
+"""What all carriers have in common."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from fieldspec.classes import dataclass
+
+
+class CarrierError(OSError):
+    """A carrier that cannot be opened, or that is gone. The message says which and why."""
+
+
+class Carrier(Protocol):
+    """Two ways for bytes."""
+
+    name: str
+    """Where the other side finds it: a path or an address."""
+
+    datagrams: bool
+    """Whether bytes come in pieces that belong together."""
+
+    def read(self, seconds: float) -> bytes:
+        """The bytes that come within some seconds; empty if none do. Raises CarrierError at the end."""
+
+    def write(self, data: bytes) -> None:
+        """Sends bytes. Raises CarrierError."""
+
+    def close(self) -> None:
+        """Ends it. A read that waits ends too."""
+
+
+@dataclass(frozen=True, slots=True)
+class LineSettings:
+    """The settings of a serial line. `parity` is `none`, `even` or `odd`."""
+
+    baud: int = 9600
+    data_bits: int = 8
+    parity: str = "none"
+    stop_bits: int = 1
+
+    def seconds(self, characters: float) -> float:
+        """How long some characters take."""
+        bits = 1 + self.data_bits + (self.parity != "none") + self.stop_bits
+        return characters * bits / self.baud

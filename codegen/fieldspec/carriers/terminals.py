@@ -1,0 +1,113 @@
+"""Serial ports and pseudo-terminals."""
+
+from __future__ import annotations
+
+import os
+import select
+import threading
+
+from fieldspec.carriers.carrier import CarrierError, LineSettings
+from fieldspec.classes import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from serial import SerialBase
+
+
+class PseudoTerminal:
+    """A pseudo-terminal: another program opens `name` as if it were a serial port."""
+
+    datagrams = False
+
+    def __init__(self) -> None:
+        try:
+            import pty
+            import tty
+        except ImportError:
+            raise CarrierError("this system has no pseudo-terminals; use a serial port or tcp://HOST:PORT") from None
+        self._own, self._other = pty.openpty()
+        tty.setraw(self._own)
+        tty.setraw(self._other)
+        self.name = os.ttyname(self._other)
+        self._wake, self._waker = os.pipe()
+        self._closing = threading.Lock()
+        self._closed = False
+
+    def read(self, seconds: float) -> bytes:
+        """The bytes that come within some seconds. Raises CarrierError at the end."""
+        if self._closed:
+            raise CarrierError(f"{self.name} is closed")
+        ready, _, _ = select.select([self._own, self._wake], [], [], seconds)
+        if self._wake in ready:
+            raise CarrierError(f"{self.name} is closed")
+        return os.read(self._own, 4096) if ready else b""
+
+    def write(self, data: bytes) -> None:
+        """Sends bytes."""
+        while data:
+            _, ready, _ = select.select([], [self._own], [], 1.0)
+            if not ready:
+                return  # nobody reads what the terminal holds already
+            data = data[os.write(self._own, data) :]
+
+    def close(self) -> None:
+        """Ends it."""
+        with self._closing:
+            if self._closed:
+                return
+            self._closed = True
+        os.write(self._waker, b".")
+
+    def release(self) -> None:
+        """Gives the descriptors back, once nobody reads any more."""
+        for descriptor in (self._own, self._other, self._wake, self._waker):
+            os.close(descriptor)
+
+
+class SerialPort:
+    """A serial port, or whatever else pyserial opens by a URL, such as `socket://HOST:PORT` and `rfc2217://HOST:PORT`."""
+
+    datagrams = False
+
+    def __init__(self, url: str, settings: LineSettings) -> None:
+        try:
+            import serial
+        except ImportError:
+            raise CarrierError("serial ports need pyserial: pip install 'fieldspec[live]'") from None
+        self.name = url
+        parity = {"none": serial.PARITY_NONE, "even": serial.PARITY_EVEN, "odd": serial.PARITY_ODD}[settings.parity]
+        try:
+            self._port: SerialBase = serial.serial_for_url(
+                url, settings.baud, settings.data_bits, parity, settings.stop_bits, timeout=0.0, write_timeout=5.0
+            )
+        except (serial.SerialException, ValueError, OSError) as error:
+            raise CarrierError(f"cannot open {url}: {error}") from None
+        self._error = serial.SerialException
+
+    def read(self, seconds: float) -> bytes:
+        """The bytes that come within some seconds. Raises CarrierError at the end."""
+        try:
+            self._port.timeout = seconds
+            data = self._port.read(1)
+            if data:
+                self._port.timeout = 0.0
+                data += self._port.read(4096)
+        except (
+            self._error,
+            OSError,
+            TypeError,
+            AttributeError,
+        ) as error:  # what a port raises that is closed meanwhile
+            raise CarrierError(f"{self.name}: {error}") from None
+        return bytes(data)
+
+    def write(self, data: bytes) -> None:
+        """Sends bytes. Raises CarrierError."""
+        try:
+            self._port.write(data)
+            self._port.flush()
+        except (self._error, OSError) as error:
+            raise CarrierError(f"{self.name}: {error}") from None
+
+    def close(self) -> None:
+        """Ends it."""
+        self._port.close()

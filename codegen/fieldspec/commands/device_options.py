@@ -1,0 +1,34 @@
+"""The arguments of the verbs that serve a device or talk to one."""
+
+from __future__ import annotations
+
+import argparse
+
+
+def add_simulate(simulate: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `simulate`."""
+    simulate.add_argument("device", metavar="DEVICE[@VERSION]")
+    where = "pty, tcp://HOST:PORT, udp://HOST:PORT or a serial port; may be repeated (default: as the link allows)"
+    simulate.add_argument("--port", metavar="[LINK=]WHERE", action="append", help=where)
+    simulate.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
+    simulate.add_argument(
+        "--baud", type=int, metavar="NUMBER", help="the baud rate of a serial port (default: as delivered)"
+    )
+    simulate.add_argument("--parity", choices=("none", "even", "odd"), help="the parity of a serial port")
+    simulate.add_argument(
+        "--message", metavar="NAME", help="the cyclic message in use, by name or number (default: the first)"
+    )
+    simulate.add_argument("--rate", type=float, default=1.0, metavar="FACTOR", help="how much faster time passes")
+    simulate.add_argument("--dump", metavar="FILE", help="begin with the values of a dump: CSV, XLSX or JSON")
+    simulate.add_argument("--record", metavar="FILE", help="write the traffic, as lines that `fieldspec decode` reads")
+    chance = "a fault by chance, such as no_answer=0.01; may be repeated"
+    simulate.add_argument("--fault", metavar="KIND=PROBABILITY", action="append", help=chance)
+    simulate.add_argument("--faults", metavar="FILE", help="a script of faults: a JSON object in each line")
+    simulate.add_argument("--seed", type=int, default=0, metavar="NUMBER", help="the seed of what happens by chance")
+    simulate.add_argument(
+        "--control", action="store_true", help="take commands from standard input, a JSON object in each line"
+    )
+    simulate.add_argument("--view", action="store_true", help="show registers, motion and traffic in the terminal")
+    simulate.add_argument(
+        "--assumptions", action="store_true", help="list what the simulator assumes, and serve nothing"
+    )

@@ -1,0 +1,208 @@
+"""`fieldspec simulate`: a device made from its spec, on a pseudo-terminal, a serial port, TCP or UDP."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+from fieldspec.behaviour.reading import behaviour_of
+from fieldspec.carriers.carrier import CarrierError
+from fieldspec.classes import TYPE_CHECKING
+from fieldspec.commands import list_files, specs
+from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.lists.dump import dump, object_sheet
+from fieldspec.lists.sheet import ListError
+from fieldspec.render.blocks import Line, Table
+from fieldspec.simulator.clock import SystemClock
+from fieldspec.simulator.control import CommandError, carried_out
+from fieldspec.simulator.faults import KINDS, Fault, FaultError, fault_of
+from fieldspec.simulator.simulation import Simulation, settings_of, usual_place
+
+if TYPE_CHECKING:
+    from typing import Any, TextIO
+
+    from fieldspec.behaviour.part import Behaviour
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Serves a device until it is interrupted."""
+    spec, version = specs.spec_at(arguments.specs, arguments.device)
+    layout = specs.layout_of(spec, version)
+    behaviour = behaviour_of(spec.tree_at(version))
+    if arguments.assumptions:
+        _print_assumptions(layout, behaviour)
+        return 0
+    if not layout.links:
+        raise UsageError(f"{arguments.device} has no link, so there is nothing to serve")
+    simulation = Simulation(
+        layout,
+        behaviour,
+        unit_address=_unit_address(layout, arguments.unit),
+        message=_message(layout, arguments.message),
+        clock=SystemClock(arguments.rate),
+        faults=list(_faults(arguments)),
+        seed=arguments.seed,
+    )
+    if arguments.dump:
+        _seed(simulation, arguments.dump)
+    places = list(_places(layout, arguments.port))
+    recording: TextIO | None = None
+    try:
+        if arguments.record:
+            recording = Path(arguments.record).open("w", encoding="utf-8", newline="\n")  # noqa: SIM115
+            simulation.listeners.append(_Recorder(recording).write)
+        for link, place in places:
+            settings = settings_of(layout.links[link].link, arguments.baud, arguments.parity)
+            name = simulation.serve(link, place, settings)
+            print(f"{layout.device.id} {layout.device.version}, {link}: {name}", file=sys.stderr, flush=True)
+        if arguments.view:
+            from fieldspec.commands.simulation_view import show
+
+            show(simulation)
+        elif arguments.control:
+            _control(simulation)
+        else:
+            threading.Event().wait()
+    except CarrierError as error:
+        raise UsageError(str(error)) from None
+    except OSError as error:
+        raise UsageError(f"cannot write {arguments.record}: {error.strerror}") from None
+    finally:
+        simulation.close()
+        if recording is not None:
+            recording.close()
+    return 0
+
+
+def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str, str]]:
+    """The links that are served, each with its place. Raises UsageError."""
+    if not ports:
+        links = list(layout.links.values())
+        # One serial line at a time, as on the device; what is no serial line has no other to disturb.
+        serial = next((link for link in links if link.link.serial is not None), None)
+        for link in [serial] if serial is not None else links:
+            yield link.name, usual_place(link.link)
+        return
+    for port in ports:
+        name, mark, place = port.partition("=")
+        if not mark:
+            name, place = next(iter(layout.links)), port
+        if name not in layout.links:
+            raise unknown("link", name, layout.links)
+        if place.startswith("udp://") and layout.links[name].link.serial is not None:
+            raise UsageError(f"the link {name} is a serial line; use pty, a serial port, or tcp://HOST:PORT")
+        yield name, place
+
+
+def _unit_address(layout: DeviceLayout, unit: int | None) -> int:
+    """The unit address: the one that is asked for, or the first that the device can have. Raises UsageError."""
+    for link in layout.device.links.values():
+        addresses = link.unit_addresses
+        if addresses is not None and addresses.ranges is not None:
+            if unit is not None and unit not in addresses.ranges:
+                raise UsageError(f"the unit address {unit} is not in {addresses.ranges.text()}")
+            return addresses.ranges.low if unit is None else unit
+    return 1 if unit is None else unit
+
+
+def _message(layout: DeviceLayout, name: str | None) -> str:
+    """The message in use on links whose frames do not name it. Raises UsageError."""
+    cyclic = [message for message in layout.device.messages.values() if message.number is not None]
+    if name is None:
+        return cyclic[0].name if cyclic else ""
+    for message in cyclic:
+        if name in (message.name, str(message.number)):
+            if message.supplements:
+                raise UsageError(
+                    f"{message.name} only supplements others; name one of {', '.join(message.supplements)}"
+                )
+            return message.name
+    raise unknown("cyclic message", name, [message.name for message in cyclic])
+
+
+def _faults(arguments: argparse.Namespace) -> Iterator[Fault]:
+    """The faults of the options. Raises UsageError."""
+    for text in arguments.fault or ():
+        kind, _, chance = text.partition("=")
+        try:
+            yield fault_of({"fault": kind, "probability": float(chance or "nan")})
+        except ValueError as error:
+            if isinstance(error, FaultError) and chance:
+                raise UsageError(f"--fault {text}: {error}") from None
+            raise UsageError(f"--fault {text}: write it as KIND=PROBABILITY, as in {next(iter(KINDS))}=0.01") from None
+    if not arguments.faults:
+        return
+    try:
+        lines = Path(arguments.faults).read_text("utf-8").splitlines()
+    except (OSError, UnicodeError) as error:
+        raise UsageError(f"cannot read {arguments.faults}: {error}") from None
+    for number, line in enumerate(lines, 1):
+        if not line.strip() or line.lstrip().startswith("#"):
+            continue
+        try:
+            data = json.loads(line)
+            if not isinstance(data, dict):
+                raise FaultError("a fault is a JSON object")
+            yield fault_of(data)
+        except ValueError as error:
+            raise UsageError(f"{arguments.faults}:{number}: {error}") from None
+
+
+def _seed(simulation: Simulation, name: str) -> None:
+    """Gives the device the values of a dump."""
+    from fieldspec.simulator.seeding import seed
+
+    data = list_files.content(name)
+    try:
+        rows = dump(object_sheet(data) or list_files.sheet(data, "", ""), {})
+    except ListError as error:
+        raise UsageError(f"{name} {error}") from None
+    count, unused = seed(simulation.engine, rows)
+    print(f"{count} words from {name}" + (f", {unused} without a register" if unused else ""), file=sys.stderr)
+
+
+def _print_assumptions(layout: DeviceLayout, behaviour: Behaviour) -> None:
+    from fieldspec.commands.terminal import print_blocks
+
+    rows = tuple((part.name, part.assumed) for part in behaviour.assumptions())
+    if not behaviour.parts:
+        text = f"{layout.device.id} has no behaviour: it answers with what is written, and nothing happens over time."
+        print_blocks([Line(text)])
+        return
+    print_blocks([Table(("part", "assumption"), rows)])
+
+
+def _control(simulation: Simulation) -> None:
+    """Carries out commands from standard input, a JSON object in each line, until it ends."""
+    for line in sys.stdin:
+        if not line.strip():
+            continue
+        try:
+            command: Any = json.loads(line)
+            if not isinstance(command, dict):
+                raise CommandError("a command is a JSON object")
+            result = carried_out(simulation, command)
+        except (CommandError, ValueError) as error:
+            result = {"ok": False, "error": str(error)}
+        print(json.dumps(result, ensure_ascii=False), flush=True)
+
+
+class _Recorder:
+    """Writes traffic as lines that `fieldspec decode` reads: the time, the direction, the bytes, and a comment."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+        self._lock = threading.Lock()
+
+    def write(self, now: float, link: str, direction: str, data: bytes, text: str) -> None:
+        """Writes a frame."""
+        if data:
+            with self._lock:
+                comment = text.replace("\n", " ").replace("#", "")
+                self._stream.write(f"{now:.6f} {direction} {data.hex(' ').upper()}  # {link}: {comment}\n")
+                self._stream.flush()

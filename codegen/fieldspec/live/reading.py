@@ -1,0 +1,128 @@
+"""Reads registers by their names, in as few requests as the device permits."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+from fieldspec.classes import dataclass
+from fieldspec.explain.registers import Occupant, Span, occupants
+from fieldspec.explain.values import DecodedValue, decode_value
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.read_plan import ReadBlock, read_plan
+from fieldspec.live.client import Client, RefusedError
+from fieldspec.model.record import Message
+
+_LAST = 0x10000
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """A value that was read, or the reason why the device refused it. `words` are those on the wire."""
+
+    occupant: Occupant
+    words: tuple[int, ...]
+    decoded: DecodedValue | None
+    refusal: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Words that one request reads, and the values in them."""
+
+    space: str
+    start: int
+    words: int
+    occupants: tuple[Occupant, ...]
+
+
+def all_occupants(layout: DeviceLayout) -> Iterator[tuple[str, Occupant]]:
+    """Everything at addresses, with its space."""
+    device = layout.device
+    for space in dict.fromkeys([*device.spaces, device.space_name("")]):
+        for occupant in occupants(layout, Span(space, 0, _LAST, 0, b"")):
+            yield space, occupant
+
+
+def blocks(layout: DeviceLayout, chosen: Sequence[tuple[str, Occupant]]) -> list[Block]:
+    """The requests that read some values: parts of the read plan, so that none touches what must not be read.
+
+    A value that no block of the plan has is read alone: somebody has named it.
+    """
+    result: list[Block] = []
+    rest = list(chosen)
+    for block in read_plan(layout).blocks:
+        own = [pair for pair in rest if _within(layout, block, *pair)]
+        if own:
+            rest = [pair for pair in rest if pair not in own]
+            first = min(occupant.address for _, occupant in own)
+            last = max(occupant.address + occupant.words for _, occupant in own)
+            result.append(Block(own[0][0], first, last - first, tuple(occupant for _, occupant in own)))
+    result += [Block(space, occupant.address, occupant.words, (occupant,)) for space, occupant in rest]
+    return sorted(result, key=lambda block: (block.space, block.start))
+
+
+def _within(layout: DeviceLayout, block: ReadBlock, space: str, occupant: Occupant) -> bool:
+    own = block.space or layout.device.space_name("")
+    return own == space and block.start <= occupant.address and occupant.address + occupant.words <= block.end
+
+
+def message_for(layout: DeviceLayout, operation: str, space: str, words: int) -> Message | None:
+    """The message that reads or writes some words of a space, the one with a count where there is one."""
+    device = layout.device
+    known = []
+    for message in device.messages.values():
+        access = device.register_access(message)
+        if access is not None and access.operation == operation and device.space_name(access.space) == space:
+            known.append((bool(access.count) == (words > 1), bool(access.count), message))
+    fitting = [entry for entry in known if entry[1] or words == 1]
+    return max(fitting, key=lambda entry: entry[:2])[2] if fitting else None
+
+
+def read(client: Client, plan: Iterable[Block], done: Callable[[int], None] | None = None) -> Iterator[Reading]:
+    """Reads blocks. A block that the device refuses is divided, so that one refusal costs no other value.
+
+    Raises NoAnswerError and CarrierError. `done` is called with the words of each request.
+    """
+    for block in plan:
+        yield from _read_block(client, block)
+        if done is not None:
+            done(block.words)
+
+
+def _read_block(client: Client, block: Block) -> Iterator[Reading]:
+    try:
+        words = read_words(client, block.space, block.start, block.words)
+    except RefusedError as error:
+        if len(block.occupants) == 1:
+            yield Reading(block.occupants[0], (), None, str(error))
+            return
+        middle = len(block.occupants) // 2
+        for part in (block.occupants[:middle], block.occupants[middle:]):
+            start = min(occupant.address for occupant in part)
+            end = max(occupant.address + occupant.words for occupant in part)
+            yield from _read_block(client, Block(block.space, start, end - start, part))
+        return
+    for occupant in block.occupants:
+        at = occupant.address - block.start
+        yield reading(client.layout, occupant, words[at : at + occupant.words])
+
+
+def read_words(client: Client, space: str, start: int, count: int) -> list[int]:
+    """The words from an address on. Raises NoAnswerError, RefusedError and CarrierError."""
+    message = message_for(client.layout, "read", space, count)
+    access = message.accesses if message is not None else None
+    if message is None or access is None:
+        raise RefusedError(0, "no message of the device reads registers")
+    values = {access.start: start, **({access.count: count} if access.count else {})}
+    content = client.ask(message.name, values).values[access.values]
+    return list(content) if isinstance(content, list) else [content]
+
+
+def reading(layout: DeviceLayout, occupant: Occupant, words: Sequence[int]) -> Reading:
+    """The meaning of the words of a value."""
+    order = "big" if layout.device.byte_order == "big" else "little"
+    data = b"".join(word.to_bytes(2, "big" if order == "big" else "little") for word in words)
+    data = data[occupant.skip : occupant.skip + occupant.value.size]
+    value = occupant.value.as_answer(occupant.trigger)
+    decoded = decode_value(layout.device, value, data, occupant.order, occupant.swapped, occupant.reserved)
+    return Reading(occupant, tuple(words), decoded)

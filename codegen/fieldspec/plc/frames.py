@@ -1,0 +1,43 @@
+"""Frames that functions for programmable controllers cannot build or check."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.classes import replace
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.model.checksums import SIMPLE
+from fieldspec.model.fact import Fact
+from fieldspec.plc.dialects import Dialect
+
+_HELP = "leave this output out for the device: name the others after --to"
+
+
+def with_supported_links(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list[Diagnostic]]:
+    """The layout without the links whose frames the dialect has no functions for, and a finding for each of these."""
+    links, findings = {}, []
+    for name, link in layout.links.items():
+        reasons = list(_unsupported(link))
+        for fact, key, what in reasons[:1]:
+            text = f"{what}, which {dialect.title} has no functions for"
+            findings.append(Diagnostic("plc_frames_supported", text, fact.place[key], help=_HELP))
+        if not reasons:
+            links[name] = link
+    return (replace(layout, links=links), findings) if findings else (layout, [])
+
+
+def _unsupported(link: LinkLayout) -> Iterator[tuple[Fact, str, str]]:
+    """The facts that no function expresses, each with its key and a description."""
+    for frame in (link.request, link.response):
+        checks = frame.checksums
+        for check in checks:
+            if check.algorithm not in SIMPLE:
+                key = "checksum" if "checksum" in check.part.place else "algorithm"
+                yield check.part, key, f"the checksum {check.name} of {link.name} has the algorithm {check.algorithm}"
+            if check.digits:
+                yield check.part, "digits", f"the checksum {check.name} of {link.name} is sent as digits"
+        if len(checks) > 1:
+            last = checks[-1].part
+            yield last, "name", f"{link.name} has {len(checks)} checksums in a frame"

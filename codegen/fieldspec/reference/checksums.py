@@ -1,0 +1,44 @@
+"""The checksums of the reference codec, bit by bit as the definitions have them."""
+
+from __future__ import annotations
+
+from fieldspec.model.checksums import DIGITS, Checksum, checksum_named
+
+
+def checksum(algorithm: str, data: bytes, order: str = "big") -> int:
+    """The checksum of some bytes; `order` is that of the bytes of the numbers that are added."""
+    kind = checksum_named(algorithm)
+    return _remainder(kind, data) if kind.method == "crc" else _total(kind, data, order)
+
+
+def _remainder(kind: Checksum, data: bytes) -> int:
+    """The remainder of the division of the data by the polynomial."""
+    top, register = 1 << kind.width - 1, kind.initial
+    for byte in data:
+        for place in range(8) if kind.reflect_in else reversed(range(8)):
+            is_divided = bool(register & top) != bool(byte >> place & 1)
+            register = (register << 1 & kind.mask) ^ (kind.polynomial if is_divided else 0)
+    if kind.reflect_out:
+        register = sum((register >> place & 1) << kind.width - 1 - place for place in range(kind.width))
+    return register ^ kind.final_xor
+
+
+def _total(kind: Checksum, data: bytes, order: str) -> int:
+    number = kind.initial
+    for at in range(0, len(data), kind.unit_size):
+        unit = data[at : at + kind.unit_size].ljust(kind.unit_size, b"\0")
+        term = int.from_bytes(unit if order == "big" else unit[::-1], "big")
+        number = (number + term) & kind.mask if kind.method == "sum" else number ^ term
+    if kind.complement == "ones":
+        return number ^ kind.mask
+    return kind.mask + 1 - number & kind.mask if kind.complement == "twos" else number
+
+
+def checksum_digits(number: int, digits: str, size: int) -> bytes:
+    """A number as so many digits, the most significant first."""
+    characters = b"0123456789abcdef" if digits == "lower_hex" else b"0123456789ABCDEF"
+    places = []
+    for _ in range(size):
+        number, digit = divmod(number, DIGITS[digits])
+        places.append(characters[digit])
+    return bytes(reversed(places))

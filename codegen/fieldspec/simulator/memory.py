@@ -1,0 +1,138 @@
+"""The memory of a simulated device: words at addresses, elements of parameters, and the fields of messages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from decimal import Decimal
+
+from fieldspec.classes import TYPE_CHECKING
+from fieldspec.explain.registers import Occupant, Span, occupants
+from fieldspec.explain.values import number_of
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.registers import Parameter, ParameterSet
+from fieldspec.model.value import Kind, Value
+from fieldspec.reference.records import value_construct
+
+if TYPE_CHECKING:
+    from typing import Any, Literal, TypeAlias
+
+    from fieldspec.layout.values import Raw
+
+Address: TypeAlias = "tuple[str, int]"
+"""The name of a space, and an address in it."""
+
+Element: TypeAlias = "tuple[str, int, int]"
+"""The name of a parameter set, a number of the set, and the index of an element."""
+
+_LAST = 0x10000
+
+
+def default_raw(value: Value) -> Raw:
+    """The raw value at delivery where nothing else states it: the default, the constant, 0, or what is nearest to 0."""
+    if value.type.kind in (Kind.TEXT, Kind.BYTES):
+        text = value.default if isinstance(value.default, str) else ""
+        return text.encode("ascii", "replace").ljust(value.size, b"\0")[: value.size]
+    if isinstance(value.default, int):
+        return value.default
+    if value.const is not None:
+        return value.const
+    if value.type.kind is Kind.FLOAT:
+        return 0.0
+    if value.ranges is None or 0 in value.ranges or value.sentinel(0) is not None:
+        return 0
+    return min((bound for interval in value.ranges.intervals for bound in interval), key=abs)
+
+
+class Memory:
+    """The values of a device. What is `stored` outlasts the power."""
+
+    def __init__(self, layout: DeviceLayout) -> None:
+        self.layout = layout
+        self.words: dict[Address, int] = {}
+        self.occupants: dict[Address, list[Occupant]] = {}
+        self.elements: dict[Element, Raw] = {}
+        self.fields: dict[str, Raw] = {}
+        self.lists: dict[str, list[dict[str, Raw]]] = {}
+        self.formats: dict[tuple[str, int], int] = {}
+        """The number of the format in which a parameter was last written, or is to be read."""
+        self._constructs: dict[int, Any] = {}
+        self.order: Literal["big", "little"] = "big" if layout.device.byte_order == "big" else "little"
+        device = layout.device
+        for space in dict.fromkeys([*device.spaces, device.space_name("")]):
+            for occupant in occupants(layout, Span(space, 0, _LAST, 0, b"")):
+                for address in range(occupant.address, occupant.address + occupant.words):
+                    self.occupants.setdefault((space, address), []).append(occupant)
+        self.deliver()
+
+    def deliver(self) -> None:
+        """Sets everything to what it is when the device is delivered, as far as the values themselves say it."""
+        self.words = dict.fromkeys(self.occupants, 0)
+        for (space, address), present in self.occupants.items():
+            for occupant in present:
+                if occupant.address == address:
+                    self.write(space, occupant, default_raw(occupant.value))
+        self.elements = {
+            (parameter_set.name, parameter.number + offset, index): default_raw(_element_value(parameter, index))
+            for parameter_set in self.layout.device.parameters.values()
+            for parameter in parameter_set.parameters
+            for offset in range(parameter.count)
+            for index in range(parameter.elements or 1)
+        }
+        self.fields.clear()
+        self.lists.clear()
+
+    def at(self, space: str, address: int) -> list[Occupant]:
+        """What is at an address: mostly one value, several where the spec says that they overlap."""
+        return self.occupants.get((space, address), [])
+
+    def read(self, space: str, occupant: Occupant) -> Raw:
+        """The raw value of an occupant."""
+        span = range(occupant.address, occupant.address + occupant.words)
+        data = b"".join(self.words[space, address].to_bytes(2, self.order) for address in span)
+        skip = occupant.skip
+        return number_of(occupant.value, data[skip : skip + occupant.value.size], occupant.order, occupant.swapped)
+
+    def write(self, space: str, occupant: Occupant, raw: Raw) -> None:
+        """Sets the raw value of an occupant, with no more than its bits."""
+        data = self.bytes_of(occupant.value, raw, occupant.order, occupant.swapped)
+        span = range(occupant.address, occupant.address + occupant.words)
+        old = b"".join(self.words[space, address].to_bytes(2, self.order) for address in span)
+        new = old[: occupant.skip] + data + old[occupant.skip + len(data) :]
+        for number, address in enumerate(span):
+            self.words[space, address] = int.from_bytes(new[2 * number : 2 * number + 2], self.order)
+
+    def bytes_of(self, value: Value, raw: Raw, order: str, swapped: bool) -> bytes:
+        """The bytes of a raw value; a number that is too great for its type is cut to the type's bounds."""
+        if isinstance(raw, bytes):
+            return raw.ljust(value.size, b"\0")[: value.size]
+        if value.type.kind is not Kind.FLOAT and isinstance(raw, int | float | Decimal):
+            raw = min(max(round(raw), value.type.low), value.type.high)
+        key = id(value)
+        codec = self._constructs.get(key)
+        if codec is None:
+            codec = self._constructs[key] = value_construct(value, order, swapped)
+        data: bytes = codec.build(raw)
+        return data
+
+
+def _element_value(parameter: Parameter, index: int) -> Value:
+    """The value of an element: that of the parameter, or of the run of elements that it belongs to."""
+    for inner in parameter.subindices:
+        if index in inner.indices:
+            return inner.value
+    return parameter.value
+
+
+def element_value(parameter: Parameter, index: int) -> Value:
+    """The value of an element of a parameter."""
+    return _element_value(parameter, index)
+
+
+def numbers_of(sets: Iterable[ParameterSet]) -> list[tuple[str, int, Parameter]]:
+    """All numbers of some sets with the parameter of each."""
+    return [
+        (parameter_set.name, parameter.number + offset, parameter)
+        for parameter_set in sets
+        for parameter in parameter_set.parameters
+        for offset in range(parameter.count)
+    ]

@@ -1,0 +1,151 @@
+"""Requests that read and write numbered parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.access import readable
+from fieldspec.model.registers import Parameter
+from fieldspec.simulator.memory import element_value, numbers_of
+from fieldspec.simulator.refusal import Refusal
+from fieldspec.simulator.registers import invalid
+
+if TYPE_CHECKING:
+    from typing import Any
+
+    from fieldspec.layout.values import Raw
+    from fieldspec.simulator.engine import Engine
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """The elements of a parameter that a request means. `count` is None for one value without an index.
+
+    `parameter` is None for a number that the set has and no row describes: it holds what is written to it.
+    """
+
+    set_name: str
+    number: int
+    parameter: Parameter | None
+    first: int
+    count: int | None
+
+    @property
+    def elements(self) -> range:
+        """The indices of the elements."""
+        return range(self.first, self.first + (1 if self.count is None else self.count))
+
+
+def part_of(record: RecordLayout, part: str) -> FieldLayout | None:
+    """The field of a record that is a part of a parameter access: number, subindex, value or values."""
+    fields = (*record.fields, *(field for chosen in record.chosen.values() for field in chosen.fields))
+    for field in fields:
+        value = field.value if field.value is not None else None
+        if value is not None and value.parameter is not None and value.parameter.part == part:
+            return field
+        for case in field.cases:
+            if case.value.parameter is not None and case.value.parameter.part == part:
+                return field
+    return None
+
+
+def _count_field(record: RecordLayout) -> FieldLayout | None:
+    """The field that says how many elements are meant: the only one that nothing else decides."""
+    free = [
+        field
+        for field in record.fields
+        if field.value is not None
+        and field.value.const is None
+        and field.value.parameter is None
+        and field.field.measures is None
+        and field is not record.selector
+    ]
+    return free[0] if len(free) == 1 else None
+
+
+def target_of(engine: Engine, record: RecordLayout, values: Mapping[str, Any]) -> Target | None:
+    """The parameter that a request names; None where it names none. Raises Refusal for one that does not exist."""
+    numbered = part_of(record, "number")
+    if numbered is None or numbered.value is None or numbered.value.parameter is None:
+        return None
+    device, wire_number = engine.layout.device, int(values[numbered.name])
+    known = device.parameter_at(numbered.value.parameter.set, wire_number)
+    if known is None:
+        raise Refusal("unknown_address", f"no parameter has the number {wire_number}")
+    indexed = part_of(record, "subindex")
+    count_field = _count_field(record) if indexed is not None else None
+    count = int(values[count_field.name]) if count_field is not None and values[count_field.name] else None
+    first = int(values[indexed.name]) if indexed is not None and count is not None else 0
+    carried = part_of(record, "value")
+    content = values.get(carried.name) if carried is not None else None
+    if count is not None and isinstance(content, list) and len(content) != count:
+        raise Refusal("count_invalid", f"{len(content)} values for {count} elements")
+    parameter = known[0].numbered(known[1])
+    if parameter is None:
+        return Target(known[0].name, known[1], None, first, count)
+    most = parameter.elements or 1
+    if count is not None and parameter.elements is None and (first or count > 1):
+        raise Refusal("no_array", f"{parameter.name} has one value")
+    if first + (count or 1) > most:
+        raise Refusal("subindex_invalid", f"{parameter.name} has {most} elements")
+    return Target(known[0].name, known[1], parameter, first, count)
+
+
+def read_parameter(engine: Engine, target: Target) -> list[Raw]:
+    """The raw values of the elements. Raises Refusal."""
+    if target.parameter is None:
+        keys = [(target.set_name, target.number, index) for index in target.elements]
+        if not all(key in engine.memory.elements for key in keys):
+            raise Refusal("unknown_address", f"nothing is known of parameter {target.number}, and nothing was written")
+        return [engine.memory.elements[key] for key in keys]
+    if not readable(target.parameter.access or "rw"):
+        raise Refusal("read_forbidden", f"{target.parameter.name} can only be written")
+    return [engine.memory.elements[target.set_name, target.number, index] for index in target.elements]
+
+
+def write_parameter(engine: Engine, target: Target, raws: list[Raw]) -> None:
+    """Writes the elements and lets the behaviour follow. Raises Refusal, and then nothing is written."""
+    parameter = target.parameter
+    if len(raws) != len(target.elements):
+        raise Refusal("count_invalid", f"{len(raws)} values for {len(target.elements)} elements")
+    if parameter is None:
+        for index, raw in zip(target.elements, raws, strict=True):
+            engine.memory.elements[target.set_name, target.number, index] = raw
+        return
+    if parameter.access == "ro":
+        raise Refusal("write_forbidden", f"{parameter.name} can only be read")
+    for index, raw in zip(target.elements, raws, strict=True):
+        why = "" if parameter.reserved else invalid(engine, element_value(parameter, index), raw)
+        if why:
+            raise Refusal("value_invalid", f"{parameter.name} cannot be {raw!r}: {why}")
+    elements = engine.memory.elements
+    before = {index: elements[target.set_name, target.number, index] for index in target.elements}
+    for index, raw in zip(target.elements, raws, strict=True):
+        elements[target.set_name, target.number, index] = raw
+    try:
+        engine.follow_write([parameter.place.path, *(inner.place.path for inner in parameter.subindices)])
+    except Refusal:
+        for index, raw in before.items():
+            elements[target.set_name, target.number, index] = raw
+        raise
+
+
+def all_values(engine: Engine, name: str) -> list[Raw]:
+    """The values of all parameters of a set or of a space, in the order of their numbers."""
+    return [
+        engine.memory.elements[set_name, number, 0]
+        for set_name, number, _ in numbers_of(engine.layout.device.sets(name))
+    ]
+
+
+def write_all(engine: Engine, name: str, raws: list[Raw]) -> None:
+    """Writes all parameters of a set. Raises Refusal."""
+    rows = numbers_of(engine.layout.device.sets(name))
+    for (_, _, parameter), raw in zip(rows, raws, strict=True):
+        why = "" if parameter.reserved else invalid(engine, parameter.value, raw)
+        if why:
+            raise Refusal("value_invalid", f"{parameter.name} cannot be {raw!r}: {why}")
+    for (set_name, number, parameter), raw in zip(rows, raws, strict=True):
+        write_parameter(engine, Target(set_name, number, parameter, 0, None), [raw])

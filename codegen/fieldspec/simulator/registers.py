@@ -1,0 +1,146 @@
+"""Requests that read and write registers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from fieldspec.classes import TYPE_CHECKING
+from fieldspec.explain.registers import FORBIDS, Occupant
+from fieldspec.model.record import Message, RegisterAccess
+from fieldspec.model.value import Kind, Value
+from fieldspec.simulator.refusal import Refusal
+
+if TYPE_CHECKING:
+    from typing import Any
+
+    from fieldspec.simulator.engine import Engine
+
+
+def read_registers(engine: Engine, access: RegisterAccess, values: Mapping[str, Any]) -> list[int]:
+    """The words that a request asks for. Raises Refusal."""
+    space, addresses = _span(engine, access, values, _count(access, values))
+    memory = engine.memory
+    _judge(engine, space, addresses, "read")
+    words = []
+    for address in addresses:
+        triggers = [occupant for occupant in memory.at(space, address) if occupant.trigger]
+        displayed = not triggers or any(_is_displayed(engine, occupant) for occupant in triggers)
+        words.append(memory.words[space, address] if displayed else 0)
+    for address in addresses:
+        for occupant in memory.at(space, address):
+            if occupant.address == address and getattr(occupant.fact, "handling", None) is not None:
+                handling = occupant.fact.handling  # type: ignore[attr-defined]
+                if handling.clears_on_read:
+                    memory.write(space, occupant, 0)
+    return words
+
+
+def write_registers(engine: Engine, access: RegisterAccess, values: Mapping[str, Any]) -> None:
+    """Writes the words of a request and lets the behaviour follow. Raises Refusal, and then nothing is written."""
+    content = values[access.values]
+    words: Sequence[int] = content if isinstance(content, list | tuple) else [content]
+    space, addresses = _span(engine, access, values, len(words))
+    _judge(engine, space, addresses, "write")
+    memory = engine.memory
+    before = {address: memory.words[space, address] for address in addresses}
+    for address, word in zip(addresses, words, strict=True):
+        memory.words[space, address] = word
+    paths = []
+    try:
+        for occupant in _touched(engine, space, addresses):
+            raw = memory.read(space, occupant)
+            why = _invalid(engine, occupant, raw)
+            if why:
+                raise Refusal("value_invalid", f"{occupant.path} cannot be {raw!r}: {why}")
+            if not _is_whole(occupant, addresses) and occupant.atomic and not _accepts(engine, "partial_values"):
+                raise Refusal("value_invalid", f"{occupant.path} is to be written in one request")
+            paths.append(_path(occupant))
+        engine.follow_write(paths)
+    except Refusal:
+        for address, word in before.items():
+            memory.words[space, address] = word
+        raise
+
+
+def is_register_message(engine: Engine, message: Message) -> RegisterAccess | None:
+    """How a message accesses registers; None where it does not."""
+    return engine.layout.device.register_access(message)
+
+
+def _count(access: RegisterAccess, values: Mapping[str, Any]) -> int:
+    return int(values[access.count]) if access.count else 1
+
+
+def _span(engine: Engine, access: RegisterAccess, values: Mapping[str, Any], count: int) -> tuple[str, range]:
+    first = int(values[access.start])
+    return engine.layout.device.space_name(access.space), range(first, first + count)
+
+
+def _judge(engine: Engine, space: str, addresses: range, operation: str) -> None:
+    """Refuses addresses without a register, and registers that the operation may not touch."""
+    for address in addresses:
+        present = engine.memory.at(space, address)
+        if not present:
+            raise Refusal("unknown_address", f"no register is at 0x{address:04X}")
+        for occupant in present:
+            why = FORBIDS.get((operation, occupant.access))
+            if why:
+                raise Refusal(f"{operation}_forbidden", f"{occupant.path} at 0x{address:04X} {why}")
+
+
+def _touched(engine: Engine, space: str, addresses: range) -> Iterator[Occupant]:
+    """The occupants that share words with a span, each once."""
+    seen: set[tuple[str, int]] = set()
+    for address in addresses:
+        for occupant in engine.memory.at(space, address):
+            if (occupant.path, occupant.address) not in seen:
+                seen.add((occupant.path, occupant.address))
+                yield occupant
+
+
+def _is_whole(occupant: Occupant, addresses: range) -> bool:
+    return occupant.address >= addresses.start and occupant.address + occupant.words <= addresses.stop
+
+
+def _accepts(engine: Engine, what: str) -> bool:
+    return any(
+        part.subject == what and engine.holds(part.get("if") or {}) for part in engine.behaviour.of_kind("accept")
+    )
+
+
+def _path(occupant: Occupant) -> str:
+    """The path of the operand of an occupant."""
+    return occupant.outer.place.path if "[" in occupant.path and "." not in occupant.path else occupant.fact.place.path
+
+
+def _is_displayed(engine: Engine, occupant: Occupant) -> bool:
+    """Whether reading a register that starts something gives what the behaviour shows there."""
+    path = _path(occupant)
+    return any(cell.path == path for part in engine.behaviour.of_kind("show") for cell in engine.cells.of(part.subject))
+
+
+def _invalid(engine: Engine, occupant: Occupant, raw: Any) -> str:
+    if occupant.reserved and occupant.value.const is None:
+        return ""
+    return invalid(engine, occupant.value, raw)
+
+
+def invalid(engine: Engine, value: Value, raw: Any) -> str:
+    """Why a raw value cannot be written; empty where it can."""
+    if value.type.kind in (Kind.TEXT, Kind.BYTES):
+        return ""
+    if value.const is not None and raw != value.const:
+        return f"it is always {value.const}"
+    if value.sentinel(raw) is not None:
+        return ""
+    if value.enum:
+        enum = engine.layout.device.enums[value.enum]
+        member = enum.member(raw)
+        if not enum.open and (member is None or member.unavailable):
+            return f"{value.enum} has no such member"
+    ranges = value.writable_ranges
+    if ranges is not None and raw not in ranges:
+        return f"the range is {ranges.text()}"
+    if value.type.kind is Kind.BOOLEAN and raw not in (0, 1):
+        return "it is neither 0 nor 1"
+    return ""

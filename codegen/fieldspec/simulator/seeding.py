@@ -1,0 +1,46 @@
+"""Gives a simulated device the values of a dump."""
+
+from __future__ import annotations
+
+from fieldspec.lists.dump import Dump
+from fieldspec.simulator.engine import Engine
+
+
+def seed(engine: Engine, dump: Dump) -> tuple[int, int]:
+    """Writes the words of a dump, also to what outlasts the power.
+
+    Addresses are read in the way that leaves the fewest unknown. Returns how many words were written, and how many
+    addresses the device does not have.
+    """
+    memory = engine.memory
+    spaces = {space for space, _ in memory.occupants}
+    first = engine.layout.device.space_name("")
+
+    def unknown(base: str) -> int:
+        return sum((first, entry.address) not in memory.occupants for entry in dump.entries(base))
+
+    base = min(dump.bases, key=unknown)
+    count = unused = 0
+    for entry in dump.entries(base):
+        space = entry.space if entry.space in spaces else first
+        present = memory.at(space, entry.address)
+        if not present:
+            unused += 1
+            continue
+        number = entry.values[0]
+        wide = next((o for o in present if o.address == entry.address and o.words > 1), None)
+        if len(entry.values) == 1 and wide is not None and (entry.words == wide.words or not 0 <= number <= 0xFFFF):
+            memory.write(space, wide, number)
+            words = wide.words
+        else:
+            words = len(entry.values)
+            for address, word in enumerate(entry.values, entry.address):
+                if (space, address) in memory.occupants:
+                    memory.words[space, address] = word & 0xFFFF
+        for address in range(entry.address, entry.address + words):
+            if (space, address) in memory.words:
+                engine.saved[space, address] = memory.words[space, address]
+        count += words
+    engine.follow()
+    engine.refresh()
+    return count, unused

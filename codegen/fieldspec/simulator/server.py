@@ -1,0 +1,390 @@
+"""Answers frames: decodes a request, carries it out, and encodes the response.
+
+All bytes are decoded and encoded by the reference codec.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from fieldspec.behaviour.part import Part
+from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.reference.frames import FrameCodec, codec
+from fieldspec.reference.records import CodecError
+from fieldspec.simulator import parameters
+from fieldspec.simulator.engine import Engine
+from fieldspec.simulator.memory import element_value
+from fieldspec.simulator.refusal import Refusal
+from fieldspec.simulator.registers import read_registers, write_registers
+
+if TYPE_CHECKING:
+    from typing import Any
+
+_DAMAGED = ("wrong_mark", "not_hex", "wrong_check")
+_REASONS = {
+    "unknown_code": "unknown_code",
+    "incomplete": "count_invalid",
+    "wrong_length": "count_invalid",
+    "wrong_measure": "count_invalid",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """The answer to a frame: its bytes, empty for silence, and what it is, for people."""
+
+    frame: bytes
+    text: str
+
+
+class Server:
+    """A device on its links, at a unit address."""
+
+    def __init__(self, engine: Engine, unit_address: int = 1) -> None:
+        self.engine, self.unit_address = engine, unit_address
+        self.codecs = codec(engine.layout).links
+        self.refusals: dict[str, Part] = {part.subject: part for part in engine.behaviour.of_kind("refuse")}
+        self.answers = {part.subject: part for part in engine.behaviour.of_kind("answer")}
+
+    def answer(self, link: str, frame: bytes, message: str = "", forced: str = "") -> Answer:
+        """The answer to a frame. `message` names the message where the frame does not; `forced` is a reason to refuse.
+
+        The engine must have been advanced to the present.
+        """
+        frames = self.codecs[link]
+        shape = frames.link.request
+        try:
+            parts = frames.parts(frame)
+            if len(parts) < shape.header_size + shape.trailer_size:
+                return Answer(b"", "too short")
+            head = dict(frames.heads["request"].parse(parts[: shape.header_size]))
+        except CodecError as error:
+            return Answer(b"", f"damaged: {error.detail}")
+        if shape.checksums and not frames.has_right_checksum(frame, "request"):
+            return Answer(b"", "damaged: wrong checksum")
+        broadcast = False
+        addressed = shape.role("unit_address")
+        if addressed is not None and head[addressed.name] != self.unit_address:
+            addresses = frames.link.link.unit_addresses
+            broadcast = addresses is not None and head[addressed.name] == addresses.broadcast
+            if not broadcast:
+                return Answer(b"", f"for unit {head[addressed.name]}")
+        code = head[coded.name] if (coded := shape.role("code")) is not None else None
+        try:
+            if forced:
+                raise Refusal(forced, "by a fault")
+            announced, values = self._decoded(frames, frame, message if code is None else "")
+            if broadcast and not (announced.message.broadcast and self._accepts_broadcast()):
+                return Answer(b"", "broadcast, not accepted")
+            body = self._carried_out(announced, values)
+            self.engine.refresh()
+            if not broadcast:
+                return self._encoded(frames, head, announced, values, body)
+        except _Damaged as damaged:
+            return Answer(b"", f"damaged: {damaged}")
+        except Refusal as refusal:
+            answer = self._refused(frames, head, code, refusal)
+            return Answer(b"", f"broadcast: {refusal}") if broadcast else answer
+        return Answer(b"", f"broadcast: {announced.name}")
+
+    def _accepts_broadcast(self) -> bool:
+        parts = [part for part in self.engine.behaviour.of_kind("accept") if part.subject == "broadcast"]
+        return all(self.engine.holds(part.get("if") or {}) for part in parts)
+
+    def _decoded(self, frames: FrameCodec, frame: bytes, message: str) -> tuple[MessageLayout, dict[str, Any]]:
+        try:
+            decoded = frames.decode(frame, "request", message)
+        except CodecError as error:
+            if error.reason in _DAMAGED:
+                raise _Damaged(error.detail) from None
+            raise Refusal(_reason(frames, frame, error), error.detail) from None
+        announced = decoded.message
+        if announced is None:
+            raise Refusal("unknown_code")
+        return announced, decoded.values
+
+    def _carried_out(self, announced: MessageLayout, values: dict[str, Any]) -> dict[str, Any]:
+        """Carries out a request: the values of the response that are not computed. Raises Refusal."""
+        engine, message = self.engine, announced.message
+        access = engine.layout.device.register_access(message)
+        if access is not None:
+            judged = [_out_of_range(field, values) for field in announced.request.fields]
+            wrong = next((name for name in judged if name), "")
+            reasons: list[Refusal] = []
+            if wrong:
+                reasons.append(Refusal("count_invalid" if wrong == access.count else "value_invalid", wrong))
+            try:
+                if access.operation == "read":
+                    count = int(values[access.count]) if access.count else 1
+                    if not reasons:
+                        return {access.values: read_registers(engine, access, values)}
+                    read_registers(engine, access, {**values, access.count: min(count, 1)})
+                elif not reasons:
+                    write_registers(engine, access, values)
+                    return {}
+            except Refusal as refusal:
+                reasons.append(refusal)
+            raise min(reasons, key=self._exception_number)
+        for field in announced.request.fields:
+            if _out_of_range(field, values):
+                raise Refusal("value_invalid", f"{field.name} is out of range")
+        self._store(announced.request, message.request.place.path, values)
+        target = parameters.target_of(engine, announced.request, values)
+        if target is not None:
+            return self._of_parameter(announced, values, target)
+        every = parameters.part_of(announced.request, "values")
+        if every is not None and every.value is not None and every.value.parameter is not None:
+            parameters.write_all(engine, every.value.parameter.set, list(values[every.name]))
+        engine.follow_message(message.name, message.place.path, message.roles)
+        engine.refresh()
+        return {}
+
+    def _exception_number(self, refusal: Refusal) -> int:
+        """The number of the exception for a reason: where several apply, the lowest is sent."""
+        part = self.refusals.get(refusal.reason)
+        number = self._exception(part) if part is not None else None
+        return 0x10000 if number is None else number
+
+    def _of_parameter(
+        self, announced: MessageLayout, values: dict[str, Any], target: parameters.Target
+    ) -> dict[str, Any]:
+        engine, request, response = self.engine, announced.request, announced.response
+        key = (target.set_name, target.number)
+        value = element_value(target.parameter, target.first) if target.parameter is not None else None
+        value_field = parameters.part_of(request, "value")
+        if value_field is not None:
+            kind = _chosen_kind(request, values)
+            if kind is not None and value is not None and kind != value.type.name:
+                raise Refusal("type_invalid", f"the parameter is {value.type.name}, not {kind}")
+            raw = values[value_field.name]
+            raws = [int(item) if isinstance(item, bool) else item for item in (raw if isinstance(raw, list) else [raw])]
+            if value is not None:
+                raws = [_signed(item, value.size, value.type.signed) for item in raws]
+            parameters.write_parameter(engine, target, raws)
+            if request.selector is not None:
+                engine.memory.formats[key] = values[request.selector.name]
+            engine.follow_message(announced.name, announced.message.place.path, announced.message.roles)
+            return {}
+        answer_field = parameters.part_of(response, "value")
+        if answer_field is None:
+            return {}
+        engine.refresh()
+        read = parameters.read_parameter(engine, target)
+        if response.selector is None:
+            return {answer_field.name: _in_type(read[0], answer_field)}
+        number = engine.memory.formats.get(key)
+        if number is None and value is not None:
+            number = _number_of_kind(response, value.type.name)
+        if number is None:
+            raise Refusal("format_invalid", "no format carries the value")
+        return {response.selector.name: number, answer_field.name: read}
+
+    def _store(self, record: RecordLayout, path: str, values: Mapping[str, Any]) -> None:
+        """Puts the fields of a request where rules look for them."""
+        memory = self.engine.memory
+        for field in record.fields:
+            value = values.get(field.name)
+            own = field.field.place.path
+            if field.record is not None:
+                carried: list[Any] = value if isinstance(value, list) else [value]
+                memory.lists[own] = [{**item} for item in carried]
+            elif isinstance(value, bool):
+                memory.fields[own] = int(value)
+            elif isinstance(value, int | float | bytes):
+                memory.fields[own] = value
+
+    def _encoded(
+        self,
+        frames: FrameCodec,
+        head: Mapping[str, Any],
+        announced: MessageLayout,
+        values: Mapping[str, Any],
+        body: Mapping[str, Any],
+    ) -> Answer:
+        """The response of a message. Raises Refusal."""
+        response = self._head(frames, head)
+        for field in announced.response.fields:
+            if field.field.measures is None:
+                response[field.name] = body[field.name] if field.name in body else self._field(field, values)
+        try:
+            return Answer(frames.encode("response", announced.name, response), announced.name)
+        except CodecError as error:
+            return Answer(b"", f"no response of {announced.name} can say this: {error}")
+
+    def _field(self, field: FieldLayout, values: Mapping[str, Any]) -> Any:
+        """The value of a field of a response: that of the request, records of a collection, or what is in memory."""
+        engine, path = self.engine, field.field.place.path
+        if field.field.same_as:
+            return values[field.field.same_as]
+        if field.record is not None:
+            part = self.answers.get(path)
+            records = self._records(part) if part is not None else []
+            if not records and not field.is_list:
+                raise Refusal("value_invalid", f"there is no {field.name}")
+            return records if field.is_list else records[0]
+        value = field.value
+        if value is not None and value.parameter is not None and value.parameter.part == "values":
+            return parameters.all_values(engine, value.parameter.set)
+        if value is not None and value.const is not None:
+            return [value.const] * (field.count or 1) if field.is_list else value.const
+        if field.is_list:
+            return [0] * (field.count or 1)
+        cell = next(iter(engine.cells.of(path)), None)
+        raw = cell.read() if cell is not None else 0
+        return _in_type(raw, field)
+
+    def _records(self, part: Part) -> list[dict[str, Any]]:
+        """The records of a collection that answer. Raises Refusal where the one that is asked for is missing."""
+        engine = self.engine
+        records: list[dict[str, Any]] = engine.memory.lists.get(part["from"], [])
+        collection = engine.behaviour.named("collection", part["from"])
+        key = collection.get("key") if collection is not None else None
+        if part.get("at") is not None and key is not None:
+            number = round(engine.number(part["at"]))
+            records = [record for record in records if record[key] == number]
+            if not records:
+                raise Refusal("value_invalid", f"{part['from']} has no record {number}")
+        if part.get("start") is not None and key is not None:
+            first = round(engine.number(part["start"]))
+            records = [record for record in records if record[key] >= first]
+        return [{**record} for record in records[: part.get("most") or len(records)]]
+
+    def _head(self, frames: FrameCodec, head: Mapping[str, Any]) -> dict[str, Any]:
+        """The parts of the response's frame that nothing else decides: those of the request, or what is in memory."""
+        values: dict[str, Any] = {}
+        for part in frames.link.response.parts:
+            if part.role in ("length", "checksum", "code"):
+                continue
+            if part.role == "unit_address":
+                values[part.name] = self.unit_address
+            elif part.constant is not None:
+                values[part.name] = part.constant
+            elif part.name in head:
+                values[part.name] = head[part.name]
+            else:
+                cell = next(iter(self.engine.cells.of(part.part.place.path)), None)
+                values[part.name] = cell.read() if cell is not None else 0
+        return values
+
+    def _refused(self, frames: FrameCodec, head: Mapping[str, Any], code: int | None, refusal: Refusal) -> Answer:
+        """The response that refuses a request, or silence."""
+        engine, part = self.engine, self.refusals.get(refusal.reason)
+        text = f"refused, {refusal}"
+        if part is None:
+            return Answer(b"", f"{text}; the device is silent")
+        marked = part.get("mark")
+        if marked is not None:
+            engine.refresh()
+            return self._marked(frames, head, marked, text)
+        record = frames.link.link.exception_response
+        number = self._exception(part)
+        if record is None or number is None:
+            return Answer(b"", f"{text}; the device is silent")
+        values = self._head(frames, head)
+        field = _free_field(engine.layout.records[record.record])
+        values[field.name] = number
+        code = part.get("code", code)
+        known = frames.link.message_with_code(code) if code is not None else None
+        flagged = code is not None and code & record.flag
+        frame = frames.encode("response", known.name if known and not flagged else "", values, error=True, code=code)
+        return Answer(frame, text)
+
+    def _exception(self, part: Part) -> int | None:
+        """The number of the exception that a part names."""
+        name = part.get("with")
+        for link in self.engine.layout.device.links.values():
+            record = link.exception_response
+            if record is not None and name is not None:
+                field = _free_field(self.engine.layout.records[record.record])
+                enum = field.value.enum if field.value is not None else ""
+                member = self.engine.layout.device.enums[enum].named(name) if enum else None
+                if member is not None:
+                    return member.value
+        return None
+
+    def _marked(self, frames: FrameCodec, head: Mapping[str, Any], marked: str, text: str) -> Answer:
+        """A response without data, with a bit set in its header."""
+        empty = next((message for message in frames.link.messages.values() if not message.response.fields), None)
+        if empty is None:
+            return Answer(b"", f"{text}; the device is silent")
+        cells = self.engine.cells.of(marked)
+        before = [cell.read() for cell in cells]
+        for cell in cells:
+            cell.write(1)
+        frame = frames.encode("response", empty.name, self._head(frames, head))
+        for cell, raw in zip(cells, before, strict=True):
+            cell.write(raw)
+        return Answer(frame, text)
+
+
+class _Damaged(Exception):
+    """A frame that no device can understand."""
+
+
+def _reason(frames: FrameCodec, frame: bytes, error: CodecError) -> str:
+    """Why a request that cannot be decoded is refused."""
+    shape = frames.link.request
+    coded = shape.role("code")
+    parts = frames.parts(frame)
+    code = int.from_bytes(parts[coded.offset : coded.offset + coded.size], "big") if coded is not None else None
+    announced = frames.link.message_with_code(code) if code is not None else None
+    selector = announced.request.selector if announced is not None else None
+    if selector is not None and error.offset == shape.header_size + selector.offset:
+        return "format_invalid"
+    return _REASONS.get(error.reason, "value_invalid")
+
+
+def _out_of_range(field: FieldLayout, values: Mapping[str, Any]) -> str:
+    """The name of a field whose value is beyond its range; empty for all others."""
+    value, raw = field.value, values.get(field.name)
+    if value is None or value.ranges is None or not isinstance(raw, int) or isinstance(raw, bool):
+        return ""
+    return "" if raw in value.ranges or value.sentinel(raw) is not None else field.name
+
+
+def _free_field(record: RecordLayout) -> FieldLayout:
+    """The field of the record of an exception response that has no constant."""
+    return next(field for field in record.fields if field.value is not None and field.value.const is None)
+
+
+def _chosen_kind(record: RecordLayout, values: Mapping[str, Any]) -> str | None:
+    """The type that the selector of a record chooses; None where it has no selector."""
+    if record.selector is None:
+        return None
+    number = values.get(record.selector.name)
+    for field in record.fields:
+        for case in field.cases:
+            if number in case.numbers:
+                return case.value.type.name
+    return ""
+
+
+def _number_of_kind(record: RecordLayout, kind: str) -> int | None:
+    """The number of the selector that chooses a type."""
+    for field in record.fields:
+        for case in field.cases:
+            if case.value.type.name == kind or (kind.startswith("bool") and case.value.type.name.startswith("bool")):
+                return min(case.numbers)
+    return None
+
+
+def _signed(raw: Any, size: int, signed: bool) -> Any:
+    """A number of a field, read as the type of a parameter has it."""
+    if not isinstance(raw, int) or isinstance(raw, bool):
+        return raw
+    whole = raw & ((1 << 8 * size) - 1)
+    return whole - (1 << 8 * size) if signed and whole >> (8 * size - 1) else whole
+
+
+def _in_type(raw: Any, field: FieldLayout) -> Any:
+    """A raw value as the type of a field has it."""
+    value = field.value
+    if value is None or not isinstance(raw, int | float) or value.type.letter in ("s", "f"):
+        return raw
+    if value.type.name.startswith("bool"):
+        return bool(raw)
+    if raw < 0 and not value.type.signed:
+        return _signed(round(raw), value.size, False)
+    return min(max(round(raw), value.type.low), value.type.high)

@@ -1,0 +1,192 @@
+"""A simulated device on its carriers, each served by a thread."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterable
+
+from fieldspec.behaviour.part import Behaviour
+from fieldspec.carriers.carrier import Carrier, CarrierError, LineSettings
+from fieldspec.carriers.sockets import Datagrams, Listener
+from fieldspec.carriers.terminals import PseudoTerminal, SerialPort
+from fieldspec.classes import TYPE_CHECKING
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.link import Link
+from fieldspec.simulator import codecs
+from fieldspec.simulator.clock import Clock, SystemClock
+from fieldspec.simulator.engine import Engine
+from fieldspec.simulator.faults import Fault, Faults, hold, is_lasting
+from fieldspec.simulator.line import Line, Sending, timing
+from fieldspec.simulator.server import Server
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+LEAST_SILENCE = 0.02
+"""The seconds of silence that end a frame at the least: pseudo-terminals and networks do not keep shorter ones."""
+
+TrafficListener = Callable[[float, str, str, bytes, str], None]
+
+
+class Simulation:
+    """A simulated device. `message` names the cyclic message in use, or is empty."""
+
+    def __init__(
+        self,
+        layout: DeviceLayout,
+        behaviour: Behaviour,
+        *,
+        unit_address: int = 1,
+        message: str = "",
+        clock: Clock | None = None,
+        faults: Iterable[Fault] = (),
+        seed: int = 0,
+    ) -> None:
+        self.layout, self.behaviour, self.message = layout, behaviour, message
+        self.clock: Clock = clock or SystemClock()
+        self.started = self.clock.now()
+        self.engine = Engine(layout, behaviour, message)
+        self.server = Server(self.engine, unit_address)
+        self.faults = Faults((), seed)
+        self.listeners: list[TrafficListener] = []
+        self.lock = threading.RLock()
+        self.places: list[tuple[str, str]] = []
+        """The links, each with the place where it is served."""
+        self._module: ModuleType = codecs.device_module(layout)
+        self._threads: list[threading.Thread] = []
+        self._closers: list[Callable[[], None]] = []
+        self._releases: list[Callable[[], None]] = []
+        self._ended = threading.Event()
+        for fault in faults:
+            self.add_fault(fault)
+
+    def now(self) -> float:
+        """The seconds since the simulation began."""
+        return self.clock.now() - self.started
+
+    def advance(self) -> None:
+        """Brings the device up to the present."""
+        with self.lock:
+            self.engine.advance(self.now())
+
+    def add_fault(self, fault: Fault) -> None:
+        """Adds a fault. Raises FaultError for one that this device cannot have."""
+        with self.lock:
+            if is_lasting(fault):
+                hold(self.server, fault)
+            else:
+                self.faults.add(fault)
+
+    def line(self, link: str, framed: bool = True) -> Line:
+        """A new connection to a link. Datagrams are not `framed`: each is a frame."""
+        framer = codecs.framer(self._module, link, "request") if framed else None
+        return Line(self.server, link, framer, self.faults, self._tell, self.message)
+
+    def _tell(self, now: float, link: str, direction: str, data: bytes, text: str) -> None:
+        for listener in self.listeners:
+            listener(now, link, direction, data, text)
+
+    def serve(self, link: str, place: str, settings: LineSettings) -> str:
+        """Serves a link at a place: `pty`, `tcp://HOST:PORT`, `udp://HOST:PORT`, or a serial port.
+
+        Returns the place that others open. Raises CarrierError.
+        """
+        if place.startswith("tcp://"):
+            listener = Listener(place)
+            name = listener.name
+            self._closers.append(listener.close)
+            self._start(lambda: self._accept(link, listener, settings))
+        else:
+            carrier = self._carrier(place, settings)
+            name = carrier.name
+            self._closers.append(carrier.close)
+            self._start(lambda: self._run(link, carrier, settings))
+        self.places.append((link, name))
+        return name
+
+    def _carrier(self, place: str, settings: LineSettings) -> Carrier:
+        if place == "pty":
+            terminal = PseudoTerminal()
+            self._releases.append(terminal.release)
+            return terminal
+        return Datagrams(place, server=True) if place.startswith("udp://") else SerialPort(place, settings)
+
+    def _start(self, work: Callable[[], None]) -> None:
+        thread = threading.Thread(target=work, daemon=True)
+        self._threads.append(thread)
+        thread.start()
+
+    def _accept(self, link: str, listener: Listener, settings: LineSettings) -> None:
+        try:
+            while not self._ended.is_set():
+                connection = listener.accept()
+                if connection is not None:
+                    self._closers.append(connection.close)
+                    self._start(lambda connection=connection: self._run(link, connection, settings))  # type: ignore[misc]
+        except CarrierError:
+            return
+
+    def _run(self, link: str, carrier: Carrier, settings: LineSettings) -> None:
+        """Serves one carrier until it ends."""
+        line = self.line(link, framed=not carrier.datagrams)
+        silence = self.silence(link, settings)
+        try:
+            while not self._ended.is_set():
+                data = carrier.read(silence if line.waiting else 0.2)
+                with self.lock:
+                    sendings = list(line.feed(self.now(), data) if data else line.idle(self.now()))
+                for sending in sendings:
+                    self._send(carrier, sending)
+        except CarrierError:
+            pass
+        finally:
+            carrier.close()
+
+    def _send(self, carrier: Carrier, sending: Sending) -> None:
+        if sending.hang_up:
+            raise CarrierError("a fault closes the connection")
+        self.clock.sleep(sending.seconds)
+        carrier.write(sending.data)
+
+    def silence(self, link: str, settings: LineSettings) -> float:
+        """The seconds of silence after which what has come is no longer waited for."""
+        stated = timing(self.server, "receive_gap")
+        spoken = self.layout.links[link].link
+        characters = float(spoken.silence_characters or 0)
+        return max(stated, settings.seconds(characters), LEAST_SILENCE)
+
+    def close(self) -> None:
+        """Ends all threads and closes all carriers."""
+        self._ended.set()
+        for close in self._closers:
+            close()
+        for thread in self._threads:
+            if thread is not threading.current_thread():
+                thread.join(5.0)
+        for release in self._releases:
+            release()
+        self._releases.clear()
+
+    def __enter__(self) -> Simulation:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+
+def settings_of(link: Link, baud: int | None = None, parity: str | None = None) -> LineSettings:
+    """The settings of a serial line: those that the spec states, or others that are asked for."""
+    serial = link.serial
+    if serial is None:
+        return LineSettings(baud or 9600, 8, parity or "none", 1)
+    return LineSettings(
+        baud or serial.default_baud or (serial.baud[0] if serial.baud else 9600),
+        max(serial.data_bits) if serial.data_bits else 8,
+        parity or (serial.parity[0] if serial.parity else "none"),
+        serial.stop_bits[0] if serial.stop_bits else 1,
+    )
+
+
+def usual_place(link: Link) -> str:
+    """Where a link is served that no place is stated for: serial links on a pseudo-terminal, others as datagrams."""
+    return "pty" if link.serial is not None else "udp://127.0.0.1:0"

@@ -1,0 +1,195 @@
+/** Why bytes or values are refused. */
+export type Reason =
+  | "incomplete"
+  | "wrong_length"
+  | "wrong_mark"
+  | "wrong_check"
+  | "not_hex"
+  | "unknown_code"
+  | "unknown_value"
+  | "wrong_const"
+  | "wrong_measure"
+  | "out_of_range"
+  | "wrong_type"
+  | "missing_value"
+  | "unknown_field"
+  | "read_only"
+  | "write_only";
+
+/** Bytes or values that a codec refuses. `offset` is the byte at which it shows, null for values. */
+export declare class CodecError extends Error {
+  constructor(reason: Reason, detail: string, offset?: number | null);
+  readonly reason: Reason;
+  readonly detail: string;
+  readonly offset: number | null;
+}
+
+/** A quantity: a number, a text with decimals, which is exact, or a bigint. */
+export type Quantity = number | string | bigint;
+
+/** The unit of counts. */
+export interface Unit {
+  readonly unit: string;
+  /** The quantity of a count, rounded once; null for a count that stands for no quantity. */
+  inUnit(count: number | bigint): number | null;
+  /** The nearest count of a quantity. Throws CodecError out of range. */
+  fromUnit(quantity: Quantity): number | bigint;
+}
+
+/** A share of a reference. */
+export interface Conversion {
+  /** The quantity of a count. */
+  quantity(count: number, reference: Quantity): number;
+  /** The nearest count of a quantity. Throws CodecError out of range. */
+  count(quantity: Quantity, reference: Quantity): number;
+}
+
+/** A record: its values are plain objects. */
+export interface RecordCodec<T, U = object> {
+  readonly name: string;
+  /** The bytes that it has at least and at most. */
+  readonly least: number;
+  readonly most: number;
+  /** The quantities of its fields. */
+  readonly units: U;
+  /** The value of exactly these bytes. Throws CodecError. */
+  decode(bytes: Uint8Array): T;
+  /** The bytes of a value. Throws CodecError. */
+  encode(value: T): Uint8Array;
+}
+
+/** A message; `code` is null where frames do not carry one. */
+export interface Message<N extends string, Q, R> {
+  readonly name: N;
+  readonly code: number | null;
+  readonly number: number | null;
+  readonly request: RecordCodec<Q>;
+  readonly response: RecordCodec<R>;
+}
+
+/** A message with the data of a request. */
+export type RequestOf<M> = M extends Message<string, infer Q, unknown> ? { readonly message: M; readonly data: Q } : never;
+
+type DataOf<M, D extends "request" | "response"> =
+  M extends Message<string, infer Q, infer R> ? (D extends "request" ? Q : R) : never;
+
+/** What a frame of one direction says: `name` is that of its message, and tells the type of `data`. */
+export type FrameOf<M, D extends "request" | "response", H> =
+  M extends Message<infer N, unknown, unknown>
+    ? { readonly kind: D; readonly name: N; readonly header: H; readonly message: M; readonly data: DataOf<M, D> }
+    : never;
+
+/** What an exception response says: the code that it answers, its message where the device has it, and the reason. */
+export interface ExceptionFrame<M, H, E> {
+  readonly kind: "exception";
+  readonly name: string | null;
+  readonly header: H;
+  readonly message: M | null;
+  readonly code: number;
+  readonly data: E;
+}
+
+/** A link: its header in requests `Q` and in responses `R`, its messages `M`, and the data of an exception response `E`. */
+export interface Link<Q, R, M, E> {
+  readonly name: string;
+  readonly messages: readonly M[];
+  readonly unitAddresses: { readonly ranges: readonly (readonly [number, number])[] | null; readonly broadcast: number | null } | null;
+  encodeRequest<K extends M>(header: Q, message: K, data: DataOf<K, "request">): Uint8Array;
+  encodeResponse<K extends M>(header: R, message: K, data: DataOf<K, "response">): Uint8Array;
+  encodeException(header: R, code: number, data: E): Uint8Array;
+  decodeRequest<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "request", Q>;
+  decodeResponse<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "response", R> | ([E] extends [never] ? never : ExceptionFrame<M, R, E>);
+}
+
+/** Finds frames in a stream of bytes that arrives in pieces of any size. */
+export declare class Framer {
+  private constructor();
+  /** The number of bytes that belong to no frame. */
+  readonly dropped: number;
+  /** The frames that these bytes complete, each with its delimiters and checksum. */
+  feed(piece: Uint8Array): Uint8Array[];
+  /** To be called when the line has been silent: the frames in the bytes so far; the rest is dropped. */
+  idle(): Uint8Array[];
+  /** Drops all bytes so far. */
+  reset(): void;
+}
+
+/** A word of flags. */
+export interface Flags<T, N> {
+  /** The bits of a number by name. */
+  of(raw: N): T;
+  /** A number with bits set as an object says; all other bits are those of `raw`. Throws CodecError. */
+  raw(bits: Partial<T>, raw?: N): N;
+}
+
+/** A value in registers: what is read has the type `T`, what may be written the type `W`. */
+export interface Register<T, U = Unit | null, W = T> {
+  readonly name: string;
+  readonly address: number;
+  readonly words: number;
+  readonly access: "ro" | "rw" | "wo" | "";
+  /** The address space, empty where the device has only one. */
+  readonly space: string;
+  /** All words must be accessed in one request. */
+  readonly atomic: boolean;
+  /** Writing starts an action. */
+  readonly trigger: boolean;
+  readonly units: U;
+  /** The value of exactly all of its bytes. Throws CodecError. */
+  decode(bytes: Uint8Array): T;
+  /** The bytes of a value. Throws CodecError. */
+  encode(value: W): Uint8Array;
+}
+
+/** Equal registers, `stride` words apart, numbered from `first`. */
+export interface RegisterArray<T, U = Unit | null, W = T> extends Iterable<Register<T, U, W>> {
+  readonly name: string;
+  readonly address: number;
+  readonly first: number;
+  readonly stride: number;
+  readonly length: number;
+  /** The register with a number. Throws RangeError. */
+  at(number: number): Register<T, U, W>;
+}
+
+/** Records in registers, `stride` words apart, numbered from `first`. */
+export interface RecordTable<T> {
+  readonly name: string;
+  readonly address: number;
+  readonly first: number;
+  readonly stride: number;
+  readonly length: number;
+  readonly record: RecordCodec<T>;
+  /** The record with a number, as a register. Throws RangeError. */
+  at(number: number): Register<T, null>;
+}
+
+/** A numbered parameter. */
+export interface Parameter<T, U = Unit | null> {
+  readonly name: string;
+  readonly number: number;
+  readonly wireNumber: number;
+  /** Its name or number as the manual prints it. */
+  readonly printedName: string;
+  readonly type: string;
+  readonly size: number;
+  readonly access: "ro" | "rw" | "wo" | "";
+  readonly default: number | string | null;
+  readonly elements: number | null;
+  readonly units: U;
+  decode(bytes: Uint8Array): T;
+  encode(value: T): Uint8Array;
+  /** The value of a raw value in a message, for the element with an index. Throws CodecError. */
+  fromRaw(raw: number | bigint | boolean | string | Uint8Array, subindex?: number): T;
+  /** The raw value of a value for a message: without a sign where `unsigned` is set. Throws CodecError. */
+  toRaw(value: T, options?: { readonly subindex?: number; readonly unsigned?: boolean }): number | bigint | string | Uint8Array;
+}
+
+/** The parameters of a set. */
+export interface ParameterSet<P> {
+  readonly setName: string;
+  /** The parameters by name; an array where several are equal. */
+  readonly parameters: Readonly<P>;
+  /** The parameter with a number on the wire, if there is one. */
+  byNumber(wireNumber: number): Parameter<unknown> | undefined;
+}

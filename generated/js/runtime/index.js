@@ -1,0 +1,2 @@
+export { CodecError } from "./error.js";
+export { Framer } from "./framer.js";

@@ -1,0 +1,106 @@
+import { CodecError, printed } from "./error.js";
+import { rangesText, within } from "./values.js";
+
+const DOUBLE = new DataView(new ArrayBuffer(8));
+
+/**
+ * The unit of a whole number: quantity = (count * factor + shift) / divisor, with whole numbers as bigints. `absent`
+ * are the counts that stand for no quantity, `ranges` the counts that may be written.
+ */
+export function unit({ unit: symbol, factor, shift, divisor, absent, ranges, wide }) {
+  const plain = [factor, shift, divisor].every((number) => number >= -(2n ** 53n) && number <= 2n ** 53n);
+  const [small, offset, below] = [factor, shift, divisor].map(Number);
+  return Object.freeze({
+    unit: symbol,
+    /** The quantity of a count, rounded once; null for a count that stands for no quantity. */
+    inUnit(count) {
+      if (absent.some((other) => other == count)) return null;
+      if (plain && typeof count === "number") {
+        const above = count * small + offset;
+        if (Number.isSafeInteger(above) && Number.isSafeInteger(count * small)) return above / below;
+      }
+      return quotient(BigInt(count) * factor + shift, divisor);
+    },
+    /**
+     * The count that is nearest to a quantity, of two equally near ones the even one. Throws CodecError out of range,
+     * and for a count that stands for no quantity.
+     */
+    fromUnit(quantity) {
+      const [above, under] = fraction(quantity);
+      const count = nearest((above * divisor - shift * under) * (factor < 0n ? -1n : 1n), under * (factor < 0n ? -factor : factor));
+      if (!within(ranges, count)) {
+        throw new CodecError("out_of_range", `${quantity} is the count ${count}, not in ${rangesText(ranges)}`);
+      }
+      if (absent.some((other) => other == count)) {
+        throw new CodecError("out_of_range", `${quantity} is the count ${count}, which stands for no quantity`);
+      }
+      return wide ? count : Number(count);
+    },
+  });
+}
+
+/**
+ * A share of a reference: quantity = reference * count / full; with `complement`, reference * (1 - count / full).
+ * `low` and `high` bound the count.
+ */
+export function conversion({ full, complement, low, high }) {
+  return Object.freeze({
+    /** The quantity of a count. */
+    quantity(count, reference) {
+      const [above, under] = fraction(reference);
+      const share = complement ? full - BigInt(count) : BigInt(count);
+      return quotient(above * share, under * full);
+    },
+    /** The nearest count of a quantity, of two equally near ones the even one. Throws CodecError out of range. */
+    count(quantity, reference) {
+      const [above, under] = fraction(quantity);
+      const [over, below] = fraction(reference);
+      if (over === 0n) throw new CodecError("out_of_range", "the reference is 0");
+      let [top, bottom] = [above * below * full, under * over];
+      if (complement) top = full * bottom - top;
+      if (bottom < 0n) [top, bottom] = [-top, -bottom];
+      const count = nearest(top, bottom);
+      if (count < low || count > high) throw new CodecError("out_of_range", `${quantity} is the count ${count}, not in ${low}..${high}`);
+      return Number(count);
+    },
+  });
+}
+
+/** A number as an exact fraction of bigints; the lower one is positive. Throws CodecError for what is no number. */
+export function fraction(quantity) {
+  if (typeof quantity === "bigint") return [quantity, 1n];
+  if (typeof quantity === "number" && Number.isFinite(quantity)) {
+    DOUBLE.setFloat64(0, quantity);
+    const bits = DOUBLE.getBigUint64(0);
+    const exponent = Number((bits >> 52n) & 0x7ffn);
+    const mantissa = (bits & 0xfffffffffffffn) | (exponent ? 0x10000000000000n : 0n);
+    const signed = bits >> 63n ? -mantissa : mantissa;
+    const power = (exponent || 1) - 1075;
+    return power < 0 ? [signed, 1n << BigInt(-power)] : [signed << BigInt(power), 1n];
+  }
+  const match = typeof quantity === "string" && /^([+-]?)(\d{1,60})(?:\.(\d{1,60}))?$/.exec(quantity);
+  if (!match) throw new CodecError("wrong_type", `${printed(quantity)} is no number`);
+  const digits = match[3] ?? "";
+  const whole = BigInt(match[2] + digits);
+  return [match[1] === "-" ? -whole : whole, 10n ** BigInt(digits.length)];
+}
+
+/** The nearest whole number of a fraction with a positive divisor, of two equally near ones the even one. */
+function nearest(above, below) {
+  let whole = above / below;
+  if (above % below < 0n) whole -= 1n;
+  const twice = 2n * (above - whole * below);
+  return twice > below || (twice === below && whole % 2n !== 0n) ? whole + 1n : whole;
+}
+
+/** A fraction as a number, rounded once. */
+function quotient(above, below) {
+  if (above === 0n) return 0;
+  const size = above < 0n ? -above : above;
+  const shift = 66 - (size.toString(2).length - below.toString(2).length);
+  const [top, bottom] = shift > 0 ? [size << BigInt(shift), below] : [size, below << BigInt(-shift)];
+  // A last bit for the rest keeps Number from seeing a tie where there is none.
+  const exact = ((top / bottom) << 1n) | (top % bottom === 0n ? 0n : 1n);
+  const number = Number(exact) * 2 ** (-shift - 1);
+  return above < 0n ? -number : number;
+}

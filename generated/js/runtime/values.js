@@ -1,0 +1,135 @@
+import { CodecError, printed, refusedList } from "./error.js";
+
+const FLOAT = new DataView(new ArrayBuffer(8));
+
+/** The floating-point number of 32 bits, given as a whole number. */
+export function floatOf(bits) {
+  FLOAT.setUint32(0, bits);
+  return FLOAT.getFloat32(0);
+}
+
+/**
+ * The 32 bits of a number. Throws CodecError for what is no number, for a number that 32 bits cannot hold, and for
+ * one that is neither in `ranges` nor among `others`; without ranges any number is allowed.
+ */
+export function bitsOf(name, value, ranges, others) {
+  checkFloat(name, value, ranges, others);
+  if (Math.abs(value) !== Infinity && Math.abs(Math.fround(value)) === Infinity) {
+    throw new CodecError("out_of_range", `${name} is ${value}, which 32 bits do not hold`);
+  }
+  FLOAT.setFloat32(0, value);
+  return FLOAT.getUint32(0);
+}
+
+/** The floating-point number of 64 bits, given as a bigint. */
+export function doubleOf(bits) {
+  FLOAT.setBigUint64(0, bits);
+  return FLOAT.getFloat64(0);
+}
+
+/** The 64 bits of a number, as a bigint. Throws CodecError like `bitsOf`. */
+export function doubleBitsOf(name, value, ranges, others) {
+  checkFloat(name, value, ranges, others);
+  FLOAT.setFloat64(0, value);
+  return FLOAT.getBigUint64(0);
+}
+
+/** Throws CodecError for what is no number, and for one that is neither in `ranges` nor among `others`. */
+function checkFloat(name, value, ranges, others) {
+  if (typeof value !== "number") {
+    if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
+    throw new CodecError("wrong_type", `${name} is a number, not ${printed(value)}`);
+  }
+  if (ranges !== null && !within(ranges, value) && !others.some((other) => Object.is(other, value) || other === value)) {
+    throw new CodecError("out_of_range", `${name} is ${value}, not in ${rangesText(ranges)}`);
+  }
+}
+
+/** Whether a number is in one of some intervals. */
+export function within(ranges, value) {
+  for (const [low, high] of ranges) if (value >= low && value <= high) return true;
+  return false;
+}
+
+/** Intervals as a spec writes them: `0..127, 200`. */
+export function rangesText(ranges) {
+  return ranges.map(([low, high]) => (low === high ? `${low}` : `${low}..${high}`)).join(", ");
+}
+
+/** A boolean that was received as a number. Throws CodecError for anything but 0 and 1. */
+export function booleanOf(name, number, offset) {
+  if (number > 1) throw new CodecError("unknown_value", `${name} is ${number}, neither 0 nor 1`, offset);
+  return number === 1;
+}
+
+/** The number of a boolean. Throws CodecError for anything else. */
+export function numberOf(name, value) {
+  if (value === true) return 1;
+  if (value === false) return 0;
+  if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
+  throw new CodecError("wrong_type", `${name} is a boolean, not ${printed(value)}`);
+}
+
+/** The text of bytes that zeros fill up. Throws CodecError for bytes that are not ASCII. */
+export function textOf(name, bytes, offset, size) {
+  let end = offset + size;
+  for (let at = offset; at < end; at++) {
+    if (bytes[at] > 127) throw new CodecError("unknown_value", `${name} has bytes that are not ASCII`, offset);
+  }
+  while (end > offset && bytes[end - 1] === 0) end--;
+  let text = "";
+  for (let at = offset; at < end; at++) text += String.fromCharCode(bytes[at]);
+  return text;
+}
+
+/** Writes a text and fills it up with zeros. Throws CodecError for one that is too long or not ASCII. */
+export function putText(name, value, bytes, offset, size) {
+  if (typeof value !== "string") {
+    if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
+    throw new CodecError("wrong_type", `${name} is a text, not ${printed(value)}`);
+  }
+  if (value.length > size) throw new CodecError("wrong_length", `${name} has ${size} bytes, not ${value.length}`);
+  for (let at = 0; at < size; at++) {
+    const code = at < value.length ? value.charCodeAt(at) : 0;
+    if (code > 127) throw new CodecError("unknown_value", `${name} has characters that are not ASCII`);
+    bytes[offset + at] = code;
+  }
+}
+
+/** Writes bytes. Throws CodecError for a wrong number of them. */
+export function putBytes(name, value, bytes, offset, size) {
+  if (!(value instanceof Uint8Array)) {
+    if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
+    throw new CodecError("wrong_type", `${name} is a Uint8Array, not ${printed(value)}`);
+  }
+  if (value.length !== size) throw new CodecError("wrong_length", `${name} has ${size} bytes, not ${value.length}`);
+  bytes.set(value, offset);
+}
+
+/** A number of `bits` bits with a sign, given without. */
+export function signed48(number, bits) {
+  return number >= 2 ** (bits - 1) ? number - 2 ** bits : number;
+}
+
+/** The number of elements of a list. Throws CodecError for what is no list of `least` to `most` elements. */
+export function listLength(name, value, least, most) {
+  if (!Array.isArray(value) || value.length < least || value.length > most) throw refusedList(name, value, least, most);
+  return value.length;
+}
+
+/** A word with some of its bits set as an object says. Throws CodecError for unknown bits and wrong values. */
+export function setBits(name, places, bits, raw, size) {
+  let word = BigInt(raw);
+  for (const [key, value] of Object.entries(bits)) {
+    const place = places[key];
+    if (place === undefined) throw new CodecError("unknown_field", `${name} has no bit ${printed(key)}`);
+    const [first, width] = place;
+    const number = width === 1 && typeof value === "boolean" ? Number(value) : value;
+    if (!Number.isInteger(number) || number < 0 || number >= 2 ** width) {
+      throw new CodecError("out_of_range", `${key} is ${printed(value)}, not in 0..${2 ** width - 1}`);
+    }
+    const mask = ((1n << BigInt(width)) - 1n) << BigInt(first);
+    word = (word & ~mask) | (BigInt(number) << BigInt(first));
+  }
+  return typeof raw === "bigint" ? word : Number(BigInt.asUintN(size, word));
+}

@@ -1,0 +1,102 @@
+"""Checksums of any width, by their parameters. A checksum is a function from bytes to a number."""
+
+from __future__ import annotations
+
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import Literal
+
+    from ._typing import Data
+
+
+class Crc:
+    """A CRC: its width in bits, its polynomial without the highest bit, and the other parameters of its algorithm.
+
+    The register has the lowest bit first where bytes are reflected; else it has 64 bits, of which the highest are used.
+    """
+
+    __slots__ = ("final_xor", "reflect_in", "reflect_out", "register", "table", "width")
+
+    def __init__(
+        self, width: int, polynomial: int, initial: int, reflect_in: bool, reflect_out: bool, final_xor: int
+    ) -> None:
+        self.width, self.reflect_in, self.reflect_out, self.final_xor = width, reflect_in, reflect_out, final_xor
+        self.register = _reversed(initial, width) if reflect_in else initial << 64 - width
+        self.table = _reflected_table(_reversed(polynomial, width)) if reflect_in else _table(polynomial << 64 - width)
+
+    def __call__(self, data: Data) -> int:
+        """The CRC of some bytes."""
+        crc, table = self.register, self.table
+        if self.reflect_in:
+            for byte in data:
+                crc = crc >> 8 ^ table[(crc ^ byte) & 0xFF]
+        else:
+            for byte in data:
+                crc = (crc << 8 & 0xFFFFFFFFFFFFFFFF) ^ table[crc >> 56 ^ byte]
+            crc >>= 64 - self.width
+        return (_reversed(crc, self.width) if self.reflect_in != self.reflect_out else crc) ^ self.final_xor
+
+
+def _reversed(number: int, width: int) -> int:
+    return int(f"{number:0{width}b}"[::-1], 2)
+
+
+def _reflected_table(term: int) -> list[int]:
+    table = []
+    for byte in range(256):
+        for _ in range(8):
+            byte = byte >> 1 ^ (term if byte & 1 else 0)
+        table.append(byte)
+    return table
+
+
+def _table(term: int) -> list[int]:
+    table = []
+    for byte in range(256):
+        register = byte << 56
+        for _ in range(8):
+            register = (register << 1 & 0xFFFFFFFFFFFFFFFF) ^ (term if register >> 63 else 0)
+        table.append(register)
+    return table
+
+
+class Sum:
+    """The sum of numbers of `unit` bytes; zeros are behind the last one where its bytes are missing.
+
+    `complement` is `ones`, `twos` or empty.
+    """
+
+    __slots__ = ("complement", "initial", "mask", "order", "unit")
+
+    def __init__(self, width: int, initial: int, complement: str, unit: int, order: Literal["big", "little"]) -> None:
+        self.mask, self.initial, self.complement = (1 << width) - 1, initial, complement
+        self.unit = unit
+        self.order: Literal["big", "little"] = order
+
+    def __call__(self, data: Data) -> int:
+        """The sum of some bytes."""
+        number = self._total(data)
+        if self.complement:
+            number = ~number if self.complement == "ones" else -number
+        return number & self.mask
+
+    def _numbers(self, data: Data) -> list[int]:
+        unit, order = self.unit, self.order
+        filled = bytes(data) + bytes(-len(data) % unit)
+        return [int.from_bytes(filled[at : at + unit], order) for at in range(0, len(filled), unit)]
+
+    def _total(self, data: Data) -> int:
+        return self.initial + (sum(data) if self.unit == 1 else sum(self._numbers(data)))
+
+
+class Xor(Sum):
+    """The same for numbers that are combined by exclusive or."""
+
+    __slots__ = ()
+
+    def _total(self, data: Data) -> int:
+        total = self.initial
+        for number in data if self.unit == 1 else self._numbers(data):
+            total ^= number
+        return total

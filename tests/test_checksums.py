@@ -1,0 +1,87 @@
+"""Checksum algorithms as data, judged by crccheck and anycrc."""
+
+from __future__ import annotations
+
+import random
+
+import anycrc
+import crccheck.crc
+import pytest
+
+from fieldspec.layout.checksums import checksum
+from fieldspec.model.checksums import MOST_BITS, algorithm_name, catalogue_name, checksum_named
+from fieldspec.model.crc_catalogue import CRC_CATALOGUE, OTHER_NAMES
+from fieldspec.reference.checksums import checksum as reference_checksum
+from fieldspec.schema import schema
+
+ROWS = {line.split()[0]: line.split()[1:] for line in CRC_CATALOGUE.splitlines()}
+OTHERS = dict(line.split() for line in OTHER_NAMES.splitlines())
+SUMS = [f"{method}{width}" for method in ("sum", "xor") for width in (8, 16, 24, 32)]
+CHANCE = random.Random(5)
+DATA = [bytes(CHANCE.randrange(256) for _ in range(size)) for size in (0, 1, 2, 3, 7, 8, 9, 40)]
+
+
+@pytest.mark.parametrize("name", ROWS)
+def test_a_crc_of_the_catalogue_has_its_check_value(name: str) -> None:
+    assert checksum(name, b"123456789") == reference_checksum(name, b"123456789") == int(ROWS[name][-1], 16)
+
+
+@pytest.mark.parametrize("name", ROWS)
+def test_a_crc_is_that_of_anycrc(name: str) -> None:
+    kind = checksum_named(name)
+    parameters = kind.width, kind.polynomial, kind.initial, kind.reflect_in, kind.reflect_out, kind.final_xor
+    judge = anycrc.CRC(*parameters)
+    for data in DATA:
+        assert checksum(name, data) == reference_checksum(name, data) == judge.calc(data)
+
+
+def test_the_catalogue_has_each_crc_of_crccheck_with_all_names() -> None:
+    judges = [judge for judge in crccheck.crc.ALLCRCCLASSES if judge._width <= MOST_BITS]
+    assert len(judges) == len(ROWS)
+    for judge in judges:
+        names = {_name(name) for name in judge._names if name.upper().startswith("CRC")}
+        (name,) = {catalogue_name(name) for name in names}
+        assert names == {name, *(other for other, first in OTHERS.items() if first == name)}
+        for data in DATA:
+            assert checksum(name, data) == judge.calc(data)
+
+
+def _name(text: str) -> str:
+    name = text.lower().replace("-", "_").replace("/", "_")
+    return f"crc{name[4:]}" if name[4].isdigit() else name
+
+
+def test_the_schema_has_each_name() -> None:
+    words = schema()["$defs"]["algorithm"]["enum"]
+    assert sorted(words) == sorted({*ROWS, *OTHERS, *SUMS, "lrc"})
+
+
+@pytest.mark.parametrize(
+    ("name", "order", "expected"),
+    [
+        ("sum8", "big", 0x0A),
+        ("sum16", "big", 0x030A),
+        ("sum24", "big", 0x00030A),
+        ("sum32", "big", 0x0000030A),
+        ("sum16_of2", "big", 0x0309),
+        ("sum16_of2", "little", 0x0903),
+        ("sum8_ones", "big", 0xF5),
+        ("lrc", "big", 0xF6),
+        ("sum16_twos", "big", 0xFCF6),
+        ("sum8_from_ff", "big", 0x09),
+        ("xor8", "big", 0x04),
+        ("xor16", "big", 0x0301),
+        ("xor16", "little", 0x0103),
+        ("xor8_ones", "big", 0xFB),
+    ],
+)
+def test_a_sum_is_that_of_its_definition(name: str, order: str, expected: int) -> None:
+    data = {"sum16_of2": bytes((1, 3, 2, 6)), "xor16": bytes((1, 3, 2, 2))}.get(name, bytes((0xFF, 0xFF, 0xFF, 13)))
+    if name.startswith("xor8"):
+        data = bytes((1, 3, 2, 4))
+    assert checksum(name, data, order) == reference_checksum(name, data, order) == expected
+
+
+@pytest.mark.parametrize("name", [*ROWS, *SUMS, "lrc", "sum24_of3_from_1_twos", "crc16_8005_1_fr_2"])
+def test_a_name_says_everything_about_its_algorithm(name: str) -> None:
+    assert algorithm_name(checksum_named(name)) == name
