@@ -244,7 +244,12 @@ class _Maker:
             self._writes(operand, word)
             self.block.settle_input(_SETTLE)
             self.block.settle()
-        changes: list[Statement] = []
+        # What a later step sets may still be set by a task that failed: then it would count for the new values.
+        changes: list[Statement] = [
+            _masked(word, self._target(later), False)
+            for later in steps[last:]
+            if later.action == "set" and self._target(later).holder is operand.holder and steps[at].action == "write"
+        ]
         for step in steps[at:last]:
             changes += self._changed(self._target(step), step, word)
         self._asks(register, [*changes, self.block.go(self.block.next + 1)])
