@@ -3,6 +3,7 @@
 # make test-fast   the tests that take less than a minute together: no compilers, no browser, no large inputs
 # make test-night  all tests with other random inputs each time, and twenty times as many of them
 # make fuzz    fuzz the C headers of all devices at the same time, for a minute each
+# make fuzz-specs   compare all codecs on random devices for a minute, or SECONDS=600; what they disagree on becomes a case
 # make plants  run the examples of docs/plc.md for a million random scans each, against simulated devices
 # make accept  rewrite the tests' expectations, with RULE=code those of one rule; read the difference before you commit it
 # make soak    kill builds at random moments, and strike faults at every operation on files, for some minutes
@@ -27,7 +28,7 @@ UV := uv==0.13.8
 
 SBOM := build/sbom
 
-.PHONY: build test test-fast test-night fuzz plants accept soak dist sbom bench pins clean
+.PHONY: build test test-fast test-night fuzz fuzz-specs plants accept soak dist sbom bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -46,6 +47,9 @@ test-night: $(INSTALLED) $(if $(NPM),$(TOOLS))
 
 fuzz: $(INSTALLED)
 	$(BIN)/python tests/c_output/fuzz.py
+
+fuzz-specs: $(INSTALLED)
+	$(BIN)/python tests/random_devices/fuzz.py $(or $(SECONDS),60) $(SEED)
 
 soak: $(INSTALLED)
 	$(BIN)/python tests/interruptions.py 200 1

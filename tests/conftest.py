@@ -17,6 +17,7 @@ SLOW = (
     "docs_output",
     "plc_memory",
     "plc_output",
+    "random_devices",
     "test_add_a_device.py",
     "test_audit_of_manuals.py",
     "test_build.py",

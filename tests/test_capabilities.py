@@ -19,6 +19,7 @@ REFUSALS = {
     "wide_lists": "plc_numbers_fit",
     "text_lists": "plc_arrays_flat",
     "images": "plc_images_exact",
+    "wide_floats": "plc_reals_fit",
     "absent_reals": "plc_reals_present",
     "other_frames": "plc_frames_supported",
 }

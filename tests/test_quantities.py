@@ -58,19 +58,22 @@ def in_layout(text: str) -> object:
         ("0.07 mm", 7),
         ("007 mm", None),
         ("20  mm", None),
-        ("20 cm", None),
+        ("20 cm", 20000),
+        ("1.5 m", 150000),
+        ("1 s", None),
+        ("1 furlong", None),
         ("20", 20),
         ("far", None),
         ("", None),
     ],
 )
 def test_checks_and_layout_read_a_text_alike(text: str, count: int | None) -> None:
-    assert (in_counts(DISTANCE, text), in_layout(text)) == (count, count)
+    assert (in_counts(DEVICE, DISTANCE, text), in_layout(text)) == (count, count)
 
 
-@pytest.mark.parametrize(("text", "raw"), [("20.00 mm", 2000), ("20.004 mm", 2000), ("007 mm", None), ("20 cm", None)])
+@pytest.mark.parametrize(("text", "raw"), [("20.00 mm", 2000), ("20.004 mm", 2000), ("007 mm", None), ("20 cm", 20000)])
 def test_the_nearest_count_is_of_the_same_quantities(text: str, raw: int | None) -> None:
-    count = nearest(DISTANCE, text)
+    count = nearest(DEVICE, DISTANCE, text)
     assert (count.raw if count is not None else None) == raw
 
 

@@ -15,6 +15,7 @@ SEEDS = 150
 RARE = """
 device: {id: gadget, name: G, vendor: V, manual: {title: T, file: f, sha256: "%s", lines: 1}}
 parameters: [{name: a, defaults: {type: text, length: 4}, rows: [{number: 1, name: b}]}]
+registers: [{group: c, defaults: {type: text, length: 4}, rows: [{at: 1, name: d}]}]
 """ % ("0" * 64)
 PROTOCOL = b"protocol: {id: wire, title: A protocol}\n"
 

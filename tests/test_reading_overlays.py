@@ -129,7 +129,6 @@ WRONG = {
     "changes: [{fact: registers/speed, set: {unit: {was: «mm», is: rpm}}, reason: x}]": "overlay_base_differs",
     "changes: [{fact: registers/speed, set: {range: {was: «~», is: 1..120}}, reason: x}]": "overlay_base_differs",
     "changes: [{fact: registers/speed, set: {range: «{was: 1..100, is: 1..100}»}, reason: x}]": SAME,
-    "changes: [{fact: registers/speed, set: {unit: {was: ~, is: «yards»}}, reason: x}]": "units_known",
     "changes: [{fact: registers/speed, set: {«colour»: {was: ~, is: red}}, reason: x}]": "unknown_key",
     "removes: [{fact: «registers/nothing», reason: x}]": "overlay_fact_missing",
     "removes: [{fact: «registers», reason: x}]": "overlay_fact_missing",

@@ -131,7 +131,6 @@ FINDINGS = {
         "did you mean `alarm`?",
     ),
     "a word of no kind": ("unknown_word", ROW.format("access: «readable»"), "`ro`, `rw`, `wo`"),
-    "a misspelt unit": ("units_known", ROW.format("unit: «pulses»"), "did you mean `pulse`?"),
     "a number in quotes": ("wrong_type", ROW.format('words: «"1"»'), "without quotes"),
     "a list for a text": ("wrong_type", ROW.format("doc: «[a]»"), "own words"),
     "a mapping for a number": ("wrong_type", ROW.format("words: «{a: 1}»"), "words"),

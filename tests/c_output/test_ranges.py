@@ -31,6 +31,8 @@ def expected_errors(layout: DeviceLayout, value: Value) -> tuple[bool, bool]:
         intervals = ranges.intervals if ranges is not None else ()
         numbers = {number for low, high in intervals for number in (low - 1, high + 1)}
     attempts = {number for number in numbers if value.type.low <= number <= value.type.high} - sentinels
+    if value.type.is_odd and not closed:
+        return closed, True
     return closed, ranges is not None and any(number not in ranges for number in attempts)
 
 

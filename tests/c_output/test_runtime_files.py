@@ -28,7 +28,15 @@ PROGRAMS = {
         ["machine.h"],
         "uint8_t out[8]; device_store_u64_be_words_le(out, UINT64_C(0x0102030405060708));"
         " if (out[0] != 7 || device_load_u64_be_words_le(out) != UINT64_C(0x0102030405060708)) return 1;"
+        " if (!device_load_bit(out, 0) || device_load_bit(out, 3) || !device_load_bit(out, 11)) return 1;"
+        " device_store_bit(out, 11, false); device_store_bit(out, 9, true); if (out[1] != 2) return 1;"
         " if (device_signed_16(0x8000u) != -32768 || device_digit(0x66u) != 15u) return 1;",
+    ),
+    "odd_numbers.h": (
+        ["machine.h"],
+        "uint8_t out[6]; device_store_u48_be_words_le(out, UINT64_C(0x010203040506));"
+        " if (out[0] != 5 || device_load_u48_be_words_le(out) != UINT64_C(0x010203040506)) return 1;"
+        " if (device_signed_24(0x800000u) != -8388608 || device_signed_40(UINT64_C(0x7FFFFFFFFF)) < 0) return 1;",
     ),
     "checksums.h": (
         [],

@@ -33,7 +33,10 @@ from spec_files import DEVICE
 CASES = Path(__file__).parent.parent / "cases"
 RULES = sorted(path.name for path in CASES.glob("plc_*"))
 LAYOUTS = [
-    pytest.param(versions[-1], id=name) for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()
+    pytest.param(versions[-1], id=name)
+    for root in (SPECS, TEST_SPECS)
+    for name, versions in layouts(root).items()
+    if not refusals(versions)
 ]
 ELEMENTARY = "BOOL|BYTE|WORD|DWORD|USINT|SINT|UINT|INT|UDINT|DINT|REAL|LREAL"
 

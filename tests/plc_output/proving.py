@@ -136,7 +136,9 @@ class Proof:
                 arguments += [_filled(self._chosen_in(record, field, raw, values), field), len(raw)]
             elif field.field.repeat is not None:
                 field_in = self.field_in(field, raw)
-                size = len(self.fresh(self.world.words)) if _registers(message, field) else field.field.repeat.high
+                is_bits = self.world.layout.device.bit_access(message.message) is not None
+                shared = self.world.bits if is_bits else self.world.words
+                size = len(self.fresh(shared)) if _registers(message, field) else field.field.repeat.high
                 arguments += [
                     field_in + [field_in[-1] if field_in else self._empty(field)] * (size - len(field_in)),
                     len(raw),

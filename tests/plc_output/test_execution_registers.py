@@ -23,7 +23,7 @@ from fieldspec.backends.vectors.backend import idle_vectors
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.plc.routines.enums import enum_routines
-from fieldspec.plc.routines.registers import answer_name, answer_type
+from fieldspec.plc.routines.register_range import answer_name, answer_type
 from fieldspec.plc.routines.scaling import quantities
 from fieldspec.reference import CodecError
 from fieldspec.reference.records import decoded, decoded_value, encoded, encoded_value, value_construct
@@ -137,7 +137,7 @@ def read_of(prover: Proof, register_layout: RegisterLayout, words: dict[int, int
 
 def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof) -> None:
     dice, most = random.Random(1), prover.world.words.high + 1
-    for group in prover.world.layout.device.groups:
+    for group in prover.world.layout.device.word_groups():
         registers_of_group = registers(prover, group, READ)
         for address, count in spans(registers_of_group, most) if registers_of_group else ():
             words = {address + at: dice.choice([0, 0, 1, dice.randrange(1 << 16)]) for at in range(max(0, count))}
@@ -160,7 +160,7 @@ def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof)
 
 
 def test_the_registers_of_an_idle_device_are_read_as_the_vectors_say(prover: Proof) -> None:
-    layout, most = prover.world.layout, prover.world.words.high + 1
+    layout = prover.world.layout
     for read in idle_vectors([layout]):
         link, message = layout.links[read["link"]], layout.messages[read["message"]]
         for direction, run in (("request", prover.build), ("response", prover.parse)):
@@ -171,6 +171,8 @@ def test_the_registers_of_an_idle_device_are_read_as_the_vectors_say(prover: Pro
                 assert run(link, message, frame)[0] == "ok", read["address"]
         answer = read["response"]["values"][message.message.accesses.values]
         words = answer if isinstance(answer, list) else [answer]
+        is_bits = layout.device.bit_access(message.message) is not None
+        most = len(prover.fresh(prover.world.bits if is_bits else prover.world.words))
         array = [*words, *([0] * (most - len(words)))]
         names = {name.partition("[")[0] for name in read["registers"]}
         for group in layout.device.groups:
@@ -178,7 +180,8 @@ def test_the_registers_of_an_idle_device_are_read_as_the_vectors_say(prover: Pro
             if not registers_of_group:
                 continue
             copy = prover.machine.fresh(prover.world.names.structs[group.name].lower())
-            value = {"uiAddress": read["address"], "iCount": read["words"], "aWords": array, "stData": copy}
+            value = {"uiAddress": read["address"], "iCount": read["words"], "stData": copy}
+            value["aBits" if is_bits else "aWords"] = array
             assert prover.run(ordered(prover, "unpack", group.name), **value)[0] == "ok", (group.name, read["address"])
             for register in registers_of_group:
                 for at, actual in enumerate(read_out(prover, group, register, copy)):
@@ -203,7 +206,7 @@ def member(prover: Proof, group: RegisterGroup, register: RegisterLayout) -> str
 
 def test_groups_of_registers_are_written_as_the_reference_writes_them(prover: Proof) -> None:
     dice, most, device = random.Random(2), prover.world.words.high + 1, prover.world.layout.device
-    for group in device.groups:
+    for group in device.word_groups():
         registers_of_group = registers(prover, group, WRITABLE)
         for address, count in spans(registers_of_group, most) if registers_of_group else ():
             copy = prover.machine.fresh(prover.world.names.structs[group.name].lower())

@@ -182,7 +182,7 @@ def _registers(layout: DeviceLayout, name: str) -> Space:
     aliases = tuple(alias for register, alias in _aliases(device) if own(register.space))
     if not name:
         return Space("registers", "Registers", "words", 4, ordered, aliases)
-    return Space(name, device.space(name).title or name, "words", 4, ordered, aliases)
+    return Space(name, device.space(name).title or name, f"{device.space(name).unit}s", 4, ordered, aliases)
 
 
 def _group(group: RegisterGroup, extents: Sequence[Extent]) -> Block:

@@ -36,10 +36,10 @@ def addresses(subject: Subject) -> Section:
             figures.append(
                 Figure(f"{space.what} occupied twice ({space.title})", space.count(OVERLAP), good=not unexplained)
             )
-        if space.what == "words":
+        if space.what in ("words", "bits"):
             gaps = space.count(UNDECLARED)
             where = f" ({space.title})" if subject.device.several_spaces else ""
-            figures.append(Figure(f"words in gaps that are not declared{where}", gaps, good=gaps == 0))
+            figures.append(Figure(f"{space.what} in gaps that are not declared{where}", gaps, good=gaps == 0))
     tables = (_blocks(spaces), _gaps(spaces), _overlaps(spaces), _aliases(spaces), _runs(spaces))
     return Section("addresses", "Address map", (_INTRODUCTION,), tuple(figures), tables, spaces=spaces)
 
@@ -169,7 +169,7 @@ def reads(subject: Subject) -> Section:
         if limit is not None:
             values = sum(len(block.names) for block in blocks)
             where = f" of {space}" if space else ""
-            text = f"requests of up to {limit.words} words read all {values} values{where}"
+            text = f"requests of up to {limit.words} {limit.unit}s read all {values} values{where}"
             figures.append(Figure(text, len(blocks)))
     tables = (_limits(plan), _plan_table(plan), _left_out(plan)) if plan.limits else ()
     return Section("read_plan", "Read plan", tuple(paragraphs), tuple(figures), tables)
@@ -178,18 +178,18 @@ def reads(subject: Subject) -> Section:
 def _limit_text(limit: ReadLimit) -> str:
     """A sentence about the most words of a request, with its source."""
     if limit.words is None:
-        return f"Nothing says how many words one request of {limit.message} may read, so that there is no list."
+        return f"Nothing says how many {limit.unit}s one request of {limit.message} may read, so that there is no list."
     place = ""
     if limit.span is not None:
         place = f"{limit.span.file.path}:{limit.span.position()[0]}"
     if not limit.from_manual:
         notes = f" {' '.join(limit.notes)}" if limit.notes else ""
         return (
-            f"One request of {limit.message} reads up to {limit.words} words. The manual prints no limit; this one is "
-            f"that of the protocol ({place}).{notes}"
+            f"One request of {limit.message} reads up to {limit.words} {limit.unit}s. The manual prints no limit; "
+            f"this one is that of the protocol ({place}).{notes}"
         )
     cited = "; ".join(source.text() for source in limit.sources)
-    return f"One request of {limit.message} reads up to {limit.words} words ({cited or place})."
+    return f"One request of {limit.message} reads up to {limit.words} {limit.unit}s ({cited or place})."
 
 
 def _limits(plan: ReadPlan) -> SectionTable:

@@ -18,6 +18,7 @@ from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Subindex, Table
 from fieldspec.model.task import Task
 from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note, StatedChange
+from fieldspec.model.units import DeclaredUnit
 from fieldspec.model.value import Conversion, Signal
 
 PYTHON, C, PLC = "Python", "C", "PLC"
@@ -55,6 +56,7 @@ CONSEQUENCES: dict[type, Consequences] = {
     Flags: Consequences(_B, _S, ALL),
     Bit: Consequences(_B, _W, ALL),
     State: Consequences(_B, _S, ALL),
+    DeclaredUnit: Consequences(_B, _B),
     AddressSpace: Consequences(_B, _S, (PYTHON,)),
     RegisterGroup: Consequences(_D, _D),
     Register: Consequences(_B, _W, ALL),

@@ -33,30 +33,32 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
     refused = {reply.reply_to for reply in device.examples.values() if reply.exception_response}
     for example in device.examples.values():
         message = device.messages.get(example.message)
-        access = device.register_access(message) if message is not None else None
+        bits = device.bit_access(message) if message is not None else None
+        access = bits or (device.register_access(message) if message is not None else None)
         if message is None or access is None or example.exception_response or example.refused:
             continue
         if example.id in refused:
             continue
         asked = example if example.direction == "request" else device.examples.get(example.reply_to)
-        start = _number(message, access.start, asked) if asked is not None else None
+        start = _number(device, message, access.start, asked) if asked is not None else None
         if start is None:
             continue
         if example.direction == "request":
-            yield from _accessed(addresses, access, start, message, example)
+            yield from _accessed(device, addresses, access, start, message, example)
         writes = access.operation == "write"
-        for address, occupant, number in addresses.counts(access.space, start, _words(message, example)):
+        words = _words(device, message, example) if bits is None else _bits(device, message, bits, example, asked)
+        for address, occupant, number in addresses.counts(access.space, start, words):
             yield from _valued(occupant, address, number, legal, writes, example)
 
 
 def _accessed(
-    addresses: Addresses, access: RegisterAccess, start: int, message: Message, example: Example
+    device: Device, addresses: Addresses, access: RegisterAccess, start: int, message: Message, example: Example
 ) -> Iterator[Diagnostic]:
     """What is wrong with the words that a request addresses: nothing begins there, or its access forbids it."""
     if addresses.at(access.space, start) is None:
         text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
         yield finding(_CODE, example.place, "values", text, "correct the frame or the register table")
-    count = len(_words(message, example)) or _number(message, access.count, example) or 1
+    count = len(_words(device, message, example)) or _number(device, message, access.count, example) or 1
     for occupant in addresses.within(access.space, start, min(count, _MOST_WORDS)):
         if occupant.access == _REFUSED[access.operation]:
             deed = "reads" if access.operation == "read" else "writes"
@@ -76,13 +78,28 @@ def _valued(
         yield finding(_CODE, example.place, "values", text, "correct the frame or the range", there)
 
 
-def _number(message: Message, name: str, example: Example) -> int | None:
+def _number(device: Device, message: Message, name: str, example: Example) -> int | None:
     """The count of a field of the request."""
     field = next((field for field in message.request.fields if field.name == name), None)
-    return in_counts(field.value, example.values.get(name)) if field is not None and field.value else None
+    return in_counts(device, field.value, example.values.get(name)) if field is not None and field.value else None
 
 
-def _words(message: Message, example: Example) -> list[int]:
+def _bits(
+    device: Device, message: Message, access: RegisterAccess, example: Example, asked: Example | None
+) -> list[int]:
+    """The bits that an example carries; none if it carries none, or if they cannot be read."""
+    if (access.operation == "read") != (example.direction == "response"):
+        return []
+    value = example.values.get(access.values)
+    if access.set is not None:
+        return [{access.set: 1, access.clear: 0}[value]] if value in (access.set, access.clear) else []
+    count = _number(device, message, access.count, asked) if asked is not None else None
+    if not isinstance(value, list) or not all(isinstance(byte, int) and 0 <= byte <= 0xFF for byte in value):
+        return []
+    return [byte >> place & 1 for byte in value for place in range(8)][:count]
+
+
+def _words(device: Device, message: Message, example: Example) -> list[int]:
     """The words that an example carries; none if it carries none, or if they cannot be read."""
     if message.accesses is None:
         return []
@@ -94,5 +111,5 @@ def _words(message: Message, example: Example) -> list[int]:
     value = example.values.get(message.accesses.values)
     if field is None or field.value is None or field.value.size != 2:
         return []
-    counts = [in_counts(field.value, item) for item in (value if isinstance(value, list) else [value])]
+    counts = [in_counts(device, field.value, item) for item in (value if isinstance(value, list) else [value])]
     return [count for count in counts if count is not None] if None not in counts else []

@@ -45,6 +45,7 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
         "length": True,
         "characters": value.characters is not None,
         "byte_order": bool(value.byte_order),
+        "word_order": bool(value.word_order),
         "scale": value.scaled,
         "offset": bool(value.offset),
         "unit": bool(value.unit),

@@ -1,5 +1,6 @@
 """A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers. A
-floating-point number has no scale. Texts and bytes have no byte order, range or scale.
+floating-point number has no scale. Texts and bytes have no byte order, range or scale. Only a number of
+several words has a word order.
 
 Why: a key that no output can apply must not look as if it had an effect. A reader would rely on a limit or a
 name that no codec knows.
@@ -16,6 +17,7 @@ from collections.abc import Iterator
 from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, range_key
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.address_space import BIT
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Place
 from fieldspec.model.value import Kind, Value
@@ -25,9 +27,10 @@ _SCALED = ("scale", "offset")
 _UNFIT = {
     Kind.FLOAT: (*_NAMED, *_SCALED),
     Kind.BOOLEAN: ("flags", *_SCALED, "sentinels"),
-    Kind.TEXT: (*_NAMED, *_SCALED, "byte_order", "range", "sentinels", "unit"),
-    Kind.BYTES: (*_NAMED, *_SCALED, "byte_order", "range", "sentinels", "unit"),
+    Kind.TEXT: (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit"),
+    Kind.BYTES: (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit"),
 }
+_OF_BITS = ("const", "byte_order", "range", "unit")
 _HELP = {
     Kind.FLOAT: "remove it, or use an integer type",
     Kind.BOOLEAN: "remove it, or use an integer type",
@@ -39,12 +42,16 @@ _HELP = {
 def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         kind = value.type.kind
-        for key in _UNFIT.get(kind, ()):
+        more = _OF_BITS if value.type.name == BIT else ()
+        for key in (*_UNFIT.get(kind, ()), *more):
             if _has(value, key):
                 text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
                 yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, _HELP[kind])
+        if value.type.is_number and value.word_order and not value.has_words:
+            text = f"{fact.name} is {value.type.name}, which does not consist of several words of 16 bits"
+            yield finding("keys_fit_type", fact.place, "word_order", text, "remove it, or correct the type")
         if kind is Kind.INTEGER and value.absent_nan:
-            text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f32"
+            text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f32 or f64"
             yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
 
 
@@ -60,6 +67,7 @@ def _has(value: Value, key: str) -> bool:
         "scale": value.scale != 1,
         "offset": value.offset,
         "byte_order": value.byte_order,
+        "word_order": value.word_order,
         "range": value.ranges is not None,
         "sentinels": value.sentinels,
         "unit": value.unit,

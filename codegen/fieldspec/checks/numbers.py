@@ -67,7 +67,7 @@ def numbers(device: Device, example: Example) -> Iterator[tuple[str, Fact, Value
     for name, text in example.values.items():
         part = heads.get(name)
         if part is not None and part.value is not None:
-            count = in_counts(part.value, text)
+            count = in_counts(device, part.value, text)
             if count is not None:
                 yield name, part, part.value, count
     yield from _of_fields(device, body(device, example), "", example.values)
@@ -84,7 +84,7 @@ def _of_fields(
             if record is not None and isinstance(item, dict):
                 yield from _of_fields(device, record.fields, f"{path}{field.name}.", item)
             elif fact is not None and fact.value is not None:
-                count = in_counts(fact.value, item)
+                count = in_counts(device, fact.value, item)
                 if count is not None:
                     yield f"{path}{field.name}", fact, fact.value, count
 
@@ -96,12 +96,12 @@ def _decided(device: Device, fields: tuple[Field, ...], choice: Choice, texts: M
     text = texts.get(choice.by)
     if enum is None or by is None or by.value is None:
         return None
-    count = in_counts(by.value, text)
+    count = in_counts(device, by.value, text)
     member = enum.member(count) if count is not None else enum.named(str(text))
     return next((case for case in choice.cases if member is not None and member.name in case.when), None)
 
 
-def in_counts(value: Value, text: object) -> int | None:
+def in_counts(device: Device, value: Value, text: object) -> int | None:
     """The count that an example writes, or None where that is a name, a text or a list, or cannot be understood."""
     if isinstance(text, int):
         return None if isinstance(text, bool) else text
@@ -110,4 +110,5 @@ def in_counts(value: Value, text: object) -> int | None:
     count, quantity = count_of(text), quantity_of(text)
     if count is not None:
         return count
-    return value.from_unit(quantity[0]) if quantity is not None and quantity[1] == value.unit else None
+    number = device.quantity_in(*quantity, value.unit) if quantity is not None else None
+    return value.from_unit(number) if number is not None else None

@@ -1,6 +1,6 @@
 """All links of a device have the same byte order and the same word order. If the device has values of several
 words, such as registers or data counted in words, at least one link states the word order, and so does every
-link whose data is counted in words.
+link whose data is counted in words. A value may state an order of its own.
 
 Why: a value of several words needs a word order, which is stated and never assumed. One register cannot have
 two orders. A protocol that has only bytes needs no word order.
@@ -21,10 +21,8 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link, Part
 from fieldspec.model.sizes import messages_on
-from fieldspec.model.value import Kind, Value
 
 _CODE = "orders_agree"
-_WORD = 2
 
 
 def orders_agree(device: Device) -> Iterator[Diagnostic]:
@@ -39,7 +37,7 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
                 yield finding(_CODE, link.place, key, text, help, there)
     if links and not any(link.word_order for link in links) and _has_words(device):
         for fact, value in values(device):
-            if _wide(value) and not isinstance(fact, Part):
+            if value.has_words and not value.word_order and not isinstance(fact, Part):
                 text = f"{fact.name} has several words, but no link states the word order"
                 there = label(fact.place, "type", f"{value.type.name} has {value.size} bytes")
                 yield finding(_CODE, links[0].place, "word_order", text, "add `word_order` to the link", there)
@@ -53,7 +51,8 @@ def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
     for message in messages_on(device, link) if not link.word_order else ():
         for data in (message.request, message.response):
             for field in data.fields:
-                if field.word_span is not None and field.value is not None and _wide(field.value):
+                value = field.value
+                if field.word_span is not None and value is not None and value.has_words and not value.word_order:
                     text = f"{field.name} has several words, but {link.name} does not state the word order"
                     there = label(field.place, "word_span", "the words")
                     yield finding(_CODE, link.place, "word_order", text, "add `word_order` to the link", there)
@@ -73,7 +72,3 @@ def _has_words(device: Device) -> bool:
         layer.words is not None or any(field.words is not None or field.word_span is not None for field in layer.fields)
         for layer in layers(device)
     )
-
-
-def _wide(value: Value) -> bool:
-    return value.size > _WORD and value.type.kind in (Kind.INTEGER, Kind.FLOAT)

@@ -21,7 +21,10 @@ from fieldspec.model.link import Link
 from fieldspec.model.value import Kind, Primitive, Ranges, Value
 
 _HELP = "correct the type or the bound"
-_QUIET_NAN = 0x7FC00000
+_QUIET_NAN = {4: 0x7FC00000, 8: 0x7FF8000000000000}
+_INFINITY = {4: 0x7F800000, 8: 0x7FF0000000000000}
+_DIGITS = {4: 24, 8: 53}
+"""The bits of a NaN that machines produce, those of infinity, and the bits of the whole numbers that are exact."""
 _WHOLE = (Kind.INTEGER, Kind.BOOLEAN)
 
 
@@ -50,39 +53,40 @@ def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
 
 
 def _of_float(fact: Fact, value: Value) -> Iterator[Diagnostic]:
-    """Bounds and sentinels that 32 bits hold exactly, and bits that are those of a NaN."""
+    """Bounds and sentinels that the type has exactly, and bits that are those of a NaN."""
+    size, digits = value.size, _DIGITS[value.size]
     for bound in (bound for pair in (value.ranges.intervals if value.ranges else ()) for bound in pair):
-        if not _exact(bound):
+        if not _exact(bound, size):
             text = f"{fact.name} cannot be exactly {bound} as {value.type.name}"
-            yield finding(
-                "range_within_type", fact.place, range_key(fact.place), text, "use a bound of at most 24 bits"
-            )
+            help = f"use a bound of at most {digits} bits"
+            yield finding("range_within_type", fact.place, range_key(fact.place), text, help)
     for sentinel in value.sentinels:
-        nan = sentinel.value & 0x7FFFFFFF > 0x7F800000
+        high, bits = 1 << 8 * size, f"{sentinel.value:#0{2 * size + 2}x}"
+        nan = sentinel.value < high and sentinel.value & (high // 2 - 1) > _INFINITY[size]
         if sentinel.is_nan and not nan:
-            text = f"the bits {sentinel.value:#010x} ({sentinel.name}) of {fact.name} represent a number"
+            text = f"the bits {bits} ({sentinel.name}) of {fact.name} represent a number"
             yield finding("range_within_type", fact.place, "sentinels", text, "state the number under `value`")
-        elif sentinel.is_nan and sentinel.value != _QUIET_NAN and getattr(fact, "access", "") != "ro":
-            text = f"{fact.name} can be written, and NaN is written as {_QUIET_NAN:#010x}"
-            help = "set `access: ro` if it is only read, or state the value as a `u32` of bits"
+        elif sentinel.is_nan and sentinel.value != _QUIET_NAN[size] and getattr(fact, "access", "") != "ro":
+            text = f"{fact.name} can be written, and NaN is written as {_QUIET_NAN[size]:#0{2 * size + 2}x}"
+            help = f"set `access: ro` if it is only read, or state the value as a `u{8 * size}` of bits"
             yield finding("range_within_type", fact.place, "sentinels", text, help)
-        elif not sentinel.is_nan and 0x7F800000 < sentinel.value <= 0xFFFFFFFF and nan:
-            text = f"{sentinel.value:#010x} ({sentinel.name}) of {fact.name} looks like the bits of a NaN"
+        elif not sentinel.is_nan and _INFINITY[size] < sentinel.value and nan:
+            text = f"{bits} ({sentinel.name}) of {fact.name} looks like the bits of a NaN"
             yield finding("range_within_type", fact.place, "sentinels", text, "state them under `bits`")
-        elif not sentinel.is_nan and not _exact(sentinel.value):
+        elif not sentinel.is_nan and not _exact(sentinel.value, size):
             text = f"{fact.name} cannot be exactly {sentinel.value} ({sentinel.name}) as {value.type.name}"
-            yield finding("range_within_type", fact.place, "sentinels", text, "use a number of at most 24 bits")
+            yield finding("range_within_type", fact.place, "sentinels", text, f"use a number of at most {digits} bits")
     if sum(sentinel.is_nan for sentinel in value.sentinels) > 1:
         text = f"{fact.name} has several special values that are NaN, which many machines cannot distinguish"
         yield finding("range_within_type", fact.place, "sentinels", text, "remove one of them")
 
 
-def _exact(number: int) -> bool:
-    """Whether 32 bits of a floating-point number hold a whole number as it is."""
+def _exact(number: int, size: int) -> bool:
+    """Whether a floating-point number of some bytes can be exactly a whole number."""
     odd = abs(number)
     while odd and odd % 2 == 0:
         odd //= 2
-    return odd < 1 << 24 and abs(number) < 1 << 128
+    return odd < 1 << _DIGITS[size] and abs(number) < 1 << (128 if size == 4 else 1024)
 
 
 def _of_stations(link: Link) -> Iterator[Diagnostic]:

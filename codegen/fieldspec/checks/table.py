@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator
 
 from fieldspec.checks.accesses_agree import accesses_agree
+from fieldspec.checks.accesses_fit_space import accesses_fit_space
 from fieldspec.checks.addresses_ascending import addresses_ascending
 from fieldspec.checks.addresses_disjoint import addresses_disjoint
 from fieldspec.checks.addresses_within_space import addresses_within_space
@@ -89,7 +90,10 @@ from fieldspec.checks.table_fields_readable import table_fields_readable
 from fieldspec.checks.tasks_complete import tasks_complete
 from fieldspec.checks.text_fits_words import text_fits_words
 from fieldspec.checks.triggers_writable import triggers_writable
+from fieldspec.checks.types_fit_space import types_fit_space
+from fieldspec.checks.units_known import units_known
 from fieldspec.checks.value_within_range import value_within_range
+from fieldspec.checks.widths_fit_place import widths_fit_place
 from fieldspec.checks.wire_numbers_match import wire_numbers_match
 from fieldspec.checks.words_match_type import words_match_type
 from fieldspec.checks.write_range_applies import write_range_applies
@@ -100,6 +104,7 @@ from fieldspec.source import Span
 
 CHECKS: tuple[tuple[str, Check], ...] = (
     ("accesses_agree", accesses_agree),
+    ("accesses_fit_space", accesses_fit_space),
     ("addresses_ascending", addresses_ascending),
     ("addresses_disjoint", addresses_disjoint),
     ("addresses_within_space", addresses_within_space),
@@ -179,7 +184,10 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("tasks_complete", tasks_complete),
     ("text_fits_words", text_fits_words),
     ("triggers_writable", triggers_writable),
+    ("types_fit_space", types_fit_space),
+    ("units_known", units_known),
     ("value_within_range", value_within_range),
+    ("widths_fit_place", widths_fit_place),
     ("wire_numbers_match", wire_numbers_match),
     ("words_match_type", words_match_type),
     ("write_range_applies", write_range_applies),

@@ -14,8 +14,9 @@ from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.explanation import explained
 from fieldspec.explain.parameters import nearest, parameter_number
 from fieldspec.explain.readings import DIRECTIONS
-from fieldspec.explain.registers import Occupant, accessed, forbidden, occupant_at
+from fieldspec.explain.registers import Occupant, accessed, accessed_bits, forbidden, occupant_at
 from fieldspec.explain.row import ExplanationRow
+from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import MeaningError, Raw, body_of, raw_of, raw_value
 from fieldspec.model.quantity import count_of
@@ -149,7 +150,8 @@ def _by_print(layout: DeviceLayout, way: _Way, texts: dict[str, object]) -> None
 def _with_address(layout: DeviceLayout, message: str, texts: dict[str, object]) -> None:
     """Replaces the name of a register by its address. Raises UsageError for a register in another space."""
     device = layout.device
-    accesses = device.register_access(layout.messages[message].message)
+    own = layout.messages[message].message
+    accesses = device.register_access(own) or device.bit_access(own)
     named = texts.get(accesses.start) if accesses else None
     register = device.register(named) if isinstance(named, str) else None
     if accesses is None or register is None:
@@ -161,7 +163,10 @@ def _with_address(layout: DeviceLayout, message: str, texts: dict[str, object]) 
 
 
 def _with_words(layout: DeviceLayout, message: str, texts: dict[str, object]) -> None:
-    """Replaces quantities and names by the words of registers. Raises UsageError."""
+    """Replaces quantities and names by the words of registers, and truth values by bits. Raises UsageError."""
+    bits = layout.device.bit_access(layout.messages[message].message)
+    if bits is not None and isinstance(text := texts.get(bits.values), str):
+        texts[bits.values] = carried_bits(bits, text)
     access = layout.device.register_access(layout.messages[message].message)
     if access is None or access.operation != "write":
         return
@@ -180,8 +185,16 @@ def _with_words(layout: DeviceLayout, message: str, texts: dict[str, object]) ->
 
 def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -> None:
     """Refuses to write what can only be read, and to read what can only be written. Raises UsageError."""
-    accesses = layout.device.register_access(layout.messages[way.message].message)
-    if accesses is None or way.direction != "request":
+    own = layout.messages[way.message].message
+    accesses, bits = layout.device.register_access(own), layout.device.bit_access(own)
+    if way.direction != "request":
+        return
+    if bits is not None:
+        span = accessed_bits(bits, values, {}, 0, b"")
+        why = forbidden(layout, span, bits.operation) if span is not None else ""
+        if why:
+            raise UsageError(f"{why}; no frame is written")
+    if accesses is None:
         return
     words = values.get(accesses.values)
     carried = bytes(2 * (len(words) if isinstance(words, list) else 0 if words is None else 1))
@@ -205,7 +218,7 @@ def _count_of(layout: DeviceLayout, way: _Way, name: str, text: object) -> objec
         return text if number is None else number
     if "/" not in value.scale_text:
         return text
-    count = nearest(value, text)
+    count = nearest(layout.device, value, text)
     if count is None or count.is_whole:
         return text
     which = "" if count.text.replace(" ", "") == text.replace(" ", "") else f", which is {count.text}"
@@ -241,6 +254,21 @@ def _print(layout: DeviceLayout, way: _Way, form: str, frame: bytes) -> None:
     print(frame.hex(" ").upper())
     if form == "text" and characters is not None:
         print(visible_text(characters))
+
+
+_BITS = {"true": 1, "false": 0, "on": 1, "off": 0}
+
+
+def carried_bits(access: RegisterAccess, text: str) -> object:
+    """What a message carries for `on, off, true`; the text itself where it has something else."""
+    bits = [_BITS.get(item.strip().lower()) for item in text.split(",")]
+    if None in bits:
+        return text
+    if access.set is None:
+        return list(packed_bits([bit or 0 for bit in bits]))
+    if len(bits) != 1:
+        raise UsageError(f"{text} has {len(bits)} bits, and the message carries one")
+    return access.set if bits[0] else access.clear
 
 
 _COUNTS = re.compile(r"[-+]?(?:0x[0-9A-Fa-f]+|[0-9]+)(?:[, ]+[-+]?(?:0x[0-9A-Fa-f]+|[0-9]+))*")

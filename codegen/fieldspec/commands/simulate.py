@@ -86,7 +86,7 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
         # One serial line at a time, as on the device; what is no serial line has no other to disturb.
         serial = next((link for link in links if link.link.serial is not None), None)
         for link in [serial] if serial is not None else links:
-            yield link.name, usual_place(link.link)
+            yield link.name, usual_place(link)
         return
     for port in ports:
         name, mark, place = port.partition("=")

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 
 from fieldspec.classes import dataclass, field, replace
 from fieldspec.explain.body import Body
-from fieldspec.explain.registers import accessed, register_rows
+from fieldspec.explain.registers import accessed, accessed_bits, register_rows
 from fieldspec.explain.row import (
     ExplanationRow,
     Spot,
@@ -294,14 +294,20 @@ class _Frame:
         body = Body(self.layout, record, message or record.record, self.data, start, end, self.spot, asked)
         self.values |= body.values
         rows = [row for row in body.rows if self.wrapped.whole or row.kind != "unexplained" or row.length]
-        access = self.layout.device.register_access(message) if message is not None and not self.error else None
+        if message is None or self.error:
+            return rows, ()
+        access, bits = self.layout.device.register_access(message), self.layout.device.bit_access(message)
+        access = access or bits
         if access is None:
             return rows, ()
         values = record.named(access.values)
         at = start + values.offset if values else start
         last = min(end, start + values.end) if values and values.end is not None else end
         data = self.data[at:last] if values else b""
-        span = accessed(access, body.values, asked, at, data[: len(data) // 2 * 2])
+        if bits is not None:
+            span = accessed_bits(bits, body.values, asked, at, data)
+        else:
+            span = accessed(access, body.values, asked, at, data[: len(data) // 2 * 2])
         return rows, tuple(register_rows(self.layout, span, self.spot, access.operation)) if span else ()
 
     def _unknown(self, start: int, end: int) -> Iterator[ExplanationRow]:

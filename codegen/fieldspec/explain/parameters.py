@@ -184,12 +184,13 @@ class Count:
     is_whole: bool
 
 
-def nearest(value: Value, text: str) -> Count | None:
+def nearest(device: Device, value: Value, text: str) -> Count | None:
     """The raw value nearest to `50 %`, the even one of two; None if the text is not a quantity in the unit."""
     quantity = quantity_of(text.strip())
-    if quantity is None or quantity[1] != value.unit:
+    number = device.quantity_in(*quantity, value.unit) if quantity is not None else None
+    if number is None:
         return None
-    counts = (Fraction(quantity[0]) - Fraction(value.offset)) / Fraction(value.scale)
+    counts = (number - Fraction(value.offset)) / Fraction(value.scale)
     raw = round(counts)
     exact = f"{Decimal(round(counts * 10**_PLACES)).scaleb(-_PLACES).normalize():f}"
     return Count(raw, exact, in_unit(value, raw), counts == raw)

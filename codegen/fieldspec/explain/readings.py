@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.explain.explanation import Explanation, Reading, closest, explained, lengths, recognised
+from fieldspec.layout.bits import packed_size
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.link import Link
 
@@ -172,6 +173,12 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         words = len(have) if isinstance(have, list) else None
         if isinstance(want, int) and words is not None and words != want:
             yield f"the request asks for {want} words, but the response has {words}"
+    bits = layout.device.bit_access(message.message) if message and not response.error else None
+    if bits is not None and bits.operation == "read" and bits.count:
+        want, have = request.values.get(bits.count), response.values.get(bits.values)
+        if isinstance(want, int) and isinstance(have, list) and len(have) != packed_size(want):
+            text = f"the request asks for {want} bits, which take {packed_size(want)} bytes"
+            yield f"{text}, but the response has {len(have)}"
 
 
 _NAMED = 3

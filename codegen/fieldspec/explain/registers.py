@@ -7,9 +7,11 @@ from collections.abc import Iterator, Mapping
 from fieldspec.classes import dataclass, replace
 from fieldspec.explain.row import ExplanationRow, Spot, fact_row
 from fieldspec.explain.values import DecodedValue, decode_value
+from fieldspec.layout.bits import unpacked_bits
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout, RegisterLayout
 from fieldspec.layout.values import Raw
+from fieldspec.model.address_space import BIT, WORD
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import RegisterAccess
 from fieldspec.model.value import Value
@@ -25,26 +27,60 @@ FORBIDS = {("write", "ro"): "can only be read", ("read", "wo"): "can only be wri
 
 
 @dataclass(frozen=True, slots=True)
+class Piece:
+    """Bytes at `at` in the parts of a frame, and the bytes of the value that they carry: for a bit, one with 0 or 1."""
+
+    at: int
+    raw: bytes
+    content: bytes
+
+
+@dataclass(frozen=True, slots=True)
 class Span:
-    """`words` from `address` on in a space. `data` are their bytes in the frame, at `at` in its parts, or empty."""
+    """`words` from `address` on in a space. `data` are their bytes in the frame, at `at` in its parts, or empty.
+
+    In a space of bits, `words` counts these, and `bits` has those that the frame carries, in order. A single one is
+    None if its number means neither 0 nor 1. In a space of words, `bits` is None.
+    """
 
     space: str
     address: int
     words: int
     at: int
     data: bytes
+    bits: tuple[int | None, ...] | None = None
 
     @property
     def end(self) -> int:
         """The address behind the last word."""
         return self.address + self.words
 
-    def bytes_of(self, address: int, size: int) -> tuple[int, bytes] | None:
-        """The offset of a value in the parts of the frame and its bytes; None unless the frame has all of them."""
+    @property
+    def unit(self) -> str:
+        """The unit at one address."""
+        return WORD if self.bits is None else BIT
+
+    def piece(self, address: int, size: int) -> Piece | None:
+        """The piece of the frame with a value of `size` bytes; None unless the frame has all of it."""
+        if self.bits is not None:
+            return self._bit(address - self.address, self.bits)
         start = 2 * (address - self.address)
         if start < 0 or start + size > len(self.data):
             return None
-        return self.at + start, self.data[start : start + size]
+        content = self.data[start : start + size]
+        return Piece(self.at + start, content, content)
+
+    def _bit(self, index: int, bits: tuple[int | None, ...]) -> Piece | None:
+        bit = bits[index] if 0 <= index < len(bits) else None
+        if bit is None:
+            return None
+        at, end = (0, len(self.data)) if len(bits) == 1 else (index // 8, index // 8 + 1)
+        return Piece(self.at + at, self.data[at:end], bytes([bit]))
+
+    def unlisted(self, first: int, end: int) -> tuple[int, bytes]:
+        """The offset and the bytes of neighbouring words; none for bits, which share bytes with others."""
+        piece = self.piece(first, 2 * (end - first)) if self.bits is None else None
+        return (piece.at, piece.raw) if piece is not None else (0, b"")
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +115,22 @@ def accessed(
         return None
     words = count if isinstance(count, int) else len(data) // 2
     return Span(access.space, start, words, at, data)
+
+
+def accessed_bits(
+    access: RegisterAccess, values: Mapping[str, Raw], asked: Mapping[str, Raw], at: int, data: bytes
+) -> Span | None:
+    """The same as `accessed` for a space of bits."""
+    start = values.get(access.start, asked.get(access.start))
+    count = values.get(access.count, asked.get(access.count)) if access.count else 1
+    if not isinstance(start, int):
+        return None
+    if access.set is not None:
+        number = values.get(access.values) if data else None
+        bit = {access.set: 1, access.clear: 0}.get(number) if isinstance(number, int) else None
+        return Span(access.space, start, 1, at, data, (bit,))
+    words = count if isinstance(count, int) else 8 * len(data)
+    return Span(access.space, start, words, at, data, tuple(unpacked_bits(data))[:words])
 
 
 def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) -> Iterator[ExplanationRow]:
@@ -200,11 +252,11 @@ def _near(base: int, stride: int, words: int, count: int, span: Span) -> range:
 
 
 def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, operation: str) -> ExplanationRow:
-    piece = span.bytes_of(occupant.address, occupant.value.size)
-    at, raw = piece if piece else (0, b"")
+    piece = span.piece(occupant.address, occupant.value.size)
+    at, raw = (piece.at, piece.raw) if piece else (0, b"")
     if piece:
         value = occupant.value.for_writing() if operation == "write" else occupant.value
-        read = decode_value(layout.device, value, raw, occupant.order, occupant.swapped, occupant.reserved)
+        read = decode_value(layout.device, value, piece.content, occupant.order, occupant.swapped, occupant.reserved)
         if occupant.trigger and operation == "read":
             read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     else:
@@ -213,7 +265,7 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
     row = fact_row(layout.device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer)
     if not piece:
         row = replace(row, offset=0)
-    return replace(row, address=occupant.address, words=occupant.words, access=occupant.access)
+    return replace(row, address=occupant.address, words=occupant.words, unit=span.unit, access=occupant.access)
 
 
 def _unlisted(layout: DeviceLayout, span: Span, first: int, end: int, spot: Spot) -> ExplanationRow:
@@ -225,16 +277,17 @@ def _unlisted(layout: DeviceLayout, span: Span, first: int, end: int, spot: Spot
         for gap in group.gaps
         if any(low < end and first <= high for low, high in gap.addresses.intervals)
     )
-    piece = span.bytes_of(first, 2 * (end - first))
-    offset, length, characters = spot.place(piece[0], len(piece[1])) if piece else (0, 0, "")
+    at, raw = span.unlisted(first, end)
+    offset, length, characters = spot.place(at, len(raw)) if raw else (0, 0, "")
     return ExplanationRow(
         kind="register",
         offset=offset,
         length=length,
-        raw=piece[1] if piece else b"",
+        raw=raw,
         characters=characters,
         doc="No register is listed here.",
         notes=tuple(reasons),
         address=first,
         words=end - first,
+        unit=span.unit,
     )

@@ -9,6 +9,7 @@ from fieldspec.caches import ByIdentity
 from fieldspec.classes import dataclass
 from fieldspec.explain.values import DecodedValue, Meaning
 from fieldspec.layout.values import Raw
+from fieldspec.model.address_space import WORD
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation, Fact
 from fieldspec.model.link import Link
@@ -27,7 +28,8 @@ class ExplanationRow:
     `number` is the raw value, `value` the exact quantity with its unit.
     `verdict` is empty, `right`, or `wrong: ..`, and `reason` then names the fault as the errors of the codecs do.
     `source` cites the manual, `errata` are the ids of the errata of the fact.
-    Rows of registers have an `address`, a number of `words`, and `access`, empty if it is not printed.
+    Rows of registers have an `address`, a number of `words`, which are bits where `unit` is `bit`, and `access`,
+    empty if it is not printed.
     """
 
     kind: str
@@ -50,6 +52,7 @@ class ExplanationRow:
     errata: tuple[str, ...] = ()
     address: int | None = None
     words: int = 0
+    unit: str = WORD
     access: str = ""
 
 

@@ -72,7 +72,7 @@ def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
         data = b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
     big = (order == "big") != swapped
     if kind is Kind.FLOAT:
-        number: float = struct.unpack(">f" if big else "<f", data)[0]
+        number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", data)[0]
         return number
     return int.from_bytes(data, "big" if big else "little", signed=value.type.signed)
 

@@ -8,6 +8,7 @@ from functools import partial
 from fieldspec.facts.row import FactRow, SharedRows, of_fact, of_flag, of_ranges, of_value, row
 from fieldspec.facts.wire import fields
 from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.model.address_space import BIT
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup
 
@@ -42,7 +43,7 @@ def _cells(register: Register) -> FactRow:
     return {
         "address": register.address,
         "position": register.space,
-        "words": register.width,
+        "words": register.width if register.value.type.name != BIT else None,
         "access": register.access,
         "number": register.number,
         "restart": of_flag(register.restart),
@@ -51,7 +52,8 @@ def _cells(register: Register) -> FactRow:
 
 def _series(register: Register) -> Iterator[FactRow]:
     """A row for several equal registers, and one for each of them, with its own source if the spec has it."""
-    whole: FactRow = {"address": register.address, "words": register.end - register.address, "count": register.count}
+    words = register.end - register.address if register.value.type.name != BIT else None
+    whole: FactRow = {"address": register.address, "words": words, "count": register.count}
     whole |= {"position": register.space}
     yield from of_fact("register_series", register, register.value, **whole)
     for number in range(register.count):

@@ -32,6 +32,7 @@ def identity(
         _links(links),
         *map(_record, records.values()),
         _messages(messages),
+        _units(device),
         _spaces(device),
         _registers(registers),
         _tables(device),
@@ -119,7 +120,8 @@ def _access(access: RegisterAccess | None) -> str | None:
     if access is None:
         return None
     parts = (access.operation, access.start, access.count, access.values)
-    return "RegisterAccess(operation={!r}, start={!r}, count={!r}, values={!r})".format(*parts)
+    text = "RegisterAccess(operation={!r}, start={!r}, count={!r}, values={!r})".format(*parts)
+    return text if access.set is None else f"{text} set={access.set} clear={access.clear}"
 
 
 def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
@@ -128,6 +130,12 @@ def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
         yield "message", message.name, message.code, message.number, message.broadcast, _access(message.accesses)
         for data in (message_layout.request, message_layout.response):
             yield from _record(data)
+
+
+def _units(device: Device) -> Iterator[Words]:
+    """What the units that the spec declares are worth."""
+    for declared in device.units.values():
+        yield "unit", declared.symbol, declared.quantity, declared.factor
 
 
 def _spaces(device: Device) -> Iterator[Words]:

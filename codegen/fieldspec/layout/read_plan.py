@@ -12,6 +12,7 @@ from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.access import readable
+from fieldspec.model.address_space import BIT, WORD
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
 from fieldspec.model.record import Field, Message
@@ -31,7 +32,8 @@ WRITE_ONLY, CLEARED, ACCESS_UNKNOWN, TOO_LONG = (
 class ReadLimit:
     """The most words that one request of a message reads, None where the spec does not say, and the place of the limit.
 
-    The limit is `from_manual` where the spec of the device sets it, and not the protocol. `sources` are its citations.
+    In a space of bits, `unit` is `bit`, and words are bits. The limit is `from_manual` where the spec of the device
+    sets it, and not the protocol. `sources` are its citations.
     """
 
     message: str
@@ -41,6 +43,7 @@ class ReadLimit:
     from_manual: bool
     sources: tuple[Citation, ...]
     notes: tuple[str, ...]
+    unit: str = WORD
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,7 +139,7 @@ def _blocks(units: Sequence[ReadUnit], message: str, most: int) -> tuple[list[Re
 
 
 def _is_read(device: Device, message: Message) -> bool:
-    access = device.register_access(message)
+    access = device.register_access(message) or device.bit_access(message)
     return access is not None and access.operation == "read"
 
 
@@ -148,9 +151,10 @@ def _limit(device: Device, message: Message) -> ReadLimit:
     """The limit of a message: the range of its word count, how often its values repeat, or their size in bytes."""
     access = message.accesses
     assert access is not None
-    space = _space(device, access.space)
+    space, unit = _space(device, access.space), device.space(access.space).unit
     if not access.count:
-        return ReadLimit(message.name, space, 1, message.place["accesses"], True, message.sources, message.notes)
+        return ReadLimit(message.name, space, 1, message.place["accesses"], True, message.sources, message.notes, unit)
+    packed = 8 if unit == BIT else 1
     bounds: list[tuple[int, int, Field, str]] = []
     for field in (*message.request.fields, *message.response.fields):
         ranges = field.value.ranges if field.value is not None else None
@@ -158,16 +162,17 @@ def _limit(device: Device, message: Message) -> ReadLimit:
         if field.name == access.count and ranges is not None:
             bounds.append((ranges.high, 0, field, key))
         if field.name == access.values and field.repeat is not None:
-            bounds.append((field.repeat.high, 1, field, "repeat"))
+            bounds.append((field.repeat.high * packed, 1, field, "repeat"))
         measured = field.measures
         if measured is not None and measured.field == access.values and ranges is not None:
-            bounds.append((ranges.high // (2 if measured.of == "bytes" else 1), 2, field, key))
+            words = ranges.high * packed // (2 if measured.of == "bytes" and unit == WORD else 1)
+            bounds.append((words, 2, field, key))
     if not bounds:
-        return ReadLimit(message.name, space, None, None, False, (), message.notes)
+        return ReadLimit(message.name, space, None, None, False, (), message.notes, unit)
     words, _, field, key = min(bounds, key=lambda bound: bound[:2])
     span = field.place[key]
     own = _folder(span) == _folder(device.place.whole)
-    return ReadLimit(message.name, space, words, span, own, field.sources if own else (), message.notes)
+    return ReadLimit(message.name, space, words, span, own, field.sources if own else (), message.notes, unit)
 
 
 def _folder(span: Span) -> str:

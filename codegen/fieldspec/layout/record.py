@@ -115,7 +115,8 @@ class Orders:
     def of(self, value: Value | None) -> tuple[str, bool]:
         """The byte order of a value, and whether its words are swapped."""
         byte = value.byte_order if value and value.byte_order else self.byte
-        return byte, bool(value and value.size > 2 and value.type.letter not in "s" and self.word and self.word != byte)
+        word = value.word_order if value and value.word_order else self.word
+        return byte, bool(value and value.has_words and word and word != byte)
 
 
 def record_layout(

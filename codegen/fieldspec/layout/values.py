@@ -16,6 +16,7 @@ from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind, Value
 
 if TYPE_CHECKING:
+    from fractions import Fraction
     from typing import Any, TypeAlias
 
 
@@ -134,7 +135,13 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
     if value.type.kind is Kind.FLOAT:
         named = next((sentinel for sentinel in value.sentinels if sentinel.name == entered), None)
         if named is not None:
-            return struct.unpack(">f", named.value.to_bytes(4, "big"))[0] if named.is_nan else float(named.value)
+            if not named.is_nan:
+                return float(named.value)
+            nan: float = struct.unpack(f">{value.type.letter}", named.value.to_bytes(value.size, "big"))[0]
+            return nan
+        quantity = _in_unit_of(device, value, entered)
+        if quantity is not None:
+            return float(quantity)
         number = entered if isinstance(entered, float) else number_of(str(entered))
         if number is None:
             raise MeaningError(path, f"`{entered}` is no number; write it as `0.5` or `2.5e-3`")
@@ -144,6 +151,12 @@ def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw
     if isinstance(entered, str):
         return _text(device, path, value, entered)
     raise MeaningError(path, f"`{entered}` is no whole number of counts; with its unit it may be a fraction")
+
+
+def _in_unit_of(device: Device, value: Value, entered: object) -> Fraction | None:
+    """The exact number of an entered quantity, `10.5mm`, in the unit of the value; None where it is none."""
+    quantity = quantity_of(entered) if isinstance(entered, str) else None
+    return device.quantity_in(*quantity, value.unit) if quantity is not None and value.unit else None
 
 
 def _is_count(entered: object) -> bool:
@@ -162,9 +175,9 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
     for sentinel in value.sentinels:
         if sentinel.name == entered:
             return sentinel.value
-    quantity = quantity_of(entered)
-    if quantity is not None and quantity[1] == value.unit:
-        raw = value.from_unit(quantity[0])
+    quantity = _in_unit_of(device, value, entered)
+    if quantity is not None:
+        raw = value.from_unit(quantity)
         if raw is None:
             raise MeaningError(path, f"`{entered}` is no whole number of counts of {value.scale} {value.unit}")
         absent = value.sentinel(raw)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.access import narrowed
+from fieldspec.model.address_space import BIT
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Enum
 from fieldspec.model.fact import Citation
@@ -21,11 +22,11 @@ REGISTERS = "registers"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Item:
-    """A value at `address` with a size of `words` of 16 bits, None for a parameter.
+    """A value at `address` with a size of `words` of 16 bits, None for a parameter and for a bit.
 
     A field of a table, and a parameter with several elements, stand for `count` values: the first has the number
     `first`, and they are `stride` addresses apart, or all at one address if that is 0. `access` is empty if the manual
-    does not state it. `members` are the names of raw values.
+    does not state it. `members` are the names of raw values, `ucum` the code of the unit.
     """
 
     space: str
@@ -43,6 +44,7 @@ class Item:
     members: tuple[tuple[str, str], ...] = ()
     source: Citation | None = None
     unverified: bool = False
+    ucum: str = ""
 
     def addresses(self) -> range:
         """The addresses of all values that it stands for."""
@@ -60,7 +62,12 @@ def items(layout: DeviceLayout) -> list[Item]:
         items += [
             item for parameter in parameter_set.parameters for item in _parameter(parameter_set, parameter, enums)
         ]
-    return items
+    return [replace(item, ucum=_code(layout.device, item.value)) for item in items]
+
+
+def _code(device: Device, value: Value | None) -> str:
+    unit = device.unit(value.unit) if value is not None and value.unit else None
+    return unit.ucum if unit is not None else ""
 
 
 def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> Iterator[Item]:
@@ -73,7 +80,7 @@ def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> 
             space=_space(device, register.space),
             address=register.address + number * register.stride,
             name=f"{register.name}_{index}" if many else register.name,
-            words=register.width,
+            words=register.width if register.value.type.name != BIT else None,
             type=register.value.type.name,
             access=register.access,
             value=register.value,

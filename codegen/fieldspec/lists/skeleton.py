@@ -13,6 +13,7 @@ from fieldspec.lists.columns import folded
 from fieldspec.lists.item import REGISTERS
 from fieldspec.lists.listing import ListRow
 from fieldspec.lists.sheet import ListError
+from fieldspec.model.units import standard_units
 from fieldspec.model.value import PRIMITIVES, Kind
 from fieldspec.schema import schema
 
@@ -48,7 +49,11 @@ def snake(text: str) -> str:
 
 _MOST_WORDS = 1 << 20
 _BY_WORDS = {1: "u16", 2: "u32", 4: "u64"}
-_UNITS = {folded(unit) or unit: unit for unit in schema()["$defs"]["unit"]["enum"]}
+_UNITS = {
+    folded(symbol) or symbol: unit.symbol
+    for unit in reversed(standard_units().values())
+    for symbol in (*unit.others, unit.symbol)
+}
 _BARE_SCALAR = re.compile(r"[A-Za-z][A-Za-z0-9_./-]*")
 
 _HEAD = """\

@@ -10,6 +10,9 @@ from fieldspec.source import SourceFile, Span
 WORD = "word"
 """The unit of the spaces of registers and tables."""
 
+BIT = "bit"
+"""The unit of the spaces of coils and discrete inputs, and the type of the registers there."""
+
 WHOLE = Ranges(((0, 0xFFFF),))
 """The addresses of a space without stated bounds: all 16 bit numbers."""
 

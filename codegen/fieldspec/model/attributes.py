@@ -16,6 +16,7 @@ from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Subindex, Table
 from fieldspec.model.task import Task
 from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note, StatedChange
+from fieldspec.model.units import DeclaredUnit
 from fieldspec.model.value import Conversion, Signal
 
 # Whoever walks a device, compares two of them, or describes an object reads this table. A new class of the model, or a
@@ -100,6 +101,7 @@ MODEL_CLASSES: dict[type, ModelClass] = {
             Content(Record, "records"),
             Content(Enum, "enums"),
             Content(Flags, "flags"),
+            Content(DeclaredUnit, "units"),
             Content(AddressSpace, "spaces"),
             Content(RegisterGroup, "groups"),
             Content(Table, "tables"),
@@ -143,6 +145,7 @@ MODEL_CLASSES: dict[type, ModelClass] = {
     Flags: ModelClass("word of flags", (Content(Bit, "bits"), Content(State, "states")), _FACT),
     Bit: ModelClass("bit", documentation=(*_FACT, "zero", "one", "when")),
     State: ModelClass("state", documentation=_FACT),
+    DeclaredUnit: ModelClass("unit", documentation=(*_FACT, "title", "ucum")),
     AddressSpace: ModelClass("address space", documentation=(*_FACT, "title")),
     RegisterGroup: ModelClass(
         "group of registers", (Content(Register, "registers"),), (*_FACT, "title", "section", "gaps")

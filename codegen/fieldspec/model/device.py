@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from fieldspec.classes import dataclass
-from fieldspec.model.address_space import WORD, WORDS, AddressSpace
+from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.model.address_space import BIT, WORD, WORDS, AddressSpace
 from fieldspec.model.enums import Enum, Flags
 from fieldspec.model.fact import Citation, Place
 from fieldspec.model.link import Link
@@ -13,7 +13,12 @@ from fieldspec.model.record import Message, Record, RegisterAccess
 from fieldspec.model.registers import ParameterSet, Register, RegisterGroup, Table
 from fieldspec.model.task import Task
 from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note, StatedChange
+from fieldspec.model.units import DeclaredUnit, Unit, standard_unit
 from fieldspec.model.value import Conversion, Signal
+
+if TYPE_CHECKING:
+    from decimal import Decimal
+    from fractions import Fraction
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +77,7 @@ class Device:
     records: Mapping[str, Record]
     enums: Mapping[str, Enum]
     flags: Mapping[str, Flags]
+    units: Mapping[str, DeclaredUnit]
     spaces: Mapping[str, AddressSpace]
     groups: tuple[RegisterGroup, ...]
     tables: Mapping[str, Table]
@@ -92,9 +98,23 @@ class Device:
         for group in self.groups:
             yield from group.registers
 
+    def word_groups(self) -> Iterator[RegisterGroup]:
+        """The groups in spaces of words."""
+        return (group for group in self.groups if self.space(group.space).unit == WORD)
+
     def register(self, name: str) -> Register | None:
         """The register with a name, None if there is none."""
         return next((register for register in self.registers() if register.name == name), None)
+
+    def unit(self, text: str) -> Unit | None:
+        """The unit with a symbol: one that the spec declares, or one that the language has."""
+        own = next((declared.unit for declared in self.units.values() if declared.symbol == text), None)
+        return own or standard_unit(text)
+
+    def quantity_in(self, number: Decimal, unit: str, target: str) -> Fraction | None:
+        """A number in one unit as a number in another one, exactly; None if they do not measure the same."""
+        old, new = self.unit(unit), self.unit(target)
+        return old.in_unit(number, new) if old is not None and new is not None else None
 
     def space(self, name: str) -> AddressSpace:
         """The address space with a name; the first one for an empty name, or a name that no space has."""
@@ -108,6 +128,11 @@ class Device:
         """How a message accesses registers; None where it accesses none, or a space of bits or bytes."""
         access = message.accesses
         return access if access is not None and self.space(access.space).unit == WORD else None
+
+    def bit_access(self, message: Message) -> RegisterAccess | None:
+        """How a message accesses a space of bits; None where it accesses none."""
+        access = message.accesses
+        return access if access is not None and self.space(access.space).unit == BIT else None
 
     @property
     def several_spaces(self) -> bool:

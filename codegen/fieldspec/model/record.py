@@ -77,10 +77,11 @@ class Record(Fact):
 
 @dataclass(frozen=True, slots=True)
 class RegisterAccess:
-    """A message reads or writes registers. The fields with the address, the number and the words.
+    """A message reads or writes registers. The fields with the address, the number and the words or bits.
 
-    `count` is empty where it is always one word. `space` is empty where the spec names none, which means the first
-    one of the device.
+    `count` is empty where it is always one. `space` is empty where the spec names none, which means the first one of
+    the device. `set` and `clear` are the numbers of a single bit that is 1 and 0; `set` is None where the bits are
+    packed into bytes, the first one into the least significant bit, and in spaces of words.
     """
 
     operation: str
@@ -88,6 +89,8 @@ class RegisterAccess:
     count: str
     values: str
     space: str = ""
+    set: int | None = None
+    clear: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

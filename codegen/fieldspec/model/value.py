@@ -27,13 +27,31 @@ class Kind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Primitive:
-    """A type: its name, its size in bytes (0 where a length gives it), and its letter in `struct`."""
+    """A type: its name, its size in bytes (0 where a length gives it), and its letter in `struct`.
+
+    The letter is empty for a number that `struct` and the machine do not have, such as one of three bytes.
+    """
 
     name: str
     kind: Kind
     size: int
     signed: bool = False
     letter: str = ""
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it is neither a text nor bytes."""
+        return self.kind not in (Kind.TEXT, Kind.BYTES)
+
+    @property
+    def is_odd(self) -> bool:
+        """Whether it is a whole number of a width that machines do not have: 24, 40, 48 or 56 bits."""
+        return self.is_number and self.size not in _MACHINE_SIZES
+
+    @property
+    def container(self) -> int:
+        """The bytes of the narrowest number of a machine that has all its values."""
+        return next((size for size in _MACHINE_SIZES if size >= self.size), self.size)
 
     @property
     def low(self) -> int:
@@ -48,6 +66,8 @@ class Primitive:
         return (1 << (8 * self.size - self.signed)) - 1
 
 
+_MACHINE_SIZES = (1, 2, 4, 8)
+
 PRIMITIVES = {
     primitive.name: primitive
     for primitive in (
@@ -55,13 +75,23 @@ PRIMITIVES = {
         Primitive("i8", Kind.INTEGER, 1, True, "b"),
         Primitive("u16", Kind.INTEGER, 2, False, "H"),
         Primitive("i16", Kind.INTEGER, 2, True, "h"),
+        Primitive("u24", Kind.INTEGER, 3),
+        Primitive("i24", Kind.INTEGER, 3, True),
         Primitive("u32", Kind.INTEGER, 4, False, "I"),
         Primitive("i32", Kind.INTEGER, 4, True, "i"),
+        Primitive("u40", Kind.INTEGER, 5),
+        Primitive("i40", Kind.INTEGER, 5, True),
+        Primitive("u48", Kind.INTEGER, 6),
+        Primitive("i48", Kind.INTEGER, 6, True),
+        Primitive("u56", Kind.INTEGER, 7),
+        Primitive("i56", Kind.INTEGER, 7, True),
         Primitive("u64", Kind.INTEGER, 8, False, "Q"),
         Primitive("i64", Kind.INTEGER, 8, True, "q"),
         Primitive("f32", Kind.FLOAT, 4, True, "f"),
+        Primitive("f64", Kind.FLOAT, 8, True, "d"),
         Primitive("bool8", Kind.BOOLEAN, 1, False, "B"),
         Primitive("bool16", Kind.BOOLEAN, 2, False, "H"),
+        Primitive("bit", Kind.BOOLEAN, 1, False, "B"),
         Primitive("text", Kind.TEXT, 0, False, "s"),
         Primitive("bytes", Kind.BYTES, 0, False, "s"),
     )
@@ -209,6 +239,7 @@ class Value:
 
     `scale_text` is the scale as the spec writes it. `ranges`, `write_ranges`, `default` and `const` are raw counts.
     `write_ranges` is None where the same values may be read and written. `enum` and `flags` are names, or empty.
+    `byte_order` and `word_order` are empty where the value has the orders of its link.
     """
 
     type: Primitive
@@ -227,11 +258,17 @@ class Value:
     parameter: ParameterPart | None
     sentinels: tuple[Sentinel, ...]
     write_ranges: Ranges | None = None
+    word_order: str = ""
 
     @property
     def writable_ranges(self) -> Ranges | None:
         """The counts that may be written in addition to sentinels; None where only the type bounds them."""
         return self.ranges if self.write_ranges is None else self.write_ranges
+
+    @property
+    def has_words(self) -> bool:
+        """Whether it consists of several words of 16 bits, whose order matters."""
+        return self.type.is_number and self.size > 2 and self.size % 2 == 0
 
     @property
     def scaled(self) -> bool:
@@ -265,7 +302,7 @@ class Value:
         """The exact quantity of a raw count."""
         return _EXACT.add(_EXACT.multiply(raw, self.scale), self.offset)
 
-    def from_unit(self, number: Decimal) -> int | None:
+    def from_unit(self, number: Decimal | Fraction) -> int | None:
         """The raw count of a quantity; None where it is not a whole number of counts."""
         from fractions import Fraction
 

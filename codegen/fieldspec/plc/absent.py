@@ -18,7 +18,7 @@ def absent_reals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
     """A finding for each value of which a NaN is a sentinel."""
     findings = []
     seen: set[int] = set()
-    for fact, value in _values(layout):
+    for fact, value in stated_values(layout):
         sentinel = next((sentinel for sentinel in value.sentinels if sentinel.is_nan), None)
         if sentinel is not None and id(fact) not in seen:
             seen.add(id(fact))
@@ -27,7 +27,8 @@ def absent_reals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
     return findings
 
 
-def _values(layout: DeviceLayout) -> Iterator[tuple[Fact, Value]]:
+def stated_values(layout: DeviceLayout) -> Iterator[tuple[Fact, Value]]:
+    """Every fact with a value that functions convert."""
     for register in layout.registers:
         yield register.register, register.register.value
     for record in every_record(layout):

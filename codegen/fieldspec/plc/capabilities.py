@@ -13,7 +13,9 @@ CONSTRUCTS = {
     "numbers": "whole numbers up to 32 bits",
     "wide_numbers": "whole numbers of 64 bits",
     "wide_lists": "lists of whole numbers of 64 bits",
-    "floats": "floating-point numbers",
+    "odd_numbers": "whole numbers of 24, 40, 48 and 56 bits",
+    "floats": "floating-point numbers of 32 bits",
+    "wide_floats": "floating-point numbers of 64 bits",
     "absent_reals": "sentinels of floating-point numbers that are no number",
     "booleans": "booleans",
     "texts": "texts and bytes",
@@ -26,6 +28,7 @@ CONSTRUCTS = {
     "lists": "lists with a fixed number of elements",
     "choices": "fields whose type another field decides",
     "groups": "groups of registers",
+    "bits": "registers of single bits",
     "tables": "tables of records in registers",
     "frames": "frames: head, length, check, refusals",
     "other_frames": "frames with several checksums, or with other ones than CRC-16/MODBUS, LRC and the sum of 8 bits",
@@ -70,6 +73,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
             "become two numbers of 32 bits, whose scale and range programs must apply to both"
         )
         capabilities["wide_lists"] = refused("the halves of an element cannot stand beside each other: plc_numbers_fit")
+        capabilities["odd_numbers"] = lossy("of 24 bits are exact; wider ones are refused: plc_numbers_fit")
     if not dialect.nested_arrays:
         capabilities["text_lists"] = refused("there are no arrays of arrays: plc_arrays_flat")
     if not dialect.enums:
@@ -78,6 +82,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
         )
     capabilities["open_enums"] = lossy("are numbers with constants, because a variable of an enum holds nothing else")
     capabilities["floats"] = lossy("infinity and NaN are refused, because comparing them differs between controllers")
+    capabilities["wide_floats"] = refused("the functions do not convert their bits: plc_reals_fit")
     capabilities["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
     capabilities["other_frames"] = refused("there are no functions for them: plc_frames_supported")
     capabilities["choices"] = lossy("are bit strings as wide as the widest type, with a function that says which it is")

@@ -9,8 +9,10 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
+from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Register
 from fieldspec.model.value import PRIMITIVES, Kind, Value
+from fieldspec.plc.absent import stated_values
 from fieldspec.plc.dialects import Dialect
 from fieldspec.plc.routines.world import every_record
 
@@ -25,6 +27,7 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list
     halves are plain counts, because a scale or a range is one of the whole.
     """
     findings = [] if dialect.nested_arrays else [_nested(field, dialect) for field in _lists_of_texts(layout)]
+    findings += [_unknown(fact, value, dialect) for fact, value in _unknown_numbers(layout, dialect)]
     if dialect.widest >= 8:
         return layout, findings
     records = {record.name: _record(record, dialect, findings) for record in layout.records.values()}
@@ -74,6 +77,25 @@ def _lists_of_texts(layout: DeviceLayout) -> Iterator[FieldLayout]:
         for field in record.fields:
             if field.is_list and field.value is not None and field.value.type.kind in (Kind.TEXT, Kind.BYTES):
                 yield field
+
+
+def _unknown_numbers(layout: DeviceLayout, dialect: Dialect) -> Iterator[tuple[Fact, Value]]:
+    """The numbers that the functions of the dialect do not convert: 64-bit reals, and odd ones that are too wide."""
+    seen: set[int] = set()
+    for fact, value in stated_values(layout):
+        is_wide = value.type.is_odd and value.type.container > dialect.widest
+        if (is_wide or value.type.name == "f64") and id(fact) not in seen:
+            seen.add(id(fact))
+            yield fact, value
+
+
+def _unknown(fact: Fact, value: Value, dialect: Dialect) -> Diagnostic:
+    return Diagnostic(
+        "plc_reals_fit" if value.type.kind is Kind.FLOAT else "plc_numbers_fit",
+        f"{fact.name} is {value.type.name}, a number that the functions for {dialect.title} cannot convert",
+        fact.place["type"],
+        help="leave this output out for the device: name the others after --to",
+    )
 
 
 def _wide(value: Value | None) -> bool:

@@ -46,11 +46,20 @@ Cure: Use a shorter name.
 """,
     "plc_numbers_fit": """The dialect has a type for every number, or can split the number into two.
 
-Why: an S7-1200 has no 64-bit integers. A single one can be split, but not a list of them.
+Why: an S7-1200 has no 64-bit integers. A single one can be split, but not a list of them, and not one of 40, 48
+or 56 bits.
 
 Example: a field with `type: u64, count: 4`.
 
 Cure: Exclude the output for the device (`--to`), or state the numbers as separate fields.
+""",
+    "plc_reals_fit": """Floating-point numbers have 32 bits.
+
+Why: dialects differ in what a conversion between 64 bits and LREAL does, and the functions do not compute it.
+
+Example: a field with `type: f64`.
+
+Cure: Exclude the output for the device (`--to`), or state the number as a `u64` of bits.
 """,
     "plc_reals_present": """No special value of a floating-point number is a NaN.
 

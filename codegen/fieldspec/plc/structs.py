@@ -57,9 +57,12 @@ class Struct:
 
 
 def wire_type(value: Value) -> Type:
-    """The type with as many bytes as a value has on the wire: whole numbers for numbers, bit strings for bits."""
+    """The type with as many bytes as a value has on the wire: whole numbers for numbers, bit strings for bits.
+
+    A number of a width that no type has is its bytes.
+    """
     kind = value.type.kind
-    if kind in (Kind.TEXT, Kind.BYTES):
+    if kind in (Kind.TEXT, Kind.BYTES) or value.type.is_odd:
         return sequence(value.size, BYTE)
     if kind is Kind.FLOAT:
         return REAL

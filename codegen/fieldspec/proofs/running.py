@@ -64,7 +64,6 @@ READING_PROOFS = (
     "duplicate_name",
     "missing_key",
     "type_present",
-    "units_known",
     "unknown_word",
     "wrong_form",
     "wrong_value",

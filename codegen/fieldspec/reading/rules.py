@@ -231,14 +231,6 @@ Example: a register without `type`, a text without `length`, a field with both `
 
 Cure: Add the type, as inferred with a reason if the manual only implies it.
 """,
-    "units_known": """A unit is in the list of the schema.
-
-Why: software that converts values must know the unit, and a misspelt unit is unknown.
-
-Example: `unit: Pluse`
-
-Cure: Use the intended unit, and write an erratum with the printed one. Add a new unit to the schema.
-""",
     "unknown_key": """Every key is part of the language.
 
 Why: a misspelt key would be ignored together with its value.

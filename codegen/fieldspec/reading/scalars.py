@@ -185,9 +185,8 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         help = described(part.get("properties", {}).get(missing, {}))
         return Diagnostic("missing_key", f"the key `{missing}` is missing", _head(node), help=help)
     if keyword == "enum" and text is not None:
-        code = "units_known" if last == "unit" else "unknown_word"
         hint = near(text, [str(option) for option in part.get("enum", [])])
-        return Diagnostic(code, f"{what} cannot be {quoted(text)}", node.span, help=hint)
+        return Diagnostic("unknown_word", f"{what} cannot be {quoted(text)}", node.span, help=hint)
     description = part.get("description", "")
     if keyword == "type":
         wanted = part.get("type")

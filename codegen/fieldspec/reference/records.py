@@ -73,7 +73,9 @@ def value_construct(value: Value | None, order: str, swapped: bool) -> construct
         return construct.Bytes(size)
     suffix = "b" if (order == "big") != swapped else "l"
     if kind is Kind.FLOAT:
-        number = getattr(construct, "Float32" + suffix)
+        number = getattr(construct, f"Float{8 * size}{suffix}")
+    elif value.type.is_odd:
+        number = construct.BytesInteger(size, signed=value.type.signed, swapped=suffix == "l")
     else:
         number = getattr(construct, _NUMBERS["i" if value.type.signed else "u", size] + suffix)
     if swapped:
@@ -270,11 +272,11 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
 
 
 def _float(name: str, value: Value, number: float) -> float:
-    """A number that its 32 bits hold and its ranges allow; without ranges infinities and NaN are allowed too."""
+    """A number that its bits hold and its ranges allow; without ranges infinities and NaN are allowed too."""
     try:
-        struct.pack(">f", number)
+        struct.pack(f">{value.type.letter}", number)
     except OverflowError:
-        raise CodecError("out_of_range", f"{name} is {number}, which 32 bits do not hold") from None
+        raise CodecError("out_of_range", f"{name} is {number}, which {8 * value.size} bits do not hold") from None
     if value.ranges is not None and number not in value.ranges and value.sentinel(number) is None:
         raise CodecError("out_of_range", f"{name} is {number}, not in {value.ranges.text()}")
     return number

@@ -12,6 +12,7 @@ from fieldspec.explain.examples import printed
 from fieldspec.explain.explanation import Explanation, ExplanationRow, Meaning, Reading
 from fieldspec.explain.row import citations
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.address_space import BIT
 from fieldspec.model.texts import Example
 from fieldspec.render.blocks import Table, narrowed
 
@@ -35,7 +36,7 @@ def title(layout: DeviceLayout, explanation: Explanation, sure: bool) -> str:
 
 def accessed(layout: DeviceLayout, explanation: Explanation) -> str:
     """`reads 0x1000..0x1001`"""
-    accesses = layout.device.register_access(layout.messages[explanation.message].message)
+    accesses = layout.messages[explanation.message].message.accesses
     addresses = [row.address + row.words for row in explanation.registers if row.address is not None]
     first = min(row.address for row in explanation.registers if row.address is not None)
     last = max(addresses) - 1
@@ -91,7 +92,8 @@ def _in_digits(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
 
 def register_table(explanation: Explanation) -> Table:
     """The registers that the frame reads or writes."""
-    headings = ("address", "words", "bytes", "register", "label", "access", "raw", "value", *_JUDGED)
+    counts = "bits" if any(row.unit == BIT for row in explanation.registers) else "words"
+    headings = ("address", counts, "bytes", "register", "label", "access", "raw", "value", *_JUDGED)
     lines: list[tuple[tuple[str, ...], bool]] = []
     for row in explanation.registers:
         name = row.path or row.doc
@@ -291,7 +293,7 @@ def _row(row: ExplanationRow) -> dict[str, object]:
         "notes": list(row.notes),
         "errata": list(row.errata),
         "address": row.address,
-        "words": row.words or None,
+        ("bits" if row.unit == BIT else "words"): row.words or None,
         "access": row.access or None,
     }
 

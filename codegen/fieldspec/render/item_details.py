@@ -10,7 +10,7 @@ from fieldspec.explain.explanation import lengths
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.address_space import AddressSpace
+from fieldspec.model.address_space import BIT, AddressSpace
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Enum
 from fieldspec.model.link import Link
@@ -90,6 +90,7 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
 def _register(layout: DeviceLayout, register: Register, address: int | None) -> Details:
     many = f", {register.count} of them, {register.stride} apart" if register.count > 1 else ""
     words = "1 word" if register.width == 1 else f"{register.width} words"
+    words = "1 bit" if register.value.type.name == BIT else words
     yield "space", _space(layout.device, register.space)
     number = layout.device.space(register.space).first_number + register.address
     yield "address", f"0x{register.address:04X} ({number}), {words}{many}"

@@ -17,6 +17,13 @@ def schema() -> Schema:
     return json.loads(text)  # type: ignore[no-any-return]
 
 
+@cache
+def built_in_units() -> list[dict[str, Any]]:
+    """The rows of `units.json`: the units that every spec may use."""
+    text = Path(__file__).with_name("units.json").read_text("utf-8")
+    return json.loads(text)  # type: ignore[no-any-return]
+
+
 def resolved(part: Schema) -> Schema:
     """A part of the schema, or what it refers to: `#/$defs/fact/properties/label` is the key `label` of all facts."""
     while "$ref" in part:

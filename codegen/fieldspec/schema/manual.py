@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from functools import cache
 from importlib import resources
 
-from fieldspec.schema import Schema, described, resolved, schema
+from fieldspec.schema import Schema, built_in_units, described, resolved, schema
 
 ROOT = "file"
 """The name under which the template asks for the sections of a file."""
 
 _MARK = re.compile(r"^<!-- keys: ([a-z_. ]+) -->$", re.MULTILINE)
 _INCLUDED = re.compile(r"^<!-- include: ([a-z_]+\.md) -->$", re.MULTILINE)
+_UNITS = "<!-- units -->"
 _SHARED = {"fact": "the keys of every [fact](#fact)", "value": "the keys of a [value](#value)"}
 _KINDS = {
     "string": ("text", "texts"),
@@ -29,7 +30,20 @@ _KINDS = {
 def manual() -> str:
     """The manual as Markdown. The template names the part of the schema for each table of keys."""
     text = _INCLUDED.sub(lambda mark: _text(mark[1]).rstrip("\n"), _text("language.md"))
+    text = text.replace(_UNITS, "\n".join(_units()))
     return _MARK.sub(lambda mark: "\n\n".join("\n".join(_section(name)) for name in mark[1].split()), text)
+
+
+def _units() -> Iterator[str]:
+    """The table of the units that every spec may use."""
+    yield "| symbol | also entered as | unit | quantity | coherent SI units | UCUM |"
+    yield "|---|---|---|---|---|---|"
+    for unit in built_in_units():
+        also = ", ".join(f"`{symbol}`" for symbol in unit.get("also", ()))
+        factor = unit.get("factor", "") + (f" + {unit['offset']}" if "offset" in unit else "")
+        ucum = f"`{unit['ucum']}`" if "ucum" in unit else ""
+        quantity = unit["quantity"].replace("_", " ")
+        yield f"| `{unit['symbol']}` | {also} | {unit['title']} | {quantity} | {factor} | {ucum} |"
 
 
 def _text(name: str) -> str:

@@ -127,6 +127,8 @@ class Server:
             except Refusal as refusal:
                 reasons.append(refusal)
             raise min(reasons, key=self._exception_number)
+        if message.accesses is not None:
+            raise Refusal("unknown_code", "spaces of bits and bytes are not simulated")
         for field in announced.request.fields:
             if _out_of_range(field, values):
                 raise Refusal("value_invalid", f"{field.name} is out of range")

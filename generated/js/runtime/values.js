@@ -13,18 +13,36 @@ export function floatOf(bits) {
  * one that is neither in `ranges` nor among `others`; without ranges any number is allowed.
  */
 export function bitsOf(name, value, ranges, others) {
+  checkFloat(name, value, ranges, others);
+  if (Math.abs(value) !== Infinity && Math.abs(Math.fround(value)) === Infinity) {
+    throw new CodecError("out_of_range", `${name} is ${value}, which 32 bits do not hold`);
+  }
+  FLOAT.setFloat32(0, value);
+  return FLOAT.getUint32(0);
+}
+
+/** The floating-point number of 64 bits, given as a bigint. */
+export function doubleOf(bits) {
+  FLOAT.setBigUint64(0, bits);
+  return FLOAT.getFloat64(0);
+}
+
+/** The 64 bits of a number, as a bigint. Throws CodecError like `bitsOf`. */
+export function doubleBitsOf(name, value, ranges, others) {
+  checkFloat(name, value, ranges, others);
+  FLOAT.setFloat64(0, value);
+  return FLOAT.getBigUint64(0);
+}
+
+/** Throws CodecError for what is no number, and for one that is neither in `ranges` nor among `others`. */
+function checkFloat(name, value, ranges, others) {
   if (typeof value !== "number") {
     if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
     throw new CodecError("wrong_type", `${name} is a number, not ${printed(value)}`);
   }
-  if (Math.abs(value) !== Infinity && Math.abs(Math.fround(value)) === Infinity) {
-    throw new CodecError("out_of_range", `${name} is ${value}, which 32 bits do not hold`);
-  }
   if (ranges !== null && !within(ranges, value) && !others.some((other) => Object.is(other, value) || other === value)) {
     throw new CodecError("out_of_range", `${name} is ${value}, not in ${rangesText(ranges)}`);
   }
-  FLOAT.setFloat32(0, value);
-  return FLOAT.getUint32(0);
 }
 
 /** Whether a number is in one of some intervals. */

@@ -10,6 +10,7 @@ Whatever is wrong in bytes or values raises `CodecError`. A firmware that a spec
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from ._bits import BitArray
     from ._error import CodecError
     from ._firmware import UnknownFirmwareError
     from ._flags import Flags
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from ._registers import Register, RegisterArray, Table
 
 __all__ = [
+    "BitArray",
     "CodecError",
     "ErrorReply",
     "Flags",
@@ -37,6 +39,7 @@ __all__ = [
 
 if not TYPE_CHECKING:
     _HOMES = {
+        "BitArray": "_bits",
         "CodecError": "_error",
         "ErrorReply": "_frames",
         "Flags": "_flags",

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Container
     from typing import Any
 
-_F32 = Struct(">f")
+_F32, _F64 = Struct(">f"), Struct(">d")
 
 
 def refused_number(
@@ -52,12 +52,25 @@ def refused_float(
     name: str, value: Any, ranges: tuple[tuple[int, int], ...] = (), others: tuple[float, ...] = ()
 ) -> CodecError | None:
     """A floating-point number of 32 bits, in one of `ranges`, or one of `others`; without ranges any one, NaN too."""
+    return _refused_real(name, value, _F32, ranges, others)
+
+
+def refused_double(
+    name: str, value: Any, ranges: tuple[tuple[int, int], ...] = (), others: tuple[float, ...] = ()
+) -> CodecError | None:
+    """A floating-point number of 64 bits, as `refused_float` says it of 32."""
+    return _refused_real(name, value, _F64, ranges, others)
+
+
+def _refused_real(
+    name: str, value: Any, struct: Struct, ranges: tuple[tuple[int, int], ...], others: tuple[float, ...]
+) -> CodecError | None:
     if not isinstance(value, (int, float)):
         return CodecError("wrong_type", f"{name} is a number, not {value!r}")
     try:
-        _F32.pack(value)
+        struct.pack(value)
     except OverflowError:
-        return CodecError("out_of_range", f"{name} is {value}, more than 32 bits can hold")
+        return CodecError("out_of_range", f"{name} is {value}, more than {8 * struct.size} bits can hold")
     if not ranges or any(least <= value <= most for least, most in ranges) or is_among(value, others):
         return None
     allowed = ", ".join(f"{a}" if a == b else f"{a}..{b}" for a, b in ranges)

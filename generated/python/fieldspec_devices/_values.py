@@ -4,10 +4,18 @@ from __future__ import annotations
 
 from struct import Struct
 
-from ._conversions import counts, text, turned
+from ._conversions import Integer, counts, text, turned
 from ._error import CodecError, no_boolean, unknown_member, wrong_const
 from ._flags import Flags
-from ._refusals import is_among, refused_bytes, refused_flags, refused_float, refused_number, refused_text
+from ._refusals import (
+    is_among,
+    refused_bytes,
+    refused_double,
+    refused_flags,
+    refused_float,
+    refused_number,
+    refused_text,
+)
 from ._typing import TYPE_CHECKING, Generic, T
 
 if TYPE_CHECKING:
@@ -36,6 +44,8 @@ _LIMITS = {
 class Value(Generic[T]):
     """A value of type T in `size` bytes: a Struct of `letters`, with the words turned before it is read.
 
+    The letters of a number that no Struct has are the order and the type: `>u24`.
+
     `limits` is the letter of a narrower type that fills a word. `ranges` are in counts. The scale, if
     there is one, is (a, b, c) of unit = (count * a + b) / c. `others` are the counts that stand for an absent value:
     they may be outside the ranges, and are no quantity.
@@ -54,9 +64,12 @@ class Value(Generic[T]):
         others: tuple[float, ...] = (),
         limits: str = "",
     ) -> None:
-        self.struct, self.swapped = Struct(letters), swapped
-        self.low, self.high = _LIMITS.get(limits or letters[-1], (0, 0))
-        self.size = self.struct.size
+        self.struct: Struct | Integer = Integer(letters) if letters[-1].isdigit() else Struct(letters)
+        self.swapped, self.size = swapped, self.struct.size
+        if isinstance(self.struct, Integer):
+            self.low, self.high = self.struct.low, self.struct.high
+        else:
+            self.low, self.high = _LIMITS.get(limits or letters[-1], (0, 0))
         self.ranges, self.unit, self.ratio, self.others = ranges, unit, ratio, others
 
     def decode(self, name: str, data: Data) -> T:
@@ -305,6 +318,15 @@ class Float(Value[float]):
         return None if is_among(count, self.others) else float(count)
 
 
+class Double(Float):
+    """A floating-point number of 64 bits."""
+
+    __slots__ = ()
+
+    def refused(self, name: str, value: Any) -> CodecError | None:
+        return refused_double(name, value, self.ranges, self.others)
+
+
 class Text(Value[str]):
     """ASCII characters, filled up with zeros. `length` is how many there may be."""
 
@@ -346,50 +368,3 @@ class Bytes(Value[bytes]):
 
     def refused(self, name: str, value: Any) -> CodecError | None:
         return refused_bytes(name, value, self.length)
-
-
-class RecordValue(Value[T]):
-    """A record in registers."""
-
-    __slots__ = ("record",)
-
-    def __init__(self, record: type[T], size: int) -> None:
-        super().__init__(f"{size}s")
-        self.record = record
-
-    def decode(self, name: str, data: Data) -> T:
-        """The record in exactly `size` bytes. Raises CodecError."""
-        decoded: T = self.record.decode(data)  # type: ignore[attr-defined]
-        return decoded
-
-    def encode(self, name: str, value: T) -> bytes:
-        """The bytes of a record. Raises CodecError."""
-        if not isinstance(value, self.record):
-            raise CodecError("wrong_type", f"{name} is a {self.record.__name__}, not {value!r}")
-        encoded: bytes = value.encode()  # type: ignore[attr-defined]
-        return encoded
-
-
-class Unknown(Value["Any"]):
-    """A value of which the manual does not tell the type: what a message carries is passed on."""
-
-    __slots__ = ()
-
-    def __init__(self) -> None:
-        super().__init__("0s")
-
-    def decode(self, name: str, data: Data) -> Any:
-        """Nothing is known of its bytes: raises CodecError."""
-        raise CodecError("unknown_value", f"the type of {name} is not known")
-
-    def encode(self, name: str, value: Any) -> bytes:
-        """Nothing is known of its bytes: raises CodecError."""
-        raise CodecError("unknown_value", f"the type of {name} is not known")
-
-    def of_carried(self, name: str, raw: Any) -> Any:
-        """What the message carries."""
-        return raw
-
-    def refused(self, name: str, value: Any) -> CodecError | None:
-        """Why no message can carry a value; None for a number."""
-        return None if isinstance(value, (int, float)) else CodecError("wrong_type", f"{name} is a number: {value!r}")

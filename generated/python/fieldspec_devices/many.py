@@ -44,16 +44,17 @@ BLOCK = 16384
 """Records that are taken at once, so that they stay in the processor's cache."""
 
 _WIDTHS = {"b": 1, "B": 1, "h": 2, "H": 2, "i": 4, "I": 4, "q": 8, "Q": 8, "f": 4, "d": 8}
+_SIGNS = bytes(0xFF if byte > 0x7F else 0 for byte in range(256))
 _TYPES = {"b": "i1", "B": "u1", "h": "i2", "H": "u2", "i": "i4", "I": "u4", "q": "i8", "Q": "u8", "f": "f4", "d": "f8"}
 
 
 class Column:
     """The place of a field: the letter of `struct` for one element, and its offset in bytes.
 
-    `count` is the number of elements of a list, 0 for a single one. `swapped`: the 16-bit words are in the
-    other order than the bytes in them. `tests` are the intervals outside of which a number is refused. `ratio` is
-    (a, b, c) of value = (count * a + b) / c in the unit; `absent` are the counts that are no quantity. A field
-    without a name is tested only.
+    `size` is the bytes of a text, and of a number that has fewer bytes than its letter. `count` is the number of
+    elements of a list, 0 for a single one. `swapped`: the 16-bit words are in the other order than the bytes in them.
+    `tests` are the intervals outside of which a number is refused. `ratio` is (a, b, c) of value = (count * a + b) / c
+    in the unit; `absent` are the counts that are no quantity. A field without a name is tested only.
     """
 
     __slots__ = (
@@ -91,6 +92,11 @@ class Column:
         self.size = size or _WIDTHS[letter]
         self.order, self.swapped, self.record = order, swapped, record
         self.tests, self.text, self.ratio, self.absent = tests, text, ratio, absent
+
+    @property
+    def padding(self) -> int:
+        """The bytes that a number has fewer than its letter."""
+        return 0 if self.letter in "s" else _WIDTHS[self.letter] - self.size
 
     def places(self, element: int = 0) -> list[int]:
         """The offsets of the bytes of an element, the least significant first."""
@@ -137,16 +143,25 @@ def _array(column: Column, data: bytes, base: int, size: int, number: int) -> ar
     if column.letter == "s":
         starts = range(base + column.offset, len(data), size)
         return [data[at + width * item : at + width * (item + 1)] for at in starts for item in range(count)]
-    joined = bytearray(width * count * number)
+    whole = width + column.padding
+    bytes_of_place = b""
+    joined = bytearray(whole * count * number)
     for element in range(count):
-        places = column.places(element)
-        if byteorder == "big":
-            places.reverse()
-        for place, at in enumerate(places):
-            joined[element * width + place :: width * count] = data[base + at :: size]
+        for place, at in enumerate(column.places(element)):
+            bytes_of_place = data[base + at :: size]
+            joined[element * whole + _place(place, whole) :: whole * count] = bytes_of_place
+        if column.padding and column.letter.islower():
+            signs = bytes_of_place.translate(_SIGNS)
+            for place in range(width, whole):
+                joined[element * whole + _place(place, whole) :: whole * count] = signs
     values: array[Any] = array(column.letter)
     values.frombytes(joined)
     return values
+
+
+def _place(place: int, width: int) -> int:
+    """The place of a byte in a number of the machine, by its place from the least significant one."""
+    return place if byteorder == "little" else width - 1 - place
 
 
 def _interleaved(each: list[Arrays], number: int) -> Arrays:
@@ -215,7 +230,11 @@ def _fill(record: type[Record], raw: np.ndarray[Any, Any], columns: Columns, whe
 
 
 def _straight(column: Column, values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """A column with its numbers assembled where their words are in the other order than their bytes."""
+    """A column with its numbers assembled where NumPy has no type for them: of words in the other order than their
+    bytes, or of another number of bytes.
+    """
+    if column.padding:
+        return _extended(column, values)
     if not column.swapped:
         return values
     import numpy
@@ -227,6 +246,19 @@ def _straight(column: Column, values: np.ndarray[Any, Any]) -> np.ndarray[Any, A
     joined = numpy.bitwise_or.reduce(words << shifts, axis=-1).astype(f"u{column.size}")
     numbers: np.ndarray[Any, Any] = joined.view(_TYPES[column.letter])
     return numbers
+
+
+def _extended(column: Column, values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """The numbers of lists of bytes; a signed number repeats its sign in the bytes that it does not have."""
+    import numpy
+
+    kind = f"u{column.size + column.padding}"
+    places = [place - column.offset for place in column.places()]
+    shifts = numpy.array([8 * places.index(at) for at in range(column.size)], dtype=kind)
+    joined = numpy.bitwise_or.reduce(values.astype(kind) << shifts, axis=-1).astype(kind)
+    padding = 8 * column.padding
+    numbers: np.ndarray[Any, Any] = (joined << numpy.array(padding, kind)).view(_TYPES[column.letter])
+    return numbers >> padding
 
 
 def _allowed(record: type[Record], columns: Columns) -> bool:
@@ -258,7 +290,10 @@ def _named(columns: Columns) -> Columns:
 
 
 def dtype(record: type[Record]) -> np.dtype[Any]:
-    """The NumPy type of a record on the wire. Numbers with exchanged words are lists of words."""
+    """The NumPy type of a record on the wire. Numbers with exchanged words are lists of words.
+
+    Numbers of 3, 5, 6 or 7 bytes are lists of bytes.
+    """
     import numpy
 
     names, formats, offsets = [], [], []
@@ -277,6 +312,8 @@ def _format(column: Column) -> Any:
         kind: Any = dtype(column.record)
     elif column.letter == "s":
         kind = f"S{column.size}"
+    elif column.padding:
+        kind, shape = "u1", (*shape, column.size)
     elif column.swapped:
         kind, shape = f"{sign}u2", (*shape, column.size // 2)
     else:

@@ -30,6 +30,7 @@ from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.sample_values import RecordForm, form_of_values
 from fieldspec.backends.c.statements import Assignment, Evaluation, Expectation, Statement, assign, call
+from fieldspec.backends.c.values import real_functions
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.value import Kind
 
@@ -121,7 +122,8 @@ def _set_element(naming: Naming, field: FieldLayout, target: Expression, item: A
         data = _data(item)
         return [call("copy", target, byte_string(data), unsigned(len(data)))] if data else []
     if kind is Kind.FLOAT:
-        return [assign(target, Call(naming.own("float_of"), (_float_bits(item),)))]
+        real_of, _ = real_functions(field.size)
+        return [assign(target, Call(naming.own(real_of), (_real_bits(field, item),)))]
     return [Assignment(target, _literal(field, item))]
 
 
@@ -131,7 +133,8 @@ def _expect_member(naming: Naming, field: FieldLayout, target: Expression, item:
         data = _data(item)
         return [expect_bytes(what, target, data)] if data else []
     if kind is Kind.FLOAT:
-        return [expect_equal(what, Call(naming.own("bits_of"), (target,)), _float_bits(item))]
+        _, bits_of = real_functions(field.size)
+        return [expect_equal(what, Call(naming.own(bits_of), (target,)), _real_bits(field, item))]
     return [expect_equal(what, target, _literal(field, item))]
 
 
@@ -139,8 +142,8 @@ def _data(item: Any) -> bytes:
     return item.encode("ascii") if isinstance(item, str) else bytes(item)
 
 
-def _float_bits(item: Any) -> Literal:
-    return hexadecimal(int.from_bytes(struct.pack(">f", item), "big"), 4)
+def _real_bits(field: FieldLayout, item: Any) -> Literal:
+    return hexadecimal(int.from_bytes(struct.pack(f">{field.primitive.letter}", item), "big"), field.size)
 
 
 def _literal(field: FieldLayout, item: Any) -> Literal:

@@ -8,7 +8,7 @@ from fieldspec.backends.c.checksums import checksum_parts, declare_checksums
 from fieldspec.backends.c.conversions import declare_conversion
 from fieldspec.backends.c.declarations import Declaration, Define, Directive, comment, describe_fact, escape_comment
 from fieldspec.backends.c.enums import code_tables, declare_code_texts, declare_enum, declare_flags
-from fieldspec.backends.c.expressions import string, unsigned
+from fieldspec.backends.c.expressions import hexadecimal, string, unsigned
 from fieldspec.backends.c.frames import declare_link
 from fieldspec.backends.c.fuzzing import write_fuzz_target
 from fieldspec.backends.c.messages import declare_messages
@@ -143,6 +143,12 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
             for name, number in numbers
             if number is not None
         ]
+        access = message.accesses
+        if access is not None and access.set is not None:
+            block += [
+                Define(naming.macro("message", layout_of_message.name, name), hexadecimal(number, 2))
+                for name, number in (("bit_set", access.set), ("bit_clear", access.clear))
+            ]
         yield block
         for data in (layout_of_message.request, layout_of_message.response):
             yield declare_record(naming, layout.device, data, comment())

@@ -234,9 +234,9 @@ def whole_double(value: int) -> Literal:
     return Literal(f"{value}.0")
 
 
-def whole_float(value: int) -> Literal:
-    """A whole number as a float: `16384.0f`"""
-    return Literal(f"{value}.0f")
+def whole_real(value: int, size: int) -> Literal:
+    """A whole number as a float, `16384.0f`, or as a double if it has 8 bytes: `16384.0`"""
+    return Literal(f"{value}.0{'f' if size == 4 else ''}")
 
 
 def double(value: float) -> Literal:

@@ -36,7 +36,12 @@ ElementBody = Callable[[Expression, Expression], Body]
 
 
 def is_set_by_user(field: FieldLayout) -> bool:
-    """Whether users set the field: it is no constant, measures no other field, and has a meaning."""
+    """Whether users set the field: it is no constant, measures no other field, and has a meaning.
+
+    Of a record in which they set nothing, they set how often it is repeated.
+    """
+    if field.record is not None and not members(field.record):
+        return field.field.repeat is not None
     constant = field.value is not None and field.value.const is not None
     return not (constant or field.field.measures or field.field.reserved)
 
@@ -71,7 +76,8 @@ def declare_member(naming: Naming, record: RecordLayout, field: FieldLayout) -> 
         yield from _declare_union(field, count)
     elif field.record is not None:
         dimensions = (decimal(count),) if count is not None else ()
-        yield Variable(Type(naming.type("record", field.record.name)), member(field.name), dimensions)
+        if members(field.record):
+            yield Variable(Type(naming.type("record", field.record.name)), member(field.name), dimensions)
     else:
         yield declare_value(field_value(field), member(field.name), count)
     if field.field.repeat is not None:

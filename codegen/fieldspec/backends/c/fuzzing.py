@@ -40,7 +40,7 @@ from fieldspec.backends.c.frames import header_parts
 from fieldspec.backends.c.naming import Naming, Noun, frame_member
 from fieldspec.backends.c.packing import is_packed
 from fieldspec.backends.c.printer import Printer
-from fieldspec.backends.c.runtime_files import all_records, copy_runtime, runtime_parts
+from fieldspec.backends.c.runtime_files import all_records, copy_runtime, is_bit, runtime_parts
 from fieldspec.backends.c.statements import (
     Break,
     Constant,
@@ -147,6 +147,8 @@ def _record_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
 def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
     device = layout.device
     for register in layout.registers:
+        if is_bit(register):
+            continue
         value = register.register.value
         wire = WireValue(value, register.order, register.swapped)
         yield _value_macro(

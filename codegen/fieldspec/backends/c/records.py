@@ -242,7 +242,7 @@ def _write_measure(naming: Naming, record: RecordLayout, field: FieldLayout, tar
     most = _greatest_measure(record, field)
     fits = (most is not None and most <= highest) or highest >= 2**31
     checks = () if fits else refuse(naming, greater(measured, unsigned(highest)), "err_out_of_range")
-    number = Cast(f"uint{8 * wire.size}_t", Group(measured))
+    number = Cast(f"uint{8 * wire.value.type.container}_t", Group(measured))
     return (*checks, store(naming, wire.access, target, number))
 
 

@@ -44,9 +44,10 @@ from fieldspec.backends.c.expressions import (
     negate,
     subtract,
     unsigned,
-    whole_float,
+    whole_real,
 )
 from fieldspec.backends.c.naming import Naming, Noun
+from fieldspec.backends.c.runtime_files import is_bit
 from fieldspec.backends.c.statements import Body, Variable, assign
 from fieldspec.backends.c.values import (
     WireValue,
@@ -105,7 +106,8 @@ def _bound(value: Value, number: int) -> Expression:
     """A bound of the value's range as a constant of its type."""
     if value.type.kind is not Kind.FLOAT:
         return integer(number, value.size, value.type.signed)
-    return Group(whole_float(number)) if number < 0 else whole_float(number)
+    real = whole_real(number, value.size)
+    return Group(real) if number < 0 else real
 
 
 def access_functions(
@@ -164,14 +166,14 @@ def declare_register(naming: Naming, device: Device, layout: RegisterLayout) -> 
         ACCESS[register.access],
         "A change takes effect after a restart." if register.restart else "",
         "Writing starts an action." if register.trigger else "",
+        f"A bit: {naming.own('load_bit')} takes it out of the bytes of a message." if is_bit(layout) else "",
         f"{layout.words} words must be accessed in one request." if register.atomic and layout.words > 1 else "",
         f"The same as {register.same_as}." if register.same_as else "",
         f"A copy of {register.copy_of}." if register.copy_of else "",
     )
-    constants: list[tuple[str, Expression]] = [
-        ("address", hexadecimal(layout.address, 2)),
-        ("words", unsigned(layout.words)),
-    ]
+    constants: list[tuple[str, Expression]] = [("address", hexadecimal(layout.address, 2))]
+    if not is_bit(layout):
+        constants.append(("words", unsigned(layout.words)))
     if register.number is not None:
         constants.append(("number", unsigned(register.number)))
     if layout.count > 1:
@@ -186,9 +188,13 @@ def declare_register(naming: Naming, device: Device, layout: RegisterLayout) -> 
         describe_fact(register, " ".join(fact for fact in facts if fact), describe_value(value)),
         *(Define(naming.macro("register", layout.name, name), number) for name, number in constants),
         *define_constants(naming, "register", names, value),
-        BLANK,
-        *access_functions(naming, device, "register", names, wire, value.size + value.size % 2, register.trigger),
     ]
+    if not is_bit(layout):
+        size = value.size + value.size % 2
+        declarations += [
+            BLANK,
+            *access_functions(naming, device, "register", names, wire, size, register.trigger),
+        ]
     if layout.count > 1:
         declarations += [BLANK, *_address_function(naming, "register", layout.name, f"{layout.name} by its number")]
     return declarations

@@ -15,7 +15,8 @@ from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.values import WireValue, access_name
 from fieldspec.backends.templates import text
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import Orders, RecordLayout
+from fieldspec.layout.record import Orders, RecordLayout, RegisterLayout
+from fieldspec.model.address_space import BIT
 from fieldspec.model.value import Kind
 
 _FOLDER = "backends/c/runtime"
@@ -63,15 +64,19 @@ def runtime_macros() -> list[str]:
 def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     """The functions for the numbers, texts and characters that the device has."""
     kinds = {wire.kind for wire in _wire_values(layout)}
+    reals = {wire.size for wire in _wire_values(layout) if wire.kind is Kind.FLOAT}
     characters = any(link.link.encoding == "hex_ascii" for link in layout.links.values())
     parts = [
         *_accesses(layout),
+        *(["bits"] if has_bits(layout) else []),
         "signed",
-        *(["float"] if Kind.FLOAT in kinds else []),
+        *(["float"] if 4 in reals else []),
+        *(["double"] if 8 in reals else []),
         *(["text"] if Kind.TEXT in kinds else []),
         *(["hexadecimal"] if characters else []),
     ]
-    return [[copy_runtime(naming, "numbers.h", part)] for part in parts]
+    odd = [[copy_runtime(naming, "odd_numbers.h", part)] for part in _odd_accesses(layout)]
+    return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + odd
 
 
 def _accesses(layout: DeviceLayout) -> list[str]:
@@ -81,6 +86,13 @@ def _accesses(layout: DeviceLayout) -> list[str]:
         for frame in (link.request, link.response):
             used |= {access_name(part.size, part.order, False) for part in (*frame.header, *frame.trailer)}
     return [name for name in runtime_parts("numbers.h") if name in used]
+
+
+def _odd_accesses(layout: DeviceLayout) -> list[str]:
+    """The same of numbers with another width than those of machines, and the functions for their signs."""
+    odd = [wire for wire in _wire_values(layout) if wire.value.type.is_odd]
+    used = {wire.access for wire in odd} | {f"signed_{8 * wire.size}" for wire in odd if wire.value.type.signed}
+    return [name for name in runtime_parts("odd_numbers.h") if name in used]
 
 
 def _wire_values(layout: DeviceLayout) -> Iterator[WireValue]:
@@ -93,11 +105,22 @@ def _wire_values(layout: DeviceLayout) -> Iterator[WireValue]:
                 yield WireValue(field.value, field.order, field.swapped)
             yield from (WireValue(case.value, case.order, case.swapped) for case in field.cases)
     for register in layout.registers:
-        yield WireValue(register.register.value, register.order, register.swapped)
+        if not is_bit(register):
+            yield WireValue(register.register.value, register.order, register.swapped)
     for parameters in device.parameters.values():
         for parameter in parameters.parameters:
             for value in (parameter.value, *(inner.value for inner in parameter.subindices)):
                 yield WireValue(value, *orders.of(value))
+
+
+def has_bits(layout: DeviceLayout) -> bool:
+    """Whether the device has registers of single bits."""
+    return any(is_bit(register) for register in layout.registers)
+
+
+def is_bit(register: RegisterLayout) -> bool:
+    """Whether a register is a single bit, which messages pack into bytes."""
+    return register.register.value.type.name == BIT
 
 
 def all_records(layout: DeviceLayout) -> Iterator[RecordLayout]:

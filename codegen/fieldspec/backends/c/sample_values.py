@@ -141,6 +141,8 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
 
 def _fixed_value(field: FieldLayout) -> Any:
     """What a field has that no user sets."""
+    if field.record is not None:
+        return [{}] * (field.count or 1) if field.is_list else {}
     assert field.value is not None
     default = field.value.default if isinstance(field.value.default, int) else 0
     value: Any = field.value.const if field.value.const is not None else default
@@ -154,7 +156,7 @@ def _measured_size(record: RecordLayout, field: FieldLayout, values: dict[str, A
     assert measure is not None
     other = record.named(measure.field)
     assert other is not None
-    items = len(values[other.name]) if other.is_list else 1
+    items = len(values[other.name]) if other.field.repeat is not None else other.count or 1
     return items * other.size if measure.of == "bytes" else items
 
 
@@ -169,7 +171,8 @@ def value_bytes(value: Value, order: str, swapped: bool, item: Any) -> bytes:
     if kind in (Kind.TEXT, Kind.BYTES):
         data = item.encode("ascii") if isinstance(item, str) else bytes(item)
         return data.ljust(value.size, b"\0")
-    number = int.from_bytes(struct.pack(">f", item), "big") if kind is Kind.FLOAT else int(item)
+    is_float = kind is Kind.FLOAT
+    number = int.from_bytes(struct.pack(f">{value.type.letter}", item), "big") if is_float else int(item)
     words_little = (order == "little") != swapped
     data = (number & ((1 << 8 * value.size) - 1)).to_bytes(value.size, "little" if words_little else "big")
     if swapped:

@@ -37,6 +37,7 @@ from fieldspec.backends.c.expressions import (
 )
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.registers import wire_number_type
+from fieldspec.backends.c.runtime_files import is_bit
 from fieldspec.backends.c.sample_values import legal_numbers, value_bytes
 from fieldspec.backends.c.statements import Block, CompileIf, Statement, Variable, assign, discard
 from fieldspec.backends.c.values import accessed_type, type_name
@@ -187,6 +188,8 @@ def test_values(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
     """Each register's and each parameter's value at its bounds."""
     device = layout.device
     for register in layout.registers:
+        if is_bit(register):
+            continue
         value, order = register.register.value, (register.order, register.swapped)
         size = value.size + value.size % 2
         trigger = register.register.trigger

@@ -30,27 +30,26 @@ from fieldspec.backends.c.expressions import (
     less,
     negate,
     unsigned,
-    whole_float,
+    whole_real,
 )
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.statements import Assignment, Body, Evaluation, Return, Variable, call, return_if
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import CaseLayout, FieldLayout
 from fieldspec.model.device import Device
-from fieldspec.model.value import Kind, Ranges, Value
+from fieldspec.model.value import PRIMITIVES, Kind, Ranges, Value
 
 _TYPES = {
-    "u8": "uint8_t",
-    "i8": "int8_t",
-    "u16": "uint16_t",
-    "i16": "int16_t",
-    "u32": "uint32_t",
-    "i32": "int32_t",
-    "u64": "uint64_t",
-    "i64": "int64_t",
+    **{
+        name: f"{'' if primitive.signed else 'u'}int{8 * primitive.container}_t"
+        for name, primitive in PRIMITIVES.items()
+        if primitive.kind is Kind.INTEGER
+    },
     "f32": "float",
+    "f64": "double",
     "bool8": "bool",
     "bool16": "bool",
+    "bit": "bool",
 }
 _NUL = Literal("'\\0'")
 
@@ -123,6 +122,11 @@ def access_name(size: int, order: str, swapped: bool) -> str:
     return f"u{8 * size}_{first}{second}"
 
 
+def real_functions(size: int) -> tuple[str, str]:
+    """The functions from the bits of a floating-point number to the number, and back."""
+    return ("float_of", "bits_of") if size == 4 else ("double_of", "bits_of_double")
+
+
 def load(naming: Naming, wire: WireValue, source: Expression) -> Expression:
     """`load_u16_be(in + 4)`: the number at `source`, a pointer to its first byte."""
     number = Call(naming.own(f"load_{wire.access}"), (source,))
@@ -167,10 +171,12 @@ def out_of_range_test(value: Value, number: Expression) -> Expression | None:
     Bounds that are those of the type are left out: compilers warn of comparisons that are always true. A sentinel
     beside the range is taken.
     """
+    kind = value.type
     ranges = value.writable_ranges
+    if ranges is None and kind.is_odd:
+        ranges = Ranges(((kind.low, kind.high),))
     if ranges is None:
         return None
-    kind = value.type
     if kind.kind is Kind.FLOAT:
         return _float_out_of_range_test(value, ranges, number)
     tests: list[Expression] = []
@@ -180,9 +186,9 @@ def out_of_range_test(value: Value, number: Expression) -> Expression | None:
             tests.append(equal(number, least))
             continue
         bounds: list[Expression] = []
-        if low > kind.low:
+        if low > kind.low or (kind.is_odd and kind.signed):
             bounds.append(at_least(number, least))
-        if high < kind.high:
+        if high < kind.high or kind.is_odd:
             bounds.append(at_most(number, most))
         if not bounds:
             return None
@@ -201,7 +207,8 @@ def _float_out_of_range_test(value: Value, ranges: Ranges, number: Expression) -
     Where a NaN stands for an absent value: `(value < -5.0f || value > 5.0f)`, in which none is.
     """
     sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
-    bounds = [(whole_float(low), whole_float(high)) for low, high in sorted([*ranges.intervals, *sentinels])]
+    size = value.size
+    bounds = [(whole_real(low, size), whole_real(high, size)) for low, high in sorted([*ranges.intervals, *sentinels])]
     if value.absent_nan:
         return all_of([Group(any_of([less(number, low), greater(number, high)])) for low, high in bounds])
     return negate(any_of([Group(all_of([at_least(number, low), at_most(number, high)])) for low, high in bounds]))
@@ -219,7 +226,7 @@ def load_value(naming: Naming, wire: WireValue, source: Expression, target: Expr
         return (copy_bytes(naming, target, source, unsigned(wire.size)),)
     number = load(naming, wire, source)
     if wire.kind is Kind.FLOAT:
-        number = Call(naming.own("float_of"), (number,))
+        number = Call(naming.own(real_functions(wire.size)[0]), (number,))
     elif wire.kind is Kind.BOOLEAN:
         number = different(number, ZERO)
     return (Assignment(target, number),)
@@ -293,10 +300,10 @@ def store_value(naming: Naming, wire: WireValue, source: Expression, target: Exp
         return (call(naming.own("put_text"), target, source, unsigned(wire.size)),)
     if wire.kind is Kind.BYTES:
         return (copy_bytes(naming, target, source, unsigned(wire.size)),)
-    number_type = f"uint{8 * wire.size}_t"
+    number_type = f"uint{8 * wire.value.type.container}_t"
     number = source
     if wire.kind is Kind.FLOAT:
-        number = Call(naming.own("bits_of"), (source,))
+        number = Call(naming.own(real_functions(wire.size)[1]), (source,))
     elif wire.kind is Kind.BOOLEAN:
         number = Cast(number_type, Conditional(source, decimal(1), ZERO))
     elif wire.value.type.signed:

@@ -29,6 +29,7 @@ from fieldspec.backends.docs.parameters import parameters
 from fieldspec.backends.docs.records import records, tables
 from fieldspec.backends.docs.registers import registers, spaces
 from fieldspec.backends.docs.tasks import tasks
+from fieldspec.backends.docs.units import units
 from fieldspec.classes import replace
 from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
@@ -91,6 +92,7 @@ SECTIONS = (
     codes,
     lookups,
     limits,
+    units,
     notes,
     examples,
     errata,

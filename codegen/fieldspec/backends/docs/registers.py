@@ -29,7 +29,8 @@ from fieldspec.backends.docs.value_cells import (
     restart_cell,
     value_cells,
 )
-from fieldspec.model.address_space import AddressSpace
+from fieldspec.classes import replace
+from fieldspec.model.address_space import BIT, AddressSpace
 from fieldspec.model.registers import Gap, Register, RegisterGroup
 
 COLUMNS = (
@@ -47,6 +48,9 @@ COLUMNS = (
 )
 
 
+BIT_COLUMNS = tuple(replace(column, title="Bits") if column.title == "Words" else column for column in COLUMNS)
+
+
 def registers(context: Context) -> Section:
     """All groups of registers."""
     inner = tuple(_group(context, group) for group in context.device.groups)
@@ -62,7 +66,8 @@ def _group(context: Context, group: RegisterGroup) -> Section:
     restart = any(register.restart is not None for register in group.registers)
     rows = [row for register in group.registers for row in _rows(context, register, marks, restart)]
     title = group.title or group.name
-    blocks.append(table(title, COLUMNS, rows, marks.footnotes(), heading=3))
+    columns = BIT_COLUMNS if context.device.space(group.space).unit == BIT else COLUMNS
+    blocks.append(table(title, columns, rows, marks.footnotes(), heading=3))
     if context.device.spaces:
         space = context.device.space(group.space)
         blocks.append(Facts((("Address space", ((text_piece(space.title or space.name, f"#{space.place.path}"),),)),)))
@@ -119,7 +124,8 @@ def _address(register: Register, first_number: int) -> Cell:
 def _special(register: Register) -> Iterator[Line]:
     """What is special about reading and writing a register."""
     if register.count > 1:
-        apart = "" if register.stride == register.width else f", {register.stride} words apart"
+        units = "bits" if register.value.type.name == BIT else "words"
+        apart = "" if register.stride == register.width else f", {register.stride} {units} apart"
         last = register.index_from + register.count - 1
         yield (text_piece(f"{register.count} registers, numbered {register.index_from} to {last}{apart}."),)
     if register.reserved:

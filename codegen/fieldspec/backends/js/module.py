@@ -31,6 +31,8 @@ IMPORTS = {
     "values": (
         "bitsOf",
         "booleanOf",
+        "doubleBitsOf",
+        "doubleOf",
         "floatOf",
         "listLength",
         "numberOf",

@@ -16,6 +16,7 @@ from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import RecordLayout, RegisterLayout
+from fieldspec.model.address_space import BIT
 from fieldspec.model.device import Device
 from fieldspec.model.value import Ranges
 from fieldspec.names import Name
@@ -46,7 +47,8 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     ]
     kinds = [names.type_of(answer, size), "Unit" if unit_of(register.value, size) else "null"]
     kinds += [writable] if (writable := names.type_of(register.value, size)) != kinds[0] else []
-    facts = [f"Address 0x{layout.address:04X}, {layout.words} word{'s' if layout.words > 1 else ''}."]
+    words = "a bit" if register.value.type.name == BIT else f"{layout.words} word{'s' if layout.words > 1 else ''}"
+    facts = [f"Address 0x{layout.address:04X}, {words}."]
     if register.access:
         facts.append({"ro": "Read only.", "rw": "Read and write.", "wo": "Write only."}[register.access])
     ranges = register.value.writable_ranges
@@ -88,7 +90,11 @@ def declare_table(layout: TableLayout, names: Names) -> Declaration:
 
 @dataclass(frozen=True, slots=True)
 class Access:
-    """A message that reads or writes up to `most` words of a space; `single` where it is always one word."""
+    """A message that reads or writes up to `most` words of a space; `single` where it is always one word.
+
+    `bit` is empty in a space of words. Else it says how bits are carried: the numbers of a bit that is 0 and of one
+    that is 1, or none where they are packed into bytes.
+    """
 
     message: MessageLayout
     space: str
@@ -98,13 +104,14 @@ class Access:
     values: str
     most: int
     single: bool
+    bit: str
 
 
 def accesses(names: Names) -> list[Access]:
     """The messages that read and write registers, the first one of each kind for each space."""
     device, candidates = names.layout.device, []
     for message in names.layout.messages.values():
-        access = device.register_access(message.message)
+        access = device.register_access(message.message) or device.bit_access(message.message)
         if access is None or not any(carries(link, message) for link in names.layout.links.values()):
             continue
         keys = {member.field.name: member for member in members_of(message.request)}
@@ -118,7 +125,12 @@ def accesses(names: Names) -> list[Access]:
         if access.start not in keys or not keys[access.start].key or values is None or not settable:
             continue
         count = keys[access.count].key if access.count in keys else ""
-        most = _most(message.request, access.count, values.field.field.repeat) if values.field.is_list else 1
+        bits = device.bit_access(message.message) is not None
+        repeat = values.field.field.repeat
+        if bits and repeat is not None:
+            repeat = Ranges(tuple((8 * low, 8 * high) for low, high in repeat.intervals))
+        most = _most(message.request, access.count, repeat) if values.field.is_list else 1
+        numbers = [] if access.set is None else [access.clear, access.set]
         candidates.append(
             Access(
                 message,
@@ -129,6 +141,7 @@ def accesses(names: Names) -> list[Access]:
                 values.key,
                 most,
                 not values.field.is_list,
+                json.dumps(numbers) if bits else "",
             )
         )
     kinds: dict[tuple[str, str, bool], Access] = {}
@@ -203,6 +216,7 @@ def _access_row(row: Access, names: Names) -> str:
         "values": literal(row.values),
         "most": str(row.most),
         "single": flag(row.single),
+        **({"bit": row.bit} if row.bit else {}),
     }
     return f"  {object_of(properties)},"
 

@@ -73,7 +73,7 @@ class Slot:
     def stored(self, number: str, base: str, offset: int) -> list[str]:
         """The statements that write a number, given by the name of a variable."""
         at = [byte(base, offset + place) for place in reversed(self.places)]
-        if self.wide:
+        if self.size > 6:
             return [
                 f"{target} = Number({number if not k else f'({number} >> {8 * k}n)'} & 255n);"
                 for k, target in enumerate(at)
@@ -150,7 +150,7 @@ class Slot:
             return Reading((), f"b.slice({at}, {place(base, offset + self.size)})")
         number = self.number(base, offset)
         if kind is Kind.FLOAT:
-            return Reading((), f"floatOf({number})")
+            return Reading((), f"{'doubleOf' if self.size == 8 else 'floatOf'}({number})")
         if kind is Kind.BOOLEAN:
             return Reading((), f"booleanOf({name}, {number}, {at})", throws=True)
         checks = list(self._checks(variable, at))
@@ -183,7 +183,8 @@ class Slot:
             return [f"const {raw} = numberOf({name}, {variable});", *self.stored(raw, base, offset)]
         if kind is Kind.FLOAT:
             arguments = f"{name}, {variable}, {self._float_ranges()}"
-            return [f"const {raw} = bitsOf({arguments});", *self.stored(raw, base, offset)]
+            function = "doubleBitsOf" if self.size == 8 else "bitsOf"
+            return [f"const {raw} = {function}({arguments});", *self.stored(raw, base, offset)]
         return [self._refusal(variable), *self.stored(variable, base, offset)]
 
     def _float_ranges(self) -> str:

@@ -9,6 +9,7 @@ from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.access import narrowed
+from fieldspec.model.address_space import WORD
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 
@@ -224,7 +225,7 @@ def areas(layout: DeviceLayout) -> Iterator[Area]:
 def _runs(layout: DeviceLayout) -> Iterator[Area]:
     """Registers whose addresses follow each other, so that one request can read or write them."""
     names = list(layout.device.spaces) if layout.device.several_spaces else [""]
-    for name in names:
+    for name in (name for name in names if layout.device.space(name).unit == WORD):
         yield from _runs_of(layout, name)
 
 

@@ -67,6 +67,7 @@ _TABLE = "are in the table, for people; KV STUDIO imports comments alone"
 _NOT_EXACT = {
     "wide_numbers": lossy("are words; no instruction of the KV takes them"),
     "wide_lists": lossy("are words; no instruction of the KV takes them"),
+    "bits": refused("are in no word; the bytes of their messages are in the map"),
     "choices": lossy("stand once for each type, with the values that decide it"),
     "other_frames": lossy("are words to fill in and to compare; nothing sums and compares them"),
     "frames": lossy("are words to fill in and to compare; nothing sums and compares them"),

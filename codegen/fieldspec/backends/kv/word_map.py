@@ -78,7 +78,7 @@ def meanings(device: Device, area: Area) -> list[Enum | Flags]:
 def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dialect: WordDialect) -> Iterator[Cells]:
     value = placed_value.value
     word = placed_value.start // area.unit
-    number = value is None or value.type.letter != "s"
+    number = value is None or value.type.is_number
     places = bits(placed_value.start, placed_value.size, placed_value.order, placed_value.swapped, area.unit)
     place: Cells = {"area": area.name, "device": dialect.device(base + word), "word": word}
     if placed_value.elements > 1:

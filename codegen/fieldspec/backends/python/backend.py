@@ -17,7 +17,9 @@ PACKAGE = "fieldspec_devices"
 PACKAGE_NAMES = ("for_firmware", "latest")
 RUNTIME = (
     "__init__",
+    "_bits",
     "_checks",
+    "_carried",
     "_checksums",
     "_choices",
     "_codes",

@@ -210,7 +210,8 @@ def _crc_terms(
     varying: list[tuple[int, int, bool, int, str]] = []
     for part in frame.header:
         if part.name in constants:
-            known = constants[part.name].to_bytes(part.size, "little" if part.order == "little" else "big")
+            number = constants[part.name] & ((1 << 8 * part.size) - 1)
+            known = number.to_bytes(part.size, "little" if part.order == "little" else "big")
             base[part.offset : part.offset + part.size] = known
         else:
             flags = raw if part.value is not None and part.value.flags else ""

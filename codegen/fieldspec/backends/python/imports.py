@@ -42,13 +42,14 @@ _STANDARD = (
     ("_StructError", "struct", "error"),
 )
 _SHARED = {
+    "_bits": "BitArray packed_bits single_bit unpacked_bits",
     "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
     "_checksums": "Crc Sum Xor",
     "_choices": "Choice",
     "_codes": "by_number by_printed_name",
     "_conversions": (
-        "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each f32_bytes f32_of members new packing"
-        " text texts turned"
+        "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each float_bytes float_of members new"
+        " packing text texts turned"
     ),
     "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
     "_flags": "BITS_OF Flags",
@@ -59,10 +60,11 @@ _SHARED = {
     "_quantities": "Conversion",
     "_record": "Record",
     "_refusals": (
-        "refused_bytes refused_flags refused_float refused_list refused_number refused_record refused_text unfit"
+        "refused_bytes refused_double refused_flags refused_float refused_list refused_number refused_record"
+        " refused_text unfit"
     ),
     "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
-    "_values": "Boolean Bytes Closed Constant Float Number Open Setting Text Trigger Word",
+    "_values": "Boolean Bytes Closed Constant Double Float Number Open Setting Text Trigger Word",
 }
 _CRC = [f"_C{place}" for place in range(8)]
 _CRC_EXCHANGED = [f"_X{place}" for place in range(8)]

@@ -14,7 +14,7 @@ from fieldspec.backends.python.text import docstring, filled, literal
 from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import FieldLayout
+from fieldspec.layout.record import FieldLayout, Orders
 from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 from fieldspec.model.value import Value
 from fieldspec.names import Name
@@ -187,7 +187,8 @@ def _row(
     names: Scope,
 ) -> RowView:
     value, run = row.value, row.count > 1
-    order = carrier.order if carrier else layout.device.byte_order
+    orders = Orders(layout.device.byte_order, layout.device.word_order)
+    order, swapped = orders.of(value)
     number, name = _digits(row.number, parameter_set), literal(row.name)
     printed_name = literal(row.printed_name or parameter_set.number_text(row.number))
     if run:
@@ -199,11 +200,11 @@ def _row(
         )
     more = {
         "type": literal(value.type.name),
-        "carrier": literal(_letters(row, carrier, order)),
+        "carrier": literal(_letters(row, carrier, (order == "big") != swapped)),
         "printed_name": printed_name if run or row.printed_name or parameter_set.printed_as else "",
         "default": _default(row),
         "elements": "" if row.elements is None else str(row.elements),
-        "subindices": tuple_of(_subindex(subindex, order, words, row.trigger) for subindex in row.subindices),
+        "subindices": tuple_of(_subindex(subindex, orders, words, row.trigger) for subindex in row.subindices),
         "restart": "" if row.restart is None else str(row.restart),
         "applies_to": tuple_of(map(literal, row.applies_to)),
         "messages": tuple_of(map(literal, row.messages)),
@@ -217,7 +218,7 @@ def _row(
     arguments = [
         name,
         number,
-        register_value(value, value.size, order, False, words, row.trigger),
+        register_value(value, value.size, order, swapped, words, row.trigger),
         literal(row.access),
         *keywords,
     ]
@@ -229,14 +230,14 @@ def _row(
     )
 
 
-def _letters(row: Parameter, carrier: FieldLayout | None, order: str) -> str:
-    """The Struct that converts the bytes of a value to the number in a message; empty where the type is the same."""
+def _letters(row: Parameter, carrier: FieldLayout | None, big: bool) -> str:
+    """The Struct that turns a value into the number in a message, in the order of its own Struct; empty where none can."""
     if carrier is None or carrier.value is None:
         return ""
     letter = carrier.value.type.letter if carrier.size == row.value.size else row.value.type.letter
     if row.subindices or letter == "s":
         return ""
-    return f"{'>' if order == 'big' else '<'}{letter}"
+    return f"{'>' if big else '<'}{letter}"
 
 
 def _default(row: Parameter) -> str:
@@ -244,8 +245,9 @@ def _default(row: Parameter) -> str:
     return "" if default is None else literal(default) if isinstance(default, str) else str(default)
 
 
-def _subindex(subindex: Subindex, order: str, words: Words, trigger: bool) -> str:
-    value = register_value(subindex.value, subindex.value.size, order, False, words, trigger)
+def _subindex(subindex: Subindex, orders: Orders, words: Words, trigger: bool) -> str:
+    order, swapped = orders.of(subindex.value)
+    value = register_value(subindex.value, subindex.value.size, order, swapped, words, trigger)
     more = [f"type={literal(subindex.value.type.name)}"]
     more += ["reserved=True"] if subindex.reserved else []
     more += [f"source={literal(places(subindex.sources))}"] if subindex.sources else []

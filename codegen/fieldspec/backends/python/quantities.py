@@ -14,17 +14,17 @@ from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import pairs, within
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
+from fieldspec.model.units import standard_unit
 from fieldspec.model.value import Conversion, Kind, Ranges, Value
 from fieldspec.names import Name
-
-_WORDS = {"%": "percent", "0.1%": "tenths_of_percent", "°C": "celsius"}
 
 
 def unit_word(unit: str) -> str:
     """The suffix of a scaled property: `mm`, `percent`, `per_s`; `scaled` where there is no unit."""
-    above, _, below = _WORDS.get(unit, unit.lower() or "scaled").partition("/")
+    known = standard_unit(unit)
+    above, _, below = ((known.word if known else "") or unit.lower() or "scaled").partition("/")
     words = f"{above if above != '1' else ''}_per_{below}".strip("_") if below else above
-    return re.sub(r"[^a-z0-9]+", "_", words)
+    return re.sub(r"[^a-z0-9]+", "_", words).strip("_") or "scaled"
 
 
 def ratio(value: Value) -> tuple[int, int, int]:

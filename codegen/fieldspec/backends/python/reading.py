@@ -23,7 +23,7 @@ def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
         return []
     star = "*" if field.is_list or field.decided else ""
     if field.field.field.reserved and not field.field.field.measures:
-        return [f"{star}_"]
+        return ["_"] * field.parted or [f"{star}_"]
     if (field.is_raw or field.deferred) and field.stored and not bound:
         return [f"{star}{owner}.{field.slot}"]
     if field.parted:
@@ -139,7 +139,7 @@ def _from_bytes(field: Slots, raw: str) -> str:
     turned = field.field.swapped
     order = "big" if (field.field.order == "big") != turned else "little"
     if field.kind is Kind.FLOAT:
-        return f'_f32_of({raw}, "{">" if order == "big" else "<"}f", {turned})'
+        return f'_float_of({raw}, "{">" if order == "big" else "<"}{field.value.type.letter}", {turned})'
     signed = ", signed=True" if field.value.type.signed else ""
     return f'_int_of({f"_turned({raw})" if turned else raw}, "{order}"{signed})'
 
@@ -191,7 +191,8 @@ def choice_lines(variable: str, record: RecordLayout, fields: Sequence[Slots], l
 
 def _case(case: CaseLayout, order: str, decided: Slots) -> str:
     native = case.value.size == 1 or (case.order == order and not case.swapped)
-    letters = case.value.type.letter if native and case.value.type.letter != "s" else f"{case.value.size}s"
+    letters = case.value.type.letter.strip("s") if native else ""
+    letters = letters or f"{case.value.size}s"
     value = value_expression(case.value, case.value.size, case.order, case.swapped, decided.words)
     return f"({tuple_of(sorted(case.numbers))}, {literal(letters)}, {value})"
 

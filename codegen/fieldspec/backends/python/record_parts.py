@@ -11,8 +11,8 @@ from fieldspec.backends.python.registers import value_facts
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.writing import pairs, tuple_of
-from fieldspec.layout.record import RecordLayout
-from fieldspec.model.value import Kind, Ranges, merged
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.value import Kind, Primitive, Ranges, merged
 
 
 def column_lines(shaped: RecordShape) -> list[str]:
@@ -22,8 +22,15 @@ def column_lines(shaped: RecordShape) -> list[str]:
     return [
         f"Column({', '.join([literal(field.name) if field.stored else literal(''), *_arguments(shaped, field)])})"
         for field in shaped.fields
-        if field.stored or field.constant is not None or field.field.field.measures
+        if _is_column(field.field)
     ]
+
+
+def _is_column(field: FieldLayout) -> bool:
+    """Whether a field has values or tests: it is not reserved, and of a record not all fields are."""
+    if field.record is not None:
+        return any(map(_is_column, field.record.fields))
+    return not field.field.reserved or field.field.measures is not None
 
 
 def _arguments(shaped: RecordShape, field: Slots) -> Iterator[str]:
@@ -32,8 +39,8 @@ def _arguments(shaped: RecordShape, field: Slots) -> Iterator[str]:
     if layout.record is not None:
         yield from (literal(""), str(layout.offset), f"record={field.element_type}", f"size={layout.size}")
     else:
-        yield from (literal(field.value.type.letter), str(layout.offset))
-        if field.value.type.letter == "s":
+        yield from (literal(column_letter(field.value.type)), str(layout.offset))
+        if field.value.type.letter in ("", "s"):
             yield f"size={layout.size}"
         if field.kind is Kind.TEXT:
             yield "text=True"
@@ -50,6 +57,12 @@ def _arguments(shaped: RecordShape, field: Slots) -> Iterator[str]:
         yield f"ratio={ratio(field.value)}"
         if field.sentinels:
             yield f"absent={tuple_of(field.sentinels)}"
+
+
+def column_letter(type: Primitive) -> str:
+    """The letter of the narrowest column that has all values of a type."""
+    letter = {4: "i", 8: "q"}.get(type.container, "")
+    return type.letter or (letter if type.signed else letter.upper())
 
 
 def _tests(shaped: RecordShape, field: Slots) -> str:

@@ -282,7 +282,8 @@ def writing_lines(shaped: RecordShape, bound: frozenset[str], struct: str) -> Wr
             size = _size(shaped, field, expressions, f"{CASE}.size")
             if field.ranges is not None:
                 more.append(within(size, field.ranges))
-            slot_values.append(size)
+            # In another order than its Struct, a number is not packed as it is.
+            slot_values += values(field, f"({size})") if field.parted or field.foreign else [size]
         elif field.decided:
             slot_values.append(decided_values(field, expressions[field.title]))
         else:

@@ -11,6 +11,7 @@ from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.record import RegisterLayout
+from fieldspec.model.address_space import BIT
 from fieldspec.model.value import Kind, Ranges, Value
 from fieldspec.names import Name
 
@@ -32,7 +33,7 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
         kind = "_Text" if value.type.kind is Kind.TEXT else "_Bytes"
         return f'{kind}("{size}s", {value.size})'
-    letter, narrow = value.type.letter, value.size < size
+    letter, narrow = value.type.letter or value.type.name, value.size < size
     if narrow:
         letter = "h" if value.type.signed else "H"
     letters = literal((">" if (order == "big") != swapped else "<") + letter)
@@ -45,7 +46,7 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
         others = ['float("nan")' if text == "nan" else text for text in others]
         more += [f"others={tuple_of(others)}"] if others else []
         more += [f"unit={literal(value.unit)}"] if value.unit and (others or value.ranges is not None) else []
-        return _call("_Float", letters, more)
+        return _call("_Float" if value.size == 4 else "_Double", letters, more)
     if value.const is not None:
         if not any_answer:
             return _call("_Constant", letters, [str(value.const), *more])
@@ -60,7 +61,7 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
         more.append(f"others={tuple_of(sentinel.value for sentinel in value.sentinels)}")
     if value.enum:
         enum = words.enums[value.enum]
-        if any_answer:
+        if any_answer and not enum.open:
             return _call("_Trigger", letters, [literal(enum.title), enum.table, *more])
         if not enum.open and value.sentinels:
             more.append("closed=True")
@@ -128,6 +129,7 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
     """
     register = layout.register
     name = scope.take(Name.of(layout.name).upper())
+    is_bit = register.value.type.name == BIT
     value = register_value(register.value, 2 * layout.words, layout.order, layout.swapped, words, register.trigger)
     arguments = [literal(layout.name), f"0x{layout.address:04X}", str(layout.words), value, literal(register.access)]
     if layout.count > 1:
@@ -144,11 +146,11 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
     facts = [
         f"0x{layout.address:04X}",
         *([f"in {space}"] if space else []),
-        f"{layout.words} word{'s' if layout.words > 1 else ''}",
+        "1 bit" if is_bit else f"{layout.words} word{'s' if layout.words > 1 else ''}",
     ]
     if register.access:
         facts.append(ACCESS[register.access])
-    facts.append(register.value.type.name)
+    facts += [] if is_bit else [register.value.type.name]
     facts += value_facts(register.value)
     if register.restart:
         facts.append("takes effect after a restart")
@@ -166,7 +168,8 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
         last = register.index_from + layout.count - 1
         facts.append(f"{layout.count} of them, {register.index_from} to {last}")
     doc = docstring(described(Name.of(layout.name).title(), register, f"{', '.join(facts)}."))
-    return RegisterView(name, f"{'_RegisterArray' if layout.count > 1 else '_Register'}({', '.join(arguments)})", doc)
+    kind = "_Register" if layout.count == 1 else "_BitArray" if is_bit and layout.stride == 1 else "_RegisterArray"
+    return RegisterView(name, f"{kind}({', '.join(arguments)})", doc)
 
 
 def table_view(layout: TableLayout, words: Words, order: str, scope: Scope, space: str = "") -> TableView:
@@ -182,8 +185,9 @@ def table_view(layout: TableLayout, words: Words, order: str, scope: Scope, spac
         f"count={table.count}",
         f"first={table.index_from}",
     ]
-    if table.access:
-        arguments.append(f"access={literal(table.access if layout.writable else 'ro')}")
+    access = table.access if layout.writable else "ro"
+    if access:
+        arguments.append(f"access={literal(access)}")
     if order == "little":
         arguments.append('order="<"')
     if space:

@@ -12,21 +12,26 @@ from fieldspec.backends.python.text import filled, item_lines
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import CaseLayout
-from fieldspec.model.address_space import WORD
+from fieldspec.model.address_space import BIT, WORD
 from fieldspec.model.device import Device
+from fieldspec.model.record import RegisterAccess
 from fieldspec.model.value import PRIMITIVES, Kind, Primitive
 
 
 @dataclass(frozen=True, slots=True)
 class AccessView:
-    """A message that reads or writes `most` words: its classes, and the expressions of request and response values."""
+    """A message that reads or writes `most` words or bits: its classes, and the expressions of requests and of words.
+
+    `words` has the words of all `responses`, and `checked_words` the same where they must be of this class. A bit is a
+    word with 0 or 1.
+    """
 
     request: str
     response: str
     most: int
     make: str
-    values: str
-    single: bool
+    words: str
+    checked_words: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,17 +45,20 @@ class SpaceAccess:
 
 
 def space_accesses(device: Device, exchanges: list[Exchange]) -> list[SpaceAccess]:
-    """The messages that access each space of words, in the order of the spec."""
-    names = [name for name, space in device.spaces.items() if space.unit == WORD] if device.several_spaces else [""]
+    """The messages that access each space of words or bits, in the order of the spec."""
+    units = (WORD, BIT)
+    names = [name for name, space in device.spaces.items() if space.unit in units] if device.several_spaces else [""]
     accesses = []
     for name in names:
         own = [
             exchange
             for exchange in exchanges
-            if (access := device.register_access(exchange.message.message)) is not None
+            if (access := exchange.message.message.accesses) is not None
+            and device.space(access.space).unit in units
             and (not name or device.space_name(access.space) == name)
         ]
-        accesses.append(SpaceAccess(name, read_access(own), *write_accesses(own)))
+        bits = device.space(name).unit == BIT
+        accesses.append(SpaceAccess(name, read_access(own, bits), *write_accesses(own, bits)))
     return accesses
 
 
@@ -58,19 +66,19 @@ def _field(shaped: RecordShape, title: str) -> Slots | None:
     return next((field for field in shaped.fields if field.title == title), None)
 
 
-def _most(*fields: Slots | None) -> int:
-    """The most words that some fields allow."""
+def _most(bits: bool, *fields: Slots | None) -> int:
+    """The most words, or packed bits, that some fields allow."""
     bounds = []
     for field in fields:
         if field is not None and field.repeated and field.field.field.repeat is not None:
-            bounds.append(field.field.field.repeat.high)
+            bounds.append(field.field.field.repeat.high * (8 if bits else 1))
         elif field is not None and field.ranges is not None:
             bounds.append(field.ranges.high)
     return min(bounds, default=1)
 
 
-def read_access(exchanges: list[Exchange]) -> AccessView | None:
-    """The first message that reads registers."""
+def read_access(exchanges: list[Exchange], bits: bool = False) -> AccessView | None:
+    """The first message that reads registers, in a space of words or of `bits`."""
     for exchange in exchanges:
         access = exchange.message.message.accesses
         if access is None or access.operation != "read":
@@ -80,20 +88,38 @@ def read_access(exchanges: list[Exchange]) -> AccessView | None:
         if start is None or values is None or not _settable(exchange.request, {access.start, access.count}):
             continue
         count_argument = f", {count.name}=count" if count is not None and count.stored else ""
-        values_expression = f"response.{values.name}"
+        most = _most(bits, values, count) if values.is_list else 1
         return AccessView(
             request=exchange.request_name,
             response=exchange.response_name,
-            most=_most(values, count) if values.is_list else 1,
+            most=most,
             make=f"{exchange.request_name}({start.name}=start{count_argument})",
-            values=values_expression if values.is_list else f"[{values_expression}]",
-            single=not values.is_list,
+            words=_words(values, access, bits, most, "responses"),
+            checked_words=_words(
+                values, access, bits, most, f"_replies(register, responses, {exchange.response_name})"
+            ),
         )
     return None
 
 
-def write_accesses(exchanges: list[Exchange]) -> tuple[AccessView | None, AccessView | None]:
-    """The first message that writes one register, and the first one that writes several."""
+def _words(values: Slots, access: RegisterAccess, bits: bool, most: int, responses: str) -> str:
+    """The expression of the words of some responses."""
+    each = f"for response in {responses}"
+    if bits and values.is_list:
+        return f"_unpacked_bits(register, {most}, [response.{values.name} {each}])"
+    if bits:
+        return f"[_single_bit(register.name, response.{values.name}, {_pair(access)}) {each}]"
+    word = f"response.{values.name}" if values.is_list else f"[response.{values.name}]"
+    return f"[word {each} for word in {word}]"
+
+
+def _pair(access: RegisterAccess) -> str:
+    """The numbers of a bit that is 1 and of one that is 0."""
+    return f"0x{access.set or 0:02X}, 0x{access.clear:02X}"
+
+
+def write_accesses(exchanges: list[Exchange], bits: bool = False) -> tuple[AccessView | None, AccessView | None]:
+    """The first message that writes one register, and the first one that writes several, of words or of `bits`."""
     single: AccessView | None = None
     block: AccessView | None = None
     for exchange in exchanges:
@@ -108,12 +134,14 @@ def write_accesses(exchanges: list[Exchange]) -> tuple[AccessView | None, Access
             continue
         count_argument = f", {count.name}=count" if count is not None and count.stored else ""
         if values.is_list:
-            make = f"{exchange.request_name}({start.name}=start{count_argument}, {values.name}=words[at : at + count])"
-            most = _most(values, count)
-            block = block or AccessView(exchange.request_name, exchange.response_name, most, make, "", False)
+            words = "_packed_bits(words[at : at + count])" if bits else "words[at : at + count]"
+            make = f"{exchange.request_name}({start.name}=start{count_argument}, {values.name}={words})"
+            most = _most(bits, values, count)
+            block = block or AccessView(exchange.request_name, exchange.response_name, most, make, "", "")
         else:
-            make = f"{exchange.request_name}({start.name}=start, {values.name}=words[at])"
-            single = single or AccessView(exchange.request_name, exchange.response_name, 1, make, "", True)
+            word = f"0x{access.set or 0:02X} if words[at] else 0x{access.clear:02X}" if bits else "words[at]"
+            make = f"{exchange.request_name}({start.name}=start, {values.name}={word})"
+            single = single or AccessView(exchange.request_name, exchange.response_name, 1, make, "", "")
     return single, block
 
 
@@ -242,7 +270,7 @@ def _formats(shaped: RecordShape, selector: Slots, layout: DeviceLayout, words: 
     enum, view = layout.device.enums[selector.value.enum], words.enums[selector.value.enum]
     members = {int(member.value): f"{view.name}.{member.name}" for member in view.members}
     rows = []
-    for primitive in PRIMITIVES.values():
+    for primitive in (primitive for primitive in PRIMITIVES.values() if primitive.name != BIT):
         case = _case(shaped.fields[-1].field.cases, primitive)
         known = [enum.named(name) for name in case.case.when] if case is not None else []
         suiting = [members[member.value] for member in known if member is not None and member.value in members]

@@ -214,6 +214,8 @@ def _letters(field: FieldLayout, order: str) -> str:
         return f"{field.size}x"
     if value.type.letter == "s":
         return f"{field.size}s"
+    if not value.type.letter and (field.is_list or not field.swapped or field.order != order):
+        return f"{field.size}s"
     if field.size == 1 or (field.order == order and not field.swapped):
         return value.type.letter
     if field.order == order and not field.is_list and value.type.kind is Kind.INTEGER:

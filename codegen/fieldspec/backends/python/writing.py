@@ -168,7 +168,7 @@ def _item(field: Slots, expression: str) -> str:
     turned = field.field.swapped
     order = "big" if (field.field.order == "big") != turned else "little"
     if field.kind is Kind.FLOAT:
-        return f'_f32_bytes({raw}, "{">" if order == "big" else "<"}f", {turned})'
+        return f'_float_bytes({raw}, "{">" if order == "big" else "<"}{field.value.type.letter}", {turned})'
     signed = ", signed=True" if field.value.type.signed else ""
     data = f'{raw}.to_bytes({field.field.size}, "{order}"{signed})'
     return f"_turned({data})" if turned else data
@@ -206,10 +206,11 @@ def _refusing(field: Slots) -> tuple[str, list[str]]:
     if field.kind is Kind.BYTES:
         return "_refused_bytes", [size]
     if field.kind is Kind.FLOAT:
+        function = "_refused_float" if size == "4" else "_refused_double"
         if field.ranges is None:
-            return "_refused_float", []
+            return function, []
         others = [*map(str, field.sentinels), *(['float("nan")'] * field.value.absent_nan)]
-        return "_refused_float", [pairs(field.ranges), *([tuple_of(others)] if others else [])]
+        return function, [pairs(field.ranges), *([tuple_of(others)] if others else [])]
     ranges = pairs(field.ranges)
     if field.value.flags:
         return "_refused_flags", [str(primitive.high), *([ranges] if ranges else [])]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.classes import dataclass
+from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import LinkLayout, PartLayout
 from fieldspec.layout.read_plan import ReadBlock, read_plan
@@ -63,8 +64,10 @@ def _idle_read(layout: DeviceLayout, link: LinkLayout, block: ReadBlock) -> Idle
     arguments: dict[str, Raw] = {access.start: block.start}
     if access.count:
         arguments[access.count] = block.words
+    is_bits = layout.device.bit_access(message.message) is not None
+    answer = _answer_of_bits(access, words) if is_bits else _answer(access, message.response, words)
     request = _frame(codec, "request", block.message, arguments)
-    response = _frame(codec, "response", block.message, {**arguments, **_answer(access, message.response, words)})
+    response = _frame(codec, "response", block.message, {**arguments, **answer})
     asked, answered = (
         codec.decode(frame, direction, block.message)
         for frame, direction in ((request, "request"), (response, "response"))
@@ -86,6 +89,13 @@ def _answer(access: RegisterAccess, record: RecordLayout, words: bytes) -> dict[
     order = "big" if field.order == "big" else "little"
     numbers: list[Raw] = [int.from_bytes(words[at : at + 2], order) for at in range(0, len(words), 2)]  # type: ignore[arg-type]
     return {field.name: numbers if field.is_list else numbers[0]}
+
+
+def _answer_of_bits(access: RegisterAccess, words: bytes) -> dict[str, Raw]:
+    bits = [int(any(words[at : at + 2])) for at in range(0, len(words), 2)]
+    if access.set is not None:
+        return {access.values: access.set if bits[0] else access.clear}
+    return {access.values: list(packed_bits(bits))}
 
 
 def _frame(codec: FrameCodec, direction: str, message: str, values: dict[str, Raw]) -> bytes:

@@ -207,7 +207,8 @@ def _access(comparison: Comparison | None, message: Message) -> str:
     text = ", ".join(
         f"{word} as {part}" for word, part in zip(words, ("start", "count", "values"), strict=True) if word
     )
-    return f"{access.operation} with {text}"
+    bits = "" if (access.set, access.clear) == (None, 0) else f", a bit as {access.set} or {access.clear}"
+    return f"{access.operation} with {text}{bits}"
 
 
 def _renamed(comparison: Comparison, message: Message, name: str) -> str:

@@ -13,6 +13,7 @@ from fieldspec.model.enums import Flags
 from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Field
 from fieldspec.model.registers import Table
+from fieldspec.model.units import DeclaredUnit
 from fieldspec.model.value import Conversion, Value
 
 
@@ -92,7 +93,7 @@ def scale_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def unit_changed(comparison: Comparison) -> Iterator[Change]:
-    """A quantity is in another unit.
+    """A quantity is in another unit, or a unit that the spec declares is worth something else.
 
     Why: the same number is in millimetres now, and was in pulses.
 
@@ -107,6 +108,12 @@ def unit_changed(comparison: Comparison) -> Iterator[Change]:
         if old != new:
             text = f"{named(value_pair.of.new)}: {difference_text('the unit', old, new)}"
             yield change("unit_changed", Effect.WIRE, value_pair, "unit", text, old, new, (PYTHON,))
+    for unit in comparison.of(DeclaredUnit):
+        for key, what in (("symbol", "the symbol"), ("quantity", "what it measures"), ("factor", "the factor")):
+            before, after = getattr(unit.old, key) or None, getattr(unit.new, key) or None
+            if before != after:
+                text = f"the unit {named(unit.new)}: {difference_text(what, before, after)}"
+                yield change("unit_changed", Effect.WIRE, unit, key, text, before, after)
 
 
 def sentinel_changed(comparison: Comparison) -> Iterator[Change]:
@@ -201,23 +208,24 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
                 text = f"{named(part.new)}: {difference_text('the byte order of the checksum', old, new)}"
                 yield change("byte_order_changed", Effect.WIRE, part, "byte_order", text, old, new)
     for value_pair in comparison.values:
-        if (
-            value_pair.old.byte_order != value_pair.new.byte_order
-            and _ordered(value_pair.old)
-            and _ordered(value_pair.new)
-        ):
-            old, new = _order(value_pair.old, comparison.old), _order(value_pair.new, comparison.new)
-            if old != new:
-                text = f"{named(value_pair.of.new)}: {difference_text('the byte order', old, new)}"
-                yield change("byte_order_changed", Effect.WIRE, value_pair, "byte_order", text, old, new)
+        for key in ("byte_order", "word_order"):
+            if getattr(value_pair.old, key) == getattr(value_pair.new, key):
+                continue
+            if _ordered(value_pair.old, key) and _ordered(value_pair.new, key):
+                old, new = _order(value_pair.old, comparison.old, key), _order(value_pair.new, comparison.new, key)
+                if old != new:
+                    text = f"{named(value_pair.of.new)}: {difference_text('the ' + key.replace('_', ' '), old, new)}"
+                    yield change("byte_order_changed", Effect.WIRE, value_pair, key, text, old, new)
 
 
-def _ordered(value: Value) -> bool:
-    return value.type.size > 1
+def _ordered(value: Value, key: str) -> bool:
+    return value.has_words if key == "word_order" else value.type.size > 1
 
 
-def _order(value: Value, device: Device) -> str:
-    return value.byte_order or device.byte_order
+def _order(value: Value, device: Device, key: str) -> str:
+    """The order of a value: its own, or that of its device, whose words have the order of its bytes by default."""
+    own: str = getattr(value, key) or getattr(device, key)
+    return own or _order(value, device, "byte_order")
 
 
 def conversion_changed(comparison: Comparison) -> Iterator[Change]:

@@ -10,7 +10,7 @@ from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 from fieldspec.names import Name
-from fieldspec.plc.routines.expressions import BOOL, StructType, Type, sequence
+from fieldspec.plc.routines.expressions import BOOL, BYTE, StructType, Type, sequence
 from fieldspec.plc.structs import Struct, StructMember, bit_names, bit_places, elements, wire_type
 
 
@@ -89,11 +89,13 @@ class Images:
         else:
             assert field.value is not None
             element = self._of_value(field.value, field.order, field.swapped)
+            if field.is_list and field.value.type.is_odd:
+                return sequence(elements(field) * field.size, BYTE)
         return sequence(elements(field), element) if field.is_list else element
 
     def _of_value(self, value: Value, order: str, swapped: bool) -> Type:
         # A struct has an even number of bytes where bits share bytes.
-        if self.packed and value.flags and value.size % 2 == 0:
+        if self.packed and value.flags and value.size % 2 == 0 and not value.type.is_odd:
             return StructType(self._of_bits(value, order, swapped).name)
         return wire_type(value)
 

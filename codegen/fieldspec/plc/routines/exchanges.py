@@ -19,6 +19,7 @@ from fieldspec.plc.routines.expressions import (
     Expression,
     Member,
     Negation,
+    Operation,
     Truth,
     Type,
     Variable,
@@ -284,5 +285,8 @@ class _Exchange:
                 kind = self.world.type_of(field.value)
                 words = ours.get(self.world.variable(access.count, kind))
                 if words is not None and elements in theirs and isinstance(kind, Elementary):
-                    expressions.append(compared(converted(theirs[elements], kind), "<>", words))
+                    carried: Expression = words
+                    if self.world.layout.device.bit_access(message.message) is not None:
+                        carried = Operation("/", (Operation("+", (words, Whole(7, kind)), kind), Whole(8, kind)), kind)
+                    expressions.append(compared(converted(theirs[elements], kind), "<>", carried))
         return expressions

@@ -70,9 +70,10 @@ ELEMENTARY = {
         *(BOOL, BYTE, WORD, DWORD, LWORD, USINT, UINT, UDINT, ULINT, SINT, INT, DINT, LINT, REAL, LREAL),
     )
 }
-BITS = {1: BYTE, 2: WORD, 4: DWORD, 8: LWORD}
-UNSIGNED = {1: USINT, 2: UINT, 4: UDINT, 8: ULINT}
-SIGNED = {1: SINT, 2: INT, 4: DINT, 8: LINT}
+BITS = {1: BYTE, 2: WORD, 3: DWORD, 4: DWORD, 5: LWORD, 6: LWORD, 7: LWORD, 8: LWORD}
+UNSIGNED = {1: USINT, 2: UINT, 3: UDINT, 4: UDINT, 5: ULINT, 6: ULINT, 7: ULINT, 8: ULINT}
+SIGNED = {1: SINT, 2: INT, 3: DINT, 4: DINT, 5: LINT, 6: LINT, 7: LINT, 8: LINT}
+"""The narrowest types with all numbers of some bytes."""
 
 
 def sequence(count: int, of: Type) -> ArrayType:

@@ -2,26 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import RecordLayout, RegisterLayout
 from fieldspec.model.access import readable, writable
+from fieldspec.model.address_space import BIT as BIT_UNIT
+from fieldspec.model.device import Device
 from fieldspec.model.registers import RegisterGroup
+from fieldspec.plc.routines.bits import bit_routines, single_bit_routines
 from fieldspec.plc.routines.expressions import (
     BOOL,
     INT,
     UDINT,
     UINT,
-    ArrayType,
-    Call,
     Conversion,
-    Element,
     Expression,
-    Member,
     Operation,
     Truth,
-    Type,
     Variable,
     Whole,
     compared,
@@ -29,11 +27,11 @@ from fieldspec.plc.routines.expressions import (
     every,
     number,
     plus,
-    sequence,
 )
 from fieldspec.plc.routines.holders import Words
 from fieldspec.plc.routines.records import members_of, read_fields, write_fields
-from fieldspec.plc.routines.routine import Assignment, Declared, Draft, Loop, Routine, Statement, when
+from fieldspec.plc.routines.register_range import RegisterRange, answer_type
+from fieldspec.plc.routines.routine import Assignment, Declared, Draft, Routine, Statement, when
 from fieldspec.plc.routines.values import Wire, order_remark, read, word_order, write
 from fieldspec.plc.routines.world import World
 
@@ -135,10 +133,16 @@ def _address(world: World, table_layout: TableLayout) -> Routine:
 
 def group_routines(world: World) -> Iterator[Routine]:
     """The functions of all groups: of what can be read, and of what can be written."""
-    if world.layout.registers:
+    device = world.layout.device
+    groups = [(group, registers_of(world.layout, group)) for group in device.groups]
+    if any(registers for _, registers in groups):
         yield _holds(world)
-    for group in world.layout.device.groups:
-        registers = registers_of(world.layout, group)
+    if has_bits(device):
+        yield from single_bit_routines(world)
+    for group, registers in groups:
+        if device.space(group.space).unit == BIT_UNIT:
+            yield from bit_routines(world, group, registers)
+            continue
         read_registers = [register for register in registers if readable(register.register.access)]
         # Where no access is printed, writing is what a trigger is for.
         writable_registers = [
@@ -148,6 +152,11 @@ def group_routines(world: World) -> Iterator[Routine]:
             yield _words_to_group(world, group, read_registers)
         if writable_registers:
             yield _group_to_words(world, group, writable_registers)
+
+
+def has_bits(device: Device) -> bool:
+    """Whether the device has registers of single bits."""
+    return any(group.registers and device.space(group.space).unit == BIT_UNIT for group in device.groups)
 
 
 def registers_of(layout: DeviceLayout, group: RegisterGroup) -> list[RegisterLayout]:
@@ -190,98 +199,6 @@ def _sum(left: Expression, right: Expression) -> Expression:
     return Operation("+", (Conversion(left, UDINT), Conversion(right, UDINT)), UDINT)
 
 
-def register_type(world: World, register: RegisterLayout) -> Type:
-    """The type of a register's variable; an array where there are several equal ones."""
-    return _each(register, world.type_of(register.register.value))
-
-
-def answer_type(world: World, register_layout: RegisterLayout) -> Type | None:
-    """The type of a variable of its own for what the device answers, where that of the register does not hold it.
-
-    An enumeration holds what may be written to start something, but not any number that reading may give. So what is
-    read never changes what is to be written either.
-    """
-    register = register_layout.register
-    own, answer = world.type_of(register.value), world.type_of(register.answer)
-    return _each(register_layout, answer) if readable(register.access) and own != answer else None
-
-
-def answer_name(register: RegisterLayout) -> str:
-    """What the variable of an answer is called in the language."""
-    return f"{register.name}_answer"
-
-
-def _each(register: RegisterLayout, element_type: Type) -> Type:
-    return sequence(register.count, element_type) if register.count > 1 else element_type
-
-
-# The statements for one register, from its words and its variable.
-_RegisterHolder = Callable[[Words, Expression], list[Statement]]
-
-
-class _Range:
-    """The parameters that say which words there are, of a function for a group."""
-
-    def __init__(self, world: World, group: RegisterGroup, draft: Draft, remark: str) -> None:
-        self.world, self.group, self.draft = world, group, draft
-        self.address = draft.declare("uiAddress", UINT, "input", "address of aWords[0]")
-        self.count = draft.declare("iCount", INT, "input", "how many words there are")
-        self.array = draft.declare("aWords", world.words, "in_out", remark)
-        self.taken = draft.local("iTaken")
-        self.at = draft.local("iAt")
-        draft.refuse(compared(self.count, ">", number(world.words.high + 1)), "no_room")
-        draft.add([Assignment(self.taken, number(0))])
-
-    def each(
-        self, register: RegisterLayout, struct: Variable, answer: Type | None, statements_of: _RegisterHolder
-    ) -> list[Statement]:
-        """The statements for a register, or for each of several equal ones, if it lies in the words.
-
-        `answer` is the type of the variable that receives what is read, where that is one of its own.
-        """
-        kind, name = answer or register_type(self.world, register), answer_name(register) if answer else register.name
-        member = Member(struct, self.world.member(self.group.name, name), kind)
-        if register.count == 1:
-            return [self._if_there(register, Whole(register.address, UINT), member, statements_of)]
-        index = self.draft.local("iElement")
-        assert isinstance(kind, ArrayType)
-        element = Element(member, index, kind.of)
-        steps: Expression = Conversion(index, UINT)
-        if register.stride > 1:
-            steps = Operation("*", (steps, Whole(register.stride, UINT)), UINT)
-        address = self.draft.local("uiRegister", UINT)
-        inner = [
-            Assignment(address, Operation("+", (Whole(register.address, UINT), steps), UINT)),
-            self._if_there(register, address, element, statements_of),
-        ]
-        return [Loop(index, number(0), number(register.count - 1), tuple(inner))]
-
-    def _if_there(
-        self, register: RegisterLayout, address: Expression, variable: Expression, statements_of: _RegisterHolder
-    ) -> Statement:
-        call = Call(
-            self.world.routine("holds"),
-            (
-                ("uiAddress", self.address),
-                ("iCount", self.count),
-                ("uiRegister", address),
-                ("uiSize", Whole(register.words, UINT)),
-            ),
-            (),
-            BOOL,
-        )
-        place = Conversion(Operation("-", (address, self.address), UINT), INT)
-        words = Words(self.array, self.at, self.world.layout.device.byte_order)
-        return when(
-            call,
-            [
-                Assignment(self.at, place),
-                *statements_of(words, variable),
-                Assignment(self.taken, plus(self.taken, register.words)),
-            ],
-        )
-
-
 def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> str:
     first = min(register.address for register in registers)
     last = max(register.register.end for register in registers) - 1
@@ -296,6 +213,10 @@ def _order(registers: list[RegisterLayout]) -> str:
     return word_order(Wire.of_register(register) for register in registers)
 
 
+def _range(world: World, group: RegisterGroup, draft: Draft, remark: str) -> RegisterRange:
+    return RegisterRange(world, group, draft, Variable("aWords", world.words), world.words.high + 1, "word", remark)
+
+
 def _words_to_group(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
     draft = Draft(
         world.routine("unpack", group.name, _order(registers)),
@@ -304,13 +225,14 @@ def _words_to_group(world: World, group: RegisterGroup, registers: list[Register
         f"Registers to struct: {_about(world, group, registers)}",
         "Each register that lies wholly in the words is put into the struct; the others stay as they are.",
     )
-    words_range = _Range(world, group, draft, "is read only")
+    words_range = _range(world, group, draft, "is read only")
     struct = draft.declare("stData", world.struct(group.name), "in_out", "receives the values")
     for register in registers:
 
         def register_statements(
-            words: Words, variable: Expression, register: RegisterLayout = register
+            at: Expression, variable: Expression, register: RegisterLayout = register
         ) -> list[Statement]:
+            words = Words(words_range.array, at, world.layout.device.byte_order)
             return read(draft, world, Wire.of_answer(register), words, 0, variable)
 
         draft.add(words_range.each(register, struct, answer_type(world, register), register_statements))
@@ -328,12 +250,13 @@ def _group_to_words(world: World, group: RegisterGroup, registers: list[Register
         "Where a value is refused, some of the words may have been changed: do not send them.",
     )
     struct = draft.declare("stData", world.struct(group.name), "in_out", "is read only")
-    words_range = _Range(world, group, draft, "receives the words")
+    words_range = _range(world, group, draft, "receives the words")
     for register in registers:
 
         def register_statements(
-            words: Words, variable: Expression, register: RegisterLayout = register
+            at: Expression, variable: Expression, register: RegisterLayout = register
         ) -> list[Statement]:
+            words = Words(words_range.array, at, world.layout.device.byte_order)
             return write(draft, world, Wire.of_register(register), words, 0, variable)
 
         draft.add(words_range.each(register, struct, None, register_statements))

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RegisterLayout
-from fieldspec.model.value import Kind, Value
+from fieldspec.model.value import Kind, Ranges, Value
 from fieldspec.names import Name
 from fieldspec.plc.routines.expressions import (
     BITS,
@@ -23,6 +23,7 @@ from fieldspec.plc.routines.expressions import (
     Fraction,
     Member,
     Negation,
+    Operation,
     Truth,
     Variable,
     Whole,
@@ -77,6 +78,18 @@ class Wire:
         """The type of a whole number."""
         return (SIGNED if self.value.type.signed else UNSIGNED)[self.value.size]
 
+    def literal(self, number_of: int) -> Whole:
+        """The bits of a number."""
+        return Whole(number_of & ((1 << 8 * self.value.size) - 1), self.bits)
+
+    def number(self, bits: Expression) -> Expression:
+        """The whole number of bits. Where its type has more bits, the sign is repeated in them."""
+        if not (self.value.type.is_odd and self.value.type.signed):
+            return converted(bits, self.whole)
+        sign = 1 << (8 * self.value.size - 1)
+        moved = Operation("XOR", (bits, Whole(sign, self.bits)), self.bits)
+        return Operation("-", (converted(moved, self.whole), Whole(sign, self.whole)), self.whole)
+
 
 def read(
     draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, target: Expression | None
@@ -87,8 +100,7 @@ def read(
         return [] if target is None else _characters_read(draft, wire, holder, offset, target)
     bits = holder.number(offset, value.size, wire.order, wire.swapped)
     if value.const is not None:
-        wanted = Whole(value.const & wire.bits.high, wire.bits)
-        return [draft.refusal(compared(bits, "<>", wanted), "wrong_constant")]
+        return [draft.refusal(compared(bits, "<>", wire.literal(value.const)), "wrong_constant")]
     if target is None:
         return []
     if wire.kind is Kind.FLOAT:
@@ -104,11 +116,12 @@ def read(
         ]
     if isinstance(target.type, EnumType):
         received = _received(draft, target, f"e{Name.of(value.enum).pascal()}")
-        raw = converted(converted(bits, wire.whole), world.raw_type(value.enum))
+        raw = converted(wire.number(bits), world.raw_type(value.enum))
         refusal = draft.refusal(Negation(world.enum_from_raw(value.enum, raw, received)), "unknown_value")
         return [refusal, *_moved(target, received)]
     assert isinstance(target.type, Elementary)
-    statements: list[Statement] = [Assignment(target, converted(bits, target.type))]
+    read_number = bits if target.type == wire.bits else converted(wire.number(bits), target.type)
+    statements: list[Statement] = [Assignment(target, read_number)]
     return [*statements, *_closed(draft, world, wire, target)]
 
 
@@ -156,6 +169,8 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
         differs = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
         statements.append(draft.refusal(differs, "wrong_constant"))
     ranges = value.writable_ranges
+    if ranges is None and value.type.is_odd:
+        ranges = Ranges(((value.type.low, value.type.high),))
     if ranges is not None:
         sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if sentinel.value not in ranges]
         wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)
@@ -194,8 +209,7 @@ def write_number(wire: Wire, holder: Holder, offset: int, count: int) -> list[St
         if wire.kind in (Kind.TEXT, Kind.BYTES):
             statements += [holder.byte_stored(start + byte, Whole(0, BYTE)) for byte in range(wire.value.size)]
         else:
-            literal = Whole(number_of & wire.bits.high, wire.bits)
-            statements += holder.stored(start, wire.value.size, wire.order, wire.swapped, literal)
+            statements += holder.stored(start, wire.value.size, wire.order, wire.swapped, wire.literal(number_of))
     return statements
 
 

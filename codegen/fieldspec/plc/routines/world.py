@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.classes import dataclass, field
+from fieldspec.layout.bits import packed_size
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.model.address_space import BIT as BIT_UNIT
 from fieldspec.model.checksums import checksum_named
 from fieldspec.model.fact import Fact
 from fieldspec.model.registers import RegisterGroup
@@ -20,6 +22,7 @@ from fieldspec.plc.routines.expressions import (
     REAL,
     SIGNED,
     UNSIGNED,
+    USINT,
     WORD,
     ArrayType,
     Call,
@@ -175,11 +178,19 @@ class World:
         return sequence(max(_frame_sizes(self.layout), default=1), BYTE)
 
     @property
+    def bits(self) -> ArrayType:
+        """The bytes of the longest list of bits that a message carries; where none does, of the longest group."""
+        device = self.layout.device
+        lists = list(_bit_lists(self.layout))
+        groups = [group for group in device.groups if device.space(group.space).unit == BIT_UNIT] if not lists else []
+        return sequence(max([*lists, *(packed_size(_span(group)) for group in groups)], default=1), USINT)
+
+    @property
     def words(self) -> ArrayType:
         """The words of the longest list of registers that a message carries; where none does, of the longest group."""
         lists = [most // 2 for most in _register_lists(self.layout)]
         tables = [table.words for table in self.layout.tables.values()]
-        groups = [_span(group) for group in self.layout.device.groups] if not lists else []
+        groups = [_span(group) for group in self.layout.device.word_groups()] if not lists else []
         return sequence(max([*lists, *tables, *groups], default=1), WORD)
 
 
@@ -212,6 +223,15 @@ def _register_lists(layout: DeviceLayout) -> Iterator[int]:
             field = data.named(access.values) if access is not None else None
             if field is not None and field.field.repeat is not None:
                 yield field.field.repeat.high * field.size
+
+
+def _bit_lists(layout: DeviceLayout) -> Iterator[int]:
+    for message in layout.messages.values():
+        access = layout.device.bit_access(message.message)
+        for data in (message.request, message.response):
+            field = data.named(access.values) if access is not None else None
+            if field is not None and field.field.repeat is not None:
+                yield field.field.repeat.high
 
 
 def values_of(layout: DeviceLayout) -> Iterator[Value]:

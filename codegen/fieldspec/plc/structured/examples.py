@@ -75,7 +75,11 @@ class _Uses:
     def _unpacking(self) -> tuple[Routine | None, str]:
         """The first function that takes values out of registers: of a record in a table, or of a group; its space."""
         start = self.world.routine("unpack")
-        matching = [routine for name, routine in self.by_name.items() if name.startswith(start)]
+        matching = [
+            routine
+            for name, routine in self.by_name.items()
+            if name.startswith(start) and any(declared.variable.name == "aWords" for declared in routine.declared)
+        ]
         ordered = [
             routine for kind in ("record ", "registers ") for routine in matching if routine.group.startswith(kind)
         ]

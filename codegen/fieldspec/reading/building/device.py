@@ -47,6 +47,7 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
             records=_by_name(root, "records", lambda entry: records.record(entry, reused), reused),
             enums=_by_name(root, "enums", enums.enum, reused),
             flags=_by_name(root, "flags", enums.flags, reused),
+            units=_by_name(root, "units", texts.declared_unit, reused),
             spaces=_by_name(root, "spaces", registers.address_space, reused),
             groups=_groups(root, reused),
             tables=_by_name(root, "tables", registers.table, reused),

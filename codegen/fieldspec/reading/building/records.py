@@ -96,9 +96,21 @@ def message(entry: Entry, reused: Reused) -> Message:
         response_words=words.integer("response") if words else None,
         broadcast=entry.flag("broadcast"),
         handling=entry.handling(),
-        accesses=RegisterAccess(*(access.text(key) for key in ("operation", "start", "count", "values", "space")))
-        if access
-        else None,
+        accesses=_access(access) if access else None,
+    )
+
+
+def _access(entry: Entry) -> RegisterAccess:
+    if "clear" in entry.own and "set" not in entry.own:
+        entry.refuse("wrong_form", "clear", "`clear` has no effect without `set`", "add `set`, or remove `clear`")
+    return RegisterAccess(
+        operation=entry.text("operation"),
+        start=entry.text("start"),
+        count=entry.text("count"),
+        values=entry.text("values"),
+        space=entry.text("space"),
+        set=entry.integer("set"),
+        clear=entry.integer("clear") or 0,
     )
 
 

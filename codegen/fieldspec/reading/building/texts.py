@@ -14,6 +14,7 @@ from fieldspec.model.texts import (
     StatedChange,
     Statement,
 )
+from fieldspec.model.units import DeclaredUnit
 from fieldspec.reading.building.context import Entry, free
 from fieldspec.reading.nodes import Scalar, Sequence, identity
 
@@ -57,6 +58,18 @@ def limit(entry: Entry) -> Limit:
         sum_of=entry.texts("sum_of"),
         within=entry.text("within"),
         transmits=entry.text("transmits"),
+    )
+
+
+def declared_unit(entry: Entry) -> DeclaredUnit:
+    """A unit that the language does not have."""
+    return DeclaredUnit(
+        **entry.fact(),
+        symbol=entry.text("symbol"),
+        title=entry.text("title"),
+        quantity=entry.text("quantity"),
+        ucum=entry.text("ucum"),
+        factor=entry.text("factor"),
     )
 
 

@@ -58,6 +58,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         parameter=ParameterPart(part.text("set"), part.text("part"), part.text("number")) if part else None,
         sentinels=tuple(_sentinel(inner) for inner in entry.entries("sentinels")),
         write_ranges=entry.whole_ranges("write_range"),
+        word_order=entry.text("word_order"),
     )
 
 

@@ -10426,8 +10426,8 @@ def _drive_parameters_rows() -> dict[str, _Any]:
         ),
         "POSITION_TRIGGER_ARRAY_CONTROL": _Parameter(
             "position_trigger_array_control", 0x306B,
-            _Trigger(">H", "position_trigger_array_control", _POSITION_TRIGGER_ARRAY_CONTROL_MEMBERS),
-            "rw", type="u16", printed_name="306Bh", source="4.2 L1025-1033", set="drive_parameters",
+            _Open(">H", "position_trigger_array_control", _POSITION_TRIGGER_ARRAY_CONTROL_MEMBERS), "rw",
+            type="u16", printed_name="306Bh", source="4.2 L1025-1033", set="drive_parameters",
         ),
         "POSITION_TRIGGER_ERROR": _Parameter(
             "position_trigger_error", 0x306C, _Word(">H", PositionTriggerError), "ro", type="u16",

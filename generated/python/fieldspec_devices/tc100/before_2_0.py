@@ -1974,7 +1974,6 @@ class Point(_Record):
             Column("position", "i", 2),
             Column("speed", "H", 6),
             Column("torque_limit", "H", 8, ratio=(1, 0, 10)),
-            Column("", "H", 10, tests=((0, 0),)),
             Column("zone_lower_limit", "i", 12),
             Column("zone_upper_limit", "i", 16),
             Column("wait_time", "H", 24),

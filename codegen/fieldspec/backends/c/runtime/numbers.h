@@ -215,6 +215,22 @@ DEVICE_INLINE void device_store_u64_le_words_be(uint8_t *out, uint64_t value)
     out[7] = (uint8_t)(value >> 8);
 }
 
+/* ---- bits ---- */
+
+/* The bit with an index, from 0; the first one is the least significant bit of the first byte. */
+DEVICE_INLINE bool device_load_bit(const uint8_t *in, size_t index)
+{
+    return (((uint32_t)in[index / 8u] >> (index % 8u)) & 1u) != 0u;
+}
+
+/* Changes the bit with an index, from 0, and no other. */
+DEVICE_INLINE void device_store_bit(uint8_t *out, size_t index, bool value)
+{
+    uint32_t mask = (uint32_t)1u << (index % 8u);
+    uint32_t byte = out[index / 8u];
+    out[index / 8u] = (uint8_t)(value ? byte | mask : byte & ~mask);
+}
+
 /* ---- signed ---- */
 
 DEVICE_INLINE int8_t device_signed_8(uint8_t raw)
@@ -249,6 +265,22 @@ DEVICE_INLINE float device_float_of(uint32_t bits)
 DEVICE_INLINE uint32_t device_bits_of(float value)
 {
     uint32_t bits;
+    DEVICE_COPY(&bits, &value, sizeof bits);
+    return bits;
+}
+
+/* ---- double ---- */
+
+DEVICE_INLINE double device_double_of(uint64_t bits)
+{
+    double value;
+    DEVICE_COPY(&value, &bits, sizeof value);
+    return value;
+}
+
+DEVICE_INLINE uint64_t device_bits_of_double(double value)
+{
+    uint64_t bits;
     DEVICE_COPY(&bits, &value, sizeof bits);
     return bits;
 }

@@ -129,10 +129,27 @@ function* spansOf(entry, access) {
   for (let at = 0; at < entry.words; at += most) yield [at, Math.min(most, entry.words - at)];
 }
 
+/** What a message carries for words; in a space of bits, each is 0 or 1. */
+function carriedOf(access, words) {
+  if (access.bit === undefined) return access.single ? words[0] : words;
+  if (access.single) return access.bit[words[0]];
+  const bytes = Array(Math.ceil(words.length / 8)).fill(0);
+  words.forEach((bit, index) => (bytes[index >> 3] |= bit << (index & 7)));
+  return bytes;
+}
+
+/** The words that a message carries for a register; in a space of bits, each is 0 or 1. Throws CodecError. */
+function wordsIn(access, entry, carried) {
+  if (access.bit === undefined) return carried;
+  const bits = access.single ? [access.bit.indexOf(carried)] : Array.from({ length: entry.words }, (_, index) => (carried[index >> 3] >> (index & 7)) & 1);
+  if (bits.includes(-1)) throw new CodecError("unknown_value", `${entry.name} is ${carried}, neither ${access.bit[0]} nor ${access.bit[1]}`);
+  return bits;
+}
+
 function requestOf(access, entry, at, count, words) {
   const data = { [access.start]: entry.address + at };
   if (access.count) data[access.count] = count;
-  if (words !== null) data[access.values] = access.single ? words[at] : words.slice(at, at + count);
+  if (words !== null) data[access.values] = carriedOf(access, words.slice(at, at + count));
   return { message: access.message, data };
 }
 
@@ -154,5 +171,5 @@ export function writeRequestsOf(accesses, entry, value, order) {
 /** The value of a register from the data of responses. Throws CodecError. */
 export function valueOf(accesses, entry, responses, order) {
   const access = accessOf(accesses, entry, "read", 0);
-  return entry.decode(bytesOf(responses.flatMap((response) => response[access.values]), order));
+  return entry.decode(bytesOf(responses.flatMap((response) => wordsIn(access, entry, response[access.values])), order));
 }

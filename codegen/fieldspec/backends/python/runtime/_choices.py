@@ -8,7 +8,7 @@ from ._conversions import Repeated
 from ._error import CodecError, wrong_length
 from ._refusals import refused_list
 from ._typing import TYPE_CHECKING
-from ._values import Float, Number, Value
+from ._values import Double, Float, Number, Value
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -27,7 +27,7 @@ class Case:
         self.structs = Repeated(fixed, letters)
         self._native = not letters.endswith("s")
         # A Struct returns these values themselves, unless they have more bytes than their type.
-        self._direct = self._native and type(value) in (Number, Float)
+        self._direct = self._native and type(value) in (Number, Float, Double)
 
     def values(self, name: str, raws: Sequence[Any], at: int) -> tuple[Any, ...]:
         """The elements of a field whose first byte is byte `at`. Raises CodecError."""

@@ -10,7 +10,7 @@ from ._typing import TYPE_CHECKING, R
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
-    from typing import Any, Protocol, TypeVar
+    from typing import Any, Literal, Protocol, TypeVar
 
     from typing_extensions import Self
 
@@ -50,13 +50,33 @@ class Repeated(dict[int, Struct]):
         return struct
 
 
-def f32_of(raw: bytes, letters: str, words_turned: bool) -> float:
+class Integer:
+    """A Struct of a whole number that has no letter: `letters` are the order and the type, as in `>u24`."""
+
+    __slots__ = ("high", "low", "order", "signed", "size")
+
+    def __init__(self, letters: str) -> None:
+        bits = int(letters[2:])
+        self.order: Literal["big", "little"] = "big" if letters[0] == ">" else "little"
+        self.signed, self.size = letters[1] == "i", bits // 8
+        self.low, self.high = (-(1 << (bits - 1)), (1 << (bits - 1)) - 1) if self.signed else (0, (1 << bits) - 1)
+
+    def unpack(self, data: Data) -> tuple[int]:
+        """The number in exactly its bytes."""
+        return (int.from_bytes(data, self.order, signed=self.signed),)
+
+    def pack(self, number: int) -> bytes:
+        """The bytes of a number."""
+        return number.to_bytes(self.size, self.order, signed=self.signed)
+
+
+def float_of(raw: bytes, letters: str, words_turned: bool) -> float:
     """A floating-point number in a byte order that the Struct of its record cannot read."""
     number: float = unpack(letters, turned(raw) if words_turned else raw)[0]
     return number
 
 
-def f32_bytes(number: float, letters: str, words_turned: bool) -> bytes:
+def float_bytes(number: float, letters: str, words_turned: bool) -> bytes:
     """The bytes of a floating-point number in such a byte order."""
     data = pack(letters, number)
     return turned(data) if words_turned else data

@@ -5,9 +5,10 @@ from __future__ import annotations
 from struct import Struct
 from struct import error as StructError
 
+from ._carried import Unknown
 from ._error import CodecError
 from ._typing import TYPE_CHECKING, Generic, T
-from ._values import Unknown, Value
+from ._values import Value
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -163,14 +164,14 @@ class Parameter(Generic[T]):
     def to_raw(self, value: T, subindex: int = 0) -> Any:
         """The raw value in a message. Raises CodecError where the value is out of range."""
         element = self.subindex(subindex) if self.subindices else None
+        own = self.value if element is None else element.value
+        error = own.refused(self._title(element), value)
+        if error is not None:
+            raise error
         if not self.carrier or element is not None:
-            own = self.value if element is None else element.value
-            error = own.refused(self._title(element), value)
-            if error is not None:
-                raise error
             return own.to_raw(value)
         try:
-            return Struct(self.carrier).unpack(self.encode(value))[0]
+            return Struct(self.carrier).unpack(own.struct.pack(own.to_raw(value)))[0]
         except StructError:
             raise CodecError("out_of_range", f"no message can carry {self.title}") from None
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from struct import pack, unpack
 
+from ._carried import RecordValue
 from ._error import CodecError
 from ._typing import TYPE_CHECKING, Generic, T
-from ._values import RecordValue, Value
+from ._values import Value
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence

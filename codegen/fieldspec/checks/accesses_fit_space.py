@@ -1,0 +1,87 @@
+"""A message that accesses a space carries its units: words as `u16`, bits packed into a repeated `u8`, or a single bit
+as a number of which `set` states when it is 1.
+
+Why: outputs take the value of a register out of what the message carries. They need to know where each word or bit
+is, and which number stands for a bit that is 1.
+
+Example: a message that writes one coil with a `u16` and does not state `set: 0xFF00`.
+
+Cure: Correct the field, or the keys of `accesses`. Packed bits need `count`, as the last byte may have bits to spare.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.address_space import BIT, WORD, AddressSpace
+from fieldspec.model.device import Device
+from fieldspec.model.record import Field, Message, RegisterAccess
+from fieldspec.model.value import Kind
+
+_CODE = "accesses_fit_space"
+
+
+def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
+    for message in device.messages.values():
+        access = message.accesses
+        if access is None:
+            continue
+        holder = message.response if access.operation == "read" else message.request
+        field, space = holder.named(access.values), device.space(access.space)
+        if field is None or field.value is None:
+            continue
+        if space.unit == WORD:
+            yield from _words(message, access, field, space)
+        elif space.unit == BIT and field.repeat is not None:
+            yield from _packed(message, access, field, space)
+        elif space.unit == BIT:
+            yield from _single(message, access, field, space)
+
+
+def _words(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:
+    if access.set is not None:
+        text = f"`set` and `clear` have no effect in {message.name}, which accesses words"
+        yield _of(message, text, "remove them", space)
+    if field.value is not None and (field.value.type.kind is not Kind.INTEGER or field.value.size != 2):
+        text = f"{field.name} is {field.value.type.name}, but {message.name} accesses words"
+        yield finding(_CODE, field.place, "type", text, "use `u16`, and give the registers their types")
+
+
+def _packed(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:
+    if field.value is not None and field.value.type.name != "u8":
+        text = f"{field.name} is {field.value.type.name}, but bits are packed into bytes"
+        there = label(space.place, "unit", "the unit of the space")
+        yield finding(_CODE, field.place, "type", text, "use `u8`", there)
+    if not access.count:
+        text = f"{message.name} does not state how many bits {field.name} has"
+        yield _of(message, text, "name the field with the number under `count`", space)
+    if access.set is not None:
+        text = f"`set` and `clear` have no effect in {message.name}, whose bits are packed"
+        yield _of(message, text, "remove them", space)
+
+
+def _single(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:
+    value = field.value
+    if value is None or value.type.kind is not Kind.INTEGER or field.count is not None:
+        text = f"{field.name} is neither bits packed into a repeated `u8` nor a number for a single bit"
+        yield finding(_CODE, field.place, "type", text, "correct the field, or `values` of the message")
+        return
+    if access.count:
+        text = f"{message.name} has a `count`, but {field.name} is a single bit"
+        yield _of(message, text, "remove `count`, or let `values` name a repeated `u8`", space)
+    if access.set is None:
+        text = f"{message.name} does not state which number of {field.name} is a bit that is 1"
+        yield _of(message, text, "add `set`, such as `set: 0xFF00`, and `clear` where 0 does not stand for 0", space)
+        return
+    for key, number in (("set", access.set), ("clear", access.clear)):
+        if number > value.type.high or (value.ranges is not None and number not in value.ranges):
+            yield _of(message, f"{field.name} cannot be {number}, which is `{key}`", "correct the number", space)
+    if access.set == access.clear:
+        yield _of(message, f"{access.set} stands for both bits in {message.name}", "correct `set` or `clear`", space)
+
+
+def _of(message: Message, text: str, help: str, space: AddressSpace) -> Diagnostic:
+    there = () if not space.name else (label(space.place, "name", "the space"),)
+    return finding(_CODE, message.place, "accesses", text, help, *there)

@@ -1,0 +1,45 @@
+"""Every unit is one of the language, or the spec declares it under `units`, with a symbol of its own.
+
+Why: software that converts values must know the unit, and a misspelt unit is unknown.
+
+Example: `unit: Pluse`
+
+Cure: Use the intended unit, and write an erratum with the printed one. Declare a unit that the language does not
+have under `units`, with its quantity and its factor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.facts import values
+from fieldspec.checks.finding import finding, label, near
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact, Place
+from fieldspec.model.units import standard_unit, standard_units
+
+_CODE = "units_known"
+
+
+def units_known(device: Device) -> Iterator[Diagnostic]:
+    declared: dict[str, Place] = {}
+    for own in device.units.values():
+        symbol = own.symbol
+        standard = standard_unit(symbol)
+        if standard is not None:
+            text = f"every spec may use the unit {symbol}"
+            yield finding(_CODE, own.place, "symbol", text, f"remove the declaration, and use `{standard.symbol}`")
+        elif symbol in declared:
+            there = label(declared[symbol], "symbol", "the first one")
+            text = f"two units have the symbol {symbol}"
+            yield finding(_CODE, own.place, "symbol", text, "rename one of them", there)
+        declared.setdefault(symbol, own.place)
+    known = {*declared, *standard_units()}
+    stated: list[tuple[Fact, str]] = [(fact, value.unit) for fact, value in values(device)]
+    stated += [(limit, limit.unit) for limit in device.limits]
+    for fact, unit in stated:
+        if unit and unit not in known:
+            standard = standard_unit(unit)
+            help = f"write it as `{standard.symbol}`" if standard is not None else near(unit, known)
+            yield finding(_CODE, fact.place, "unit", f"`unit` cannot be `{unit}`", help)

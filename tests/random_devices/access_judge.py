@@ -1,0 +1,155 @@
+"""Generated Python as a judge of what registers are for: requests, quantities, and many records at once."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+from typing import Any
+
+from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.record import RecordLayout, RegisterLayout
+from fieldspec.model.record import Message
+from fieldspec.model.value import Kind, Value
+from python_package import built, link_of, record_class, runtime
+from random_devices.inputs import is_computed, record_values
+from random_devices.python_judge import Python
+from random_devices.queries import Answer, Query
+from random_devices.reference_answers import Reference
+
+SILENT = Answer(reason=None)
+
+
+def _has_read_only(record: RecordLayout) -> bool:
+    """Whether a field of a record, or of a record in it, can only be read."""
+    return any(
+        field.field.access == "ro" or (field.record is not None and _has_read_only(field.record))
+        for field in record.fields
+    )
+
+
+class Access(Python):
+    """Requests for registers, quantities of registers, and columns of records."""
+
+    def __init__(self, layout: DeviceLayout, folder: Path, number: int) -> None:
+        super().__init__(layout, folder, number)
+        self.reference = Reference(layout)
+        self.many = runtime("many")
+
+    def answers(self, queries: list[Query]) -> list[Answer]:
+        """Nothing about single queries; raises AssertionError where something is not as the layout says."""
+        for register in self.layout.registers:
+            self._assert_readable(register)
+            self._assert_writable(register)
+        for table in self.layout.tables.values():
+            self._assert_table(table)
+        for query in queries:
+            if query.kind in ("register", "parameter") and query.values is None:
+                self._assert_quantity(query)
+            if query.kind == "record" and query.values is None and query.shape.size and query.shape.selector is None:
+                self._assert_columns(query)
+        return [SILENT] * len(queries)
+
+    def _messages(self, register: RegisterLayout, operation: str) -> list[Message]:
+        """The messages that read or write the space of a register."""
+        device = self.layout.device
+        space = device.space_name(register.register.space)
+        return [
+            layout.message
+            for layout in self.layout.messages.values()
+            if (access := device.register_access(layout.message)) is not None
+            and access.operation == operation
+            and device.space_name(access.space) == space
+        ]
+
+    def _assert_readable(self, register: RegisterLayout) -> None:
+        """A request for a register is the message that reads its space, with its address."""
+        messages = self._messages(register, "read")
+        constant = next(iter(self._array(register.name)))
+        if not messages or not hasattr(self.module, "read_requests"):
+            return
+        try:
+            requests = self.module.read_requests(constant)
+        except self.error as error:
+            fits = error.reason in ("out_of_range", "wrong_length") and register.register.atomic
+            if not fits and register.register.access != "wo":
+                raise AssertionError(f"{register.name} cannot be read: {error}") from error
+            return
+        classes = [record_class(self.module, self.layout.messages[message.name].request) for message in messages]
+        assert type(requests[0]) in classes, f"{register.name} is read by {type(requests[0]).__name__}"
+        access = next(m.accesses for m, cls in zip(messages, classes, strict=True) if cls is type(requests[0]))
+        assert access is not None
+        address = getattr(requests[0], self._attribute(requests[0], access.start))
+        assert address == register.address, f"{register.name} is read at {address}"
+
+    def _assert_writable(self, register: RegisterLayout) -> None:
+        """What cannot be written has no request, and what can be is written at its address."""
+        messages = self._messages(register, "write")
+        value = register.register.value
+        constant = next(iter(self._array(register.name)))
+        if not messages or not hasattr(self.module, "write_requests"):
+            return
+        if value.const is not None:
+            number: Any = value.const
+        elif value.type.kind is Kind.INTEGER and not value.enum and not value.flags:
+            number = value.writable_ranges.low if value.writable_ranges else 1
+        else:
+            return
+        try:
+            requests = self.module.write_requests(constant, number)
+        except self.error as error:
+            fits = register.register.access == "ro" if error.reason == "read_only" else register.words > 1
+            if not fits:
+                raise AssertionError(f"{register.name} cannot be written: {error}") from error
+            return
+        assert register.register.access != "ro", f"{register.name} can only be read, and is written"
+        classes = [record_class(self.module, self.layout.messages[message.name].request) for message in messages]
+        assert type(requests[0]) in classes, f"{register.name} is written by {type(requests[0]).__name__}"
+
+    def _assert_table(self, table: TableLayout) -> None:
+        """An element is written where neither the table nor any of its fields is read only."""
+        values = record_values(self.layout, table.record, random.Random(1))
+        element = next(iter(link_of(self.module, table.name)))
+        if not hasattr(self.module, "write_requests"):
+            return
+        read_only = table.table.access == "ro" or _has_read_only(table.record)
+        try:
+            self.module.write_requests(element, built(self.module, self.layout, table.record, values))
+        except self.error as error:
+            if read_only != (error.reason == "read_only") and error.reason in ("", "read_only"):
+                raise AssertionError(f"{table.name} can be written, and is not: {error}") from error
+            return
+        assert not read_only, f"{table.name} can only be read in part, and is written"
+
+    def _attribute(self, message: Any, title: str) -> str:
+        return next(name for name in (title, f"{title}_") if hasattr(message, name))
+
+    def _assert_quantity(self, query: Query) -> None:
+        """A count in its unit is exact, or None where it stands for an absent value."""
+        value: Value = query.shape[0]
+        if value.enum or value.flags or value.const is not None or value.type.kind is not Kind.INTEGER:
+            return
+        raw = int.from_bytes(query.data[: value.size], "big", signed=value.type.signed)
+        for count in (raw, *(sentinel.value for sentinel in value.sentinels)):
+            quantity = self._holder(query).in_unit(count)
+            exact = None if value.sentinel(count) is not None else float(value.in_unit(count))
+            same = quantity == exact or (
+                quantity is not None and exact is not None and abs(quantity - exact) <= abs(exact) * 1e-12 + 1e-9
+            )
+            assert same, f"{query.path}: the count {count} is {quantity} in its unit, not {exact}"
+
+    def _assert_columns(self, query: Query) -> None:
+        """Many records at once are read or refused as one is."""
+        if len(query.data) != query.shape.size or all(map(is_computed, query.shape.fields)):
+            return
+        single = self._result(lambda: record_class(self.module, query.shape).decode(query.data))
+        many = self._result(lambda: self.many.arrays(record_class(self.module, query.shape), query.data))
+        assert single == many, (
+            f"{query.shape.name}: one record gives {single}, many give {many} for {query.data.hex(' ')}"
+        )
+
+    def _result(self, call: Any) -> Any:
+        try:
+            call()
+        except self.error as error:
+            return error.reason, error.offset
+        return "", None

@@ -1,0 +1,131 @@
+"""Compares all judges of a device with the reference. A judge that comes later is one more row of `JUDGES`."""
+
+from __future__ import annotations
+
+import random
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from fieldspec.diagnostics import has_errors
+from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.proofs.running import outcome
+from fieldspec.reading.project import read
+from random_devices.access_judge import Access
+from random_devices.c_judge import C
+from random_devices.command_judge import Command
+from random_devices.devices import text_of
+from random_devices.draft import Spec
+from random_devices.explainer_judge import Explainer
+from random_devices.python_judge import Python
+from random_devices.queries import Answer, Query, queries
+from random_devices.reference_answers import Reference
+from random_devices.selftest_judge import Selftest
+from random_devices.spec_changes import examples_are_proven, identities_agree
+
+SANITIZED = ["gcc", "-std=c99", "-w", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+BIG_ENDIAN = ["m68k-linux-gnu-gcc", "-std=c99", "-w", "-static"]
+
+
+@dataclass(frozen=True)
+class Judge:
+    """A codec that is compared with the reference: one of `every` devices is asked.
+
+    `build` makes it for a layout in a folder, with a number that no other device of the process has. A language that
+    `drops_bits` has its own NaN, and texts that end at a zero.
+    """
+
+    name: str
+    every: int
+    build: Callable[[DeviceLayout, Path, int], Any]
+    drops_bits: bool = False
+
+
+JUDGES = (
+    Judge("python", 1, Python),
+    Judge("access", 1, Access),
+    Judge("explainer", 1, lambda layout, folder, number: Explainer(layout, folder)),
+    Judge("tcc", 1, lambda layout, folder, number: C(layout, folder, ["tcc", "-std=c99", "-w"]), True),
+    Judge("command", 5, Command),
+    Judge("selftest", 25, Selftest),
+    Judge("sanitized", 20, lambda layout, folder, number: C(layout, folder, SANITIZED), True),
+    Judge("big_endian", 50, lambda layout, folder, number: C(layout, folder, BIG_ENDIAN, ("qemu-m68k",)), True),
+)
+"""All judges. A codec in another language is added here, and nowhere else."""
+
+_NUMBERS = iter(range(1 << 60))
+
+
+@dataclass
+class Comparison:
+    """The result for one device: its findings where it has some, else the disagreements with the reference."""
+
+    findings: tuple[str, ...] = ()
+    disagreements: list[str] = field(default_factory=list)
+    frames: int = 0
+    asked: dict[str, int] = field(default_factory=dict)
+
+
+def compare(spec: Spec, seed: int, frames: int, judges: tuple[Judge, ...] = JUDGES) -> Comparison:
+    """Checks a device; where it has no findings, asks all judges the same questions."""
+    project = read({"chance/device.yaml": text_of(spec).encode()})
+    findings = list(project.findings)
+    if not has_errors(findings):
+        device = project.devices["chance"]
+        findings += outcome(device).findings
+    if has_errors(findings):
+        return Comparison(tuple(finding.code for finding in findings))
+    result = Comparison()
+    layouts = [device_layout(device.at(version)[0]) for version in device.versions()]
+    for layout in layouts:
+        compare_layout(layout, seed, frames, judges, result)
+    asked = queries(layouts[-1], seed, 12)
+    if seed % 4 == 1:
+        result.disagreements += examples_are_proven(spec, layouts, asked)
+    if seed % 4 == 2:
+        reference = Reference(layouts[-1])
+        expected = [reference.answer(query) for query in asked]
+        result.disagreements += identities_agree(spec, layouts[-1], asked, expected, random.Random(seed))
+    return result
+
+
+def compare_layout(layout: DeviceLayout, seed: int, frames: int, judges: tuple[Judge, ...], result: Comparison) -> None:
+    """Asks all judges about one layout."""
+    asked = queries(layout, seed, frames)
+    reference = Reference(layout)
+    expected = [reference.answer(query) for query in asked]
+    result.frames += sum(query.kind == "frame" for query in asked)
+    with tempfile.TemporaryDirectory(prefix="fieldspec-chance-") as folder:
+        for judge in judges:
+            if seed % judge.every != 1 % judge.every:
+                continue
+            result.asked[judge.name] = result.asked.get(judge.name, 0) + 1
+            try:
+                answers = judge.build(layout, Path(folder), next(_NUMBERS)).answers(asked)
+            except Exception as error:
+                result.disagreements.append(f"{judge.name}: {type(error).__name__}: {str(error)[-1500:]}")
+                continue
+            result.disagreements += _disagreements(judge, asked, expected, answers)
+
+
+def _disagreements(judge: Judge, asked: list[Query], expected: list[Answer], answers: list[Answer]) -> list[str]:
+    disagreements = []
+    for query, wanted, answer in zip(asked, expected, answers, strict=True):
+        if answer.reason is None:
+            continue
+        if judge.name == "explainer" and wanted.reason and wanted.reason in (answer.reason or "").split():
+            continue
+        if not wanted.is_stable and judge.drops_bits:
+            answer.again = None
+        differences = wanted.differences(answer)
+        if differences:
+            about = query.data.hex(" ") if query.values is None else repr(query.values)
+            disagreements.append(
+                f"{judge.name}: {query.kind} {' '.join(query.path)}: {'; '.join(differences)} for {about}"
+            )
+    return disagreements
+
+
+__all__ = ["JUDGES", "Comparison", "Judge", "compare"]

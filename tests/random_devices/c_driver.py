@@ -1,0 +1,275 @@
+"""A C program that decodes each input line, prints the values, encodes them again, and prints the bytes."""
+
+from __future__ import annotations
+
+from fieldspec.backends.c.backend import header
+from fieldspec.backends.c.fields import case_member, count_member, members
+from fieldspec.backends.c.frames import header_parts
+from fieldspec.backends.c.naming import Naming, frame_member, member
+from fieldspec.backends.c.runtime_files import status_names
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
+from fieldspec.model.value import Kind, Value
+from fieldspec.names import stem
+from random_devices.inputs import is_computed
+from random_devices.queries import shapes
+
+REASONS = [name.removeprefix("err_") for name in status_names()]
+_MAIN = """
+static char name[512], text[16384];
+static uint8_t data[8192], again[16384], buffer[16384];
+static char line[20000];
+static size_t length;
+static int status, second;
+
+static int hex(const char *digits, uint8_t *out)
+{
+    int size = 0;
+    unsigned byte;
+    while (sscanf(digits + 2 * size, "%2x", &byte) == 1) {
+        out[size++] = (uint8_t)byte;
+    }
+    return size;
+}
+
+static void show(const uint8_t *bytes, size_t size)
+{
+    size_t at;
+    for (at = 0; at < size; at++) {
+        printf("%02x", bytes[at]);
+    }
+}
+
+static void show_float(float number)
+{
+    uint32_t bits;
+    memcpy(&bits, &number, 4);
+    if (number != number) {
+        printf("nan;");
+    } else {
+        printf("%08lx;", (unsigned long)bits);
+    }
+}
+
+FUNCTIONS
+
+int main(void)
+{
+    while (fgets(line, sizeof line, stdin)) {
+        int size = 0;
+        text[0] = 0;
+        length = 0;
+        status = second = -1;
+        if (sscanf(line, "%511s %16383s", name, text) >= 1) {
+            size = hex(text, data);
+        }
+        memset(again, 0xAA, sizeof again);
+        CASES
+        printf(" %d %d ", status, second);
+        if (second == 0) {
+            show(again, length);
+        }
+        printf("\\n");
+    }
+    return 0;
+}
+"""
+
+
+class Driver:
+    """The source of the program that asks a header."""
+
+    def __init__(self, layout: DeviceLayout) -> None:
+        self.layout = layout
+        self.naming = Naming(layout.device.id)
+        header(layout, self.naming)
+
+    def source(self) -> str:
+        """The source."""
+        included = f'#include "{stem(self.layout.device.id, self.layout.device.version)}.h"\n'
+        records = {record.name: record for record in self._records()}
+        functions = "\n".join(self._show(record) for record in records.values() if members(record))
+        cases = [self._record_case(name, record) for name, record in self.layout.records.items()]
+        cases += [self._value_case(kind, path, shape) for kind, path, shape in shapes(self.layout)]
+        for link in self.layout.links.values():
+            for direction in ("request", "response"):
+                if link.frame(direction).role("code") is not None:
+                    cases.append(self._frame_case(link, direction, ""))
+                else:
+                    cases += [self._frame_case(link, direction, message) for message in link.messages]
+        text = _MAIN.replace("FUNCTIONS", functions).replace("CASES", "\n        ".join(cases))
+        return f"{included}#include <stdio.h>\n#include <string.h>\n{text}"
+
+    def _records(self) -> list[RecordLayout]:
+        data = [body for message in self.layout.messages.values() for body in (message.request, message.response)]
+        return [*self.layout.records.values(), *data]
+
+    # Printing values
+
+    def _show(self, record: RecordLayout) -> str:
+        kind = self.naming.type("record", record.name)
+        lines = []
+        for field in record.fields:
+            if is_computed(field):
+                continue
+            if field.cases:
+                lines.append(self._show_cases(record, field))
+            else:
+                lines.append(self._show_field(record, field, f"in->{member(field.name)}", field.value))
+        return f"static void show_{kind}(const {kind} *in)\n{{\n    {' '.join(lines)}\n}}\n"
+
+    def _show_cases(self, record: RecordLayout, field: FieldLayout) -> str:
+        assert record.selector is not None
+        selector = record.selector
+        constant = selector.value.const if selector.value is not None else None
+        chosen = str(constant) if constant is not None else f"in->{member(selector.name)}"
+        branches = []
+        for case in field.cases:
+            labels = " ".join(f"case {number}:" for number in sorted(case.numbers))
+            branches.append(f"{labels} {{ {self._show_case(record, field, case)} break; }}")
+        return f"switch ((int)({chosen})) {{ {' '.join(branches)} }}"
+
+    def _show_case(self, record: RecordLayout, field: FieldLayout, case: CaseLayout) -> str:
+        inside = case_member(case)
+        place = f"in->{member(field.name)}.{inside}" if inside else f"({_literal(case.value)})"
+        return self._show_field(record, field, place, case.value)
+
+    def _show_field(self, record: RecordLayout, field: FieldLayout, place: str, value: Value | None) -> str:
+        if field.record is not None and not members(field.record) and field.field.repeat is None:
+            return f'printf("{_unset(field)}");'
+        if not field.is_list:
+            return self._show_element(field, place, value)
+        count = f"in->{count_member(record, field)}" if field.field.repeat is not None else str(field.count)
+        element = self._show_element(field, place if place.startswith("(") else f"{place}[at]", value)
+        return f'{{ size_t at; printf("["); for (at = 0; at < {count}; at++) {{ {element} }} printf("]"); }}'
+
+    def _show_element(self, field: FieldLayout, place: str, value: Value | None) -> str:
+        if field.record is not None:
+            inner = field.record
+            if not members(inner):
+                return f'printf("({_unset_record(inner)})");'
+            return f'printf("("); show_{self.naming.type("record", inner.name)}(&{place}); printf(")");'
+        assert value is not None
+        return _show_value(value, place)
+
+    # Cases of the program
+
+    def _record_case(self, name: str, record: RecordLayout) -> str:
+        inside = self._decode_record(record, "data", "(size_t)size", self._encode_record(record))
+        return f'if (strcmp(name, "record.{name}") == 0) {{ {inside} }}'
+
+    def _decode_record(self, record: RecordLayout, data: str, size: str, then: str) -> str:
+        decode = self.naming.function("record", record.name, "decode")
+        kind = self.naming.type("record", record.name)
+        if not members(record):
+            printing = f'printf("{_unset_record(record)}");'
+            return f"status = (int){decode}({data}, {size}); if (status == 0) {{ {printing} {then} }}"
+        declared = f"{kind} content; memset(&content, 0x55, sizeof content);"
+        printing = f"show_{kind}(&content);"
+        return f"{declared} status = (int){decode}({data}, {size}, &content); if (status == 0) {{ {printing} {then} }}"
+
+    def _encode_record(self, record: RecordLayout) -> str:
+        encode = self.naming.function("record", record.name, "encode")
+        return f"second = (int){encode}({'&content, ' if members(record) else ''}again, sizeof again, &length);"
+
+    def _value_case(self, kind: str, path: tuple[str, ...], shape: tuple[Value, str, bool, bool, int]) -> str:
+        value, _, _, _, size = shape
+        noun = "register" if kind == "register" else "parameter"
+        decode = self.naming.function(noun, *path, "decode")  # type: ignore[arg-type]
+        encode = self.naming.function(noun, *path, "encode")  # type: ignore[arg-type]
+        array = value.type.kind in (Kind.TEXT, Kind.BYTES)
+        call = "content" if array else "&content"
+        argument, other = "content, ", ""
+        if value.const is not None:
+            argument, other = (
+                "",
+                f"if (content != {_literal(value)}) {{ second = {REASONS.index('wrong_const')}; }} else ",
+            )
+        return (
+            f'if (strcmp(name, "{".".join((kind, *path))}") == 0) {{ {_declared(value)}'
+            f" if (size != {size}) {{ status = size < {size} ? 1 : 2; }} else {{"
+            f" status = (int){decode}(data, {call}); if (status == 0) {{ {_show_value(value, 'content')}"
+            f" length = {size}; {other}second = (int){encode}({argument}again); }} }} }}"
+        )
+
+    def _frame_case(self, link: LinkLayout, direction: str, message: str) -> str:
+        frame = link.frame(direction)
+        kind = self.naming.type("link", link.name, direction, "frame")
+        call = self.naming.function("link", link.name, direction, "open")
+        wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
+        parts = header_parts(frame)
+        printing = " ".join(f'printf("%lld;", (long long)opened.{frame_member(part.name)});' for part in parts)
+        heads = "".join(f"opened.{frame_member(part.name)}, " for part in parts)
+        coded = frame.role("code") is not None
+        error = link.link.exception_response if direction == "response" else None
+        code = '"%ld", (long)opened.code' if coded else '"None"'
+        flag = "(int)opened.error" if error is not None else "0"
+        printing += f' printf("|%d|", {flag}); printf({code}); printf("|");'
+        bodies = []
+        for name, layout_message in link.messages.items():
+            if message in ("", name):
+                record = layout_message.data(direction)
+                encode = self.naming.function("link", link.name, "encode", name, direction)
+                test = f"opened.code == {layout_message.message.code}u" if coded else "1"
+                if error is not None:
+                    test += " && !opened.error"
+                bodies.append(f"if ({test}) {{ {self._body(record, encode, heads)} }}")
+        if error is not None:
+            encode = self.naming.function("link", link.name, "encode", "error")
+            body = self._body(self.layout.records[error.record], encode, f"{heads}opened.code, ")
+            bodies.append(f"if (opened.error) {{ {body} }}")
+        path = ".".join(filter(None, ("frame", link.name, direction, message)))
+        return (
+            f'if (strcmp(name, "{path}") == 0) {{ {kind} opened; memset(&opened, 0x55, sizeof opened);'
+            f" status = (int){call}(data, (size_t)size, {'buffer, sizeof buffer, ' if wrapped else ''}&opened);"
+            f" if (status == 0) {{ status = 99; {printing} {' else '.join(bodies)} }} }}"
+        )
+
+    def _body(self, record: RecordLayout, encode: str, heads: str) -> str:
+        content = "&content, " if members(record) else ""
+        then = f"second = (int){encode}({heads}{content}again, sizeof again, &length);"
+        return self._decode_record(record, "opened.body", "opened.body_length", then)
+
+
+def _unset(field: FieldLayout) -> str:
+    """What is printed for a record that users set nothing in."""
+    assert field.record is not None
+    element = f"({_unset_record(field.record)})"
+    return f"[{element * (field.count or 0)}]" if field.is_list else element
+
+
+def _unset_record(record: RecordLayout) -> str:
+    return "".join(_unset(field) for field in record.fields if field.record is not None)
+
+
+def _declared(value: Value) -> str:
+    if value.type.kind is Kind.TEXT:
+        return f"char content[{value.size + 1}];"
+    if value.type.kind is Kind.BYTES:
+        return f"uint8_t content[{value.size}];"
+    if value.type.kind is Kind.FLOAT:
+        return "float content = 0;"
+    if value.type.kind is Kind.BOOLEAN:
+        return "bool content = 0;"
+    return f"{'' if value.type.signed else 'u'}int{8 * value.size}_t content = 0;"
+
+
+def _literal(value: Value) -> str:
+    """The constant of a value in C."""
+    if not value.type.signed:
+        return f"{value.const}ull"
+    return f"(int64_t)({(value.const or 0) + 1}ll - 1)"
+
+
+def _show_value(value: Value, place: str) -> str:
+    kind = value.type.kind
+    if kind is Kind.TEXT:
+        return f'show((const uint8_t *){place}, strlen({place})); printf(";");'
+    if kind is Kind.BYTES:
+        return f'show({place}, {value.size}); printf(";");'
+    if kind is Kind.FLOAT:
+        return f"show_float({place});"
+    if not value.type.signed and kind is Kind.INTEGER:
+        return f'printf("%llu;", (unsigned long long){place});'
+    return f'printf("%lld;", (long long){place});'

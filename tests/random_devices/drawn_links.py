@@ -1,0 +1,137 @@
+"""Random links: the parts of their frames in any order, with lengths and checksums of any span of them."""
+
+from __future__ import annotations
+
+from random_devices.draft import Draft, Spec, bounds, range_text
+from random_devices.drawn_values import value
+
+ALGORITHMS = ("sum8", "crc16_modbus", "lrc")
+UNSIGNED = ("u8", "u16", "u32")
+
+
+def link(draft: Draft, coded: bool) -> Spec:
+    """A link whose frames carry a code, or whose messages are known otherwise."""
+    line = draft.fact(encoding=draft.pick(("binary", "binary", "hex_ascii")), byte_order=draft.byte_order)
+    if draft.word_order:
+        line["word_order"] = draft.word_order
+    for mark in ("start", "end"):
+        if draft.chance(35):
+            line[mark] = draft.pick(("3A", "02", "0D 0A", "AA 55 AA"))
+    line["request"] = parts(draft, line, coded, {})
+    code = next((part for part in line["request"] if part.get("role") == "code"), None)
+    same = draft.chance(50)
+    line["response"] = line["request"] if same else parts(draft, line, coded and draft.chance(85), code or {})
+    roles = {part.get("role") for part in (*line["request"], *line["response"])}
+    if "unit_address" in roles and draft.chance(60):
+        _unit_addresses(draft, line)
+    if coded and any(part.get("role") == "code" for part in line["response"]) and draft.chance(40):
+        record = next((record for record in draft.records if not record.apart), None)
+        if record is None:
+            return line
+        line["exception_response"] = {"flag": 1 << (draft.code_bits - 1), "record": record.name}
+    if draft.chance(5):
+        line["silence"] = {"milliseconds": 5}
+    if draft.chance(5):
+        line["serial"] = {"baud": [9600], "parity": ["even"]}
+    return line
+
+
+def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
+    """The parts of one direction: those before the body in any order, the body, those behind it."""
+    before: list[Spec] = []
+    behind: list[Spec] = []
+    if coded:
+        kind = code.get("type") or f"u{draft.code_bits}"
+        before.append(_part(draft, "code", type=kind))
+    if draft.chance(45):
+        before.append(_part(draft, "unit_address", type=draft.pick(("u8", "u8", "u16"))))
+    before += [_argument(draft) for _ in range(draft.number(0, 2))]
+    for _ in range(draft.number(0, 2)):
+        (before if draft.chance(50) else behind).append(_constant(draft))
+    counts = draft.chance(45)
+    if counts:
+        before.append(_part(draft, "length", type=draft.pick(("u16", "u8", "u32"))))
+    if draft.chance(70):
+        checksum = _part(draft, "checksum", algorithm=draft.pick(ALGORITHMS))
+        (before if draft.chance(15) else behind).append(checksum)
+    line_of_parts = [*_shuffled(draft, before), _part(draft, "body"), *_shuffled(draft, behind)]
+    names = [part["name"] for part in line_of_parts]
+    middle = next(at for at, part in enumerate(line_of_parts) if part["role"] == "body")
+    for at, part in enumerate(line_of_parts):
+        if part["role"] == "length" and draft.chance(60):
+            part["counts"] = _counts(draft, names, middle)
+        if part["role"] == "checksum" and (draft.chance(40) or at < middle):
+            part["covers"] = _covers(draft, names, at)
+        if part["role"] == "checksum" and part["algorithm"] == "crc16_modbus" and draft.chance(30):
+            part["byte_order"] = draft.pick(("big", "little"))
+    return [{key: v for key, v in part.items() if (key, v) != ("role", "plain")} for part in line_of_parts]
+
+
+def _part(draft: Draft, role: str, **keys: object) -> Spec:
+    fact = draft.fact()
+    return {**fact, "name": f"{role[:4]}_part_{draft.names}", "role": role, **keys}
+
+
+def _argument(draft: Draft) -> Spec:
+    """A part that users supply."""
+    keys = value(draft, "part")
+    if "enum" in keys and not next(enum.open for enum in draft.enums if enum.name == keys["enum"]):
+        keys = {"type": keys["type"]}
+    return _part(draft, "plain", **keys)
+
+
+def _constant(draft: Draft) -> Spec:
+    """A part with a constant, or without a meaning."""
+    kind = draft.pick(("u8", "u16", "i8", "u32", "i16"))
+    keys: Spec = {"type": kind}
+    if draft.chance(70):
+        keys["const"] = draft.edge(*bounds(kind))
+    if "const" not in keys or draft.chance(30):
+        keys["reserved"] = True
+    if kind != "u8" and draft.chance(20):
+        keys["byte_order"] = draft.pick(("big", "little"))
+    return _part(draft, "plain", **keys)
+
+
+def _shuffled(draft: Draft, drawn: list[Spec]) -> list[Spec]:
+    left, result = list(drawn), []
+    while left:
+        result.append(left.pop(draft.number(0, len(left) - 1)))
+    return result
+
+
+def _counts(draft: Draft, names: list[str], middle: int) -> Spec:
+    keys: Spec = {}
+    if draft.chance(60):
+        keys["from"] = names[draft.number(0, middle)]
+    if draft.chance(60):
+        keys["to"] = names[draft.number(middle, len(names) - 1)]
+    if draft.chance(6):
+        keys["in"] = draft.pick(("words", "bytes"))
+    if draft.chance(40):
+        keys["plus"] = draft.number(-3, 20)
+    return keys or {"plus": 1}
+
+
+def _covers(draft: Draft, names: list[str], at: int) -> Spec:
+    """A span that does not contain the checksum itself."""
+    behind = at < len(names) - 1 and (at == 0 or draft.chance(30))
+    low, high = (at + 1, len(names) - 1) if behind else (0, max(at - 1, 0))
+    first = draft.number(low, high)
+    last = draft.number(first, high)
+    keys: Spec = {"from": names[first], "to": names[last]}
+    if draft.chance(30) and not behind and first == 0:
+        keys.pop("from")
+    if draft.chance(30) and last in (at - 1, len(names) - 1):
+        keys.pop("to")
+    return keys or {"from": names[first]}
+
+
+def _unit_addresses(draft: Draft, line: Spec) -> None:
+    low, high = 0, 0xFF
+    intervals = draft.intervals(low, high, 2)
+    line["unit_addresses"] = {"range": range_text(intervals)}
+    if draft.chance(40):
+        number = draft.number(low, high)
+        if all(number < first or number > last for first, last in intervals) or draft.chance(5):
+            line["unit_addresses"]["broadcast"] = number

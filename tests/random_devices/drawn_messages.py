@@ -1,0 +1,104 @@
+"""Random messages: functions with codes, telegrams with numbers, and those that read and write registers."""
+
+from __future__ import annotations
+
+from random_devices.draft import Draft, Spec
+from random_devices.drawn_records import body, telegram
+
+
+def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> list[Spec]:
+    """Messages for the links with codes, and telegrams for the others."""
+    drawn: list[Spec] = []
+    codes: set[int] = set()
+    for _ in range(draft.number(1, 5) if coded_links else 0):
+        request, response = body(draft), body(draft)
+        drawn.append(draft.bounded(draft.fact(code=_code(draft, codes), request=request, response=response), 5))
+        if other_links or draft.chance(20):
+            drawn[-1]["links"] = draft.some(coded_links)
+        if draft.chance(10):
+            _repeat_field(draft, drawn[-1])
+    if coded_links and (draft.spec.get("registers") or draft.spec.get("tables")):
+        drawn += _accesses(draft, codes, coded_links if other_links else [])
+    if coded_links and draft.spec.get("parameters") and draft.chance(60):
+        drawn += _parameter_messages(draft, codes, coded_links if other_links else [])
+    numbers = 0
+    for _ in range(draft.number(1, 3) if other_links else 0):
+        numbers += draft.number(1, 9)
+        drawn.append(
+            draft.fact(number=numbers, links=list(other_links), request=telegram(draft), response=telegram(draft))
+        )
+    for message in drawn:
+        if "broadcast" not in message and draft.chance(5):
+            message["broadcast"] = True
+    return drawn
+
+
+def _code(draft: Draft, codes: set[int]) -> int:
+    high = (1 << (draft.code_bits - 1)) - 1
+    code = draft.number(0, high)
+    while code in codes:
+        code = (code + 1) % (high + 1)
+    codes.add(code)
+    return code
+
+
+def _repeat_field(draft: Draft, message: Spec) -> None:
+    """A field of the request that the response repeats."""
+    whole = [f for f in message["request"] if "type" in f and not {"measures", "reserved", "const", "repeat"} & set(f)]
+    if whole:
+        field = {key: v for key, v in draft.pick(whole).items() if key not in ("doc", "label", "notes")}
+        field |= {"same_as": field["name"], "source": draft.source()}
+        if all(other.get("name") != field["name"] for other in message["response"]):
+            message["response"].insert(0, field)
+
+
+def _accesses(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
+    """The messages that read and write each space of words."""
+    spaces = [space["name"] for space in draft.spec.get("spaces", []) if space.get("unit", "word") == "word"] or [""]
+    drawn = []
+    for space in spaces:
+        most = draft.number(1, 60)
+        for operation in ("read", "write"):
+            message = _access(draft, operation, space, most)
+            message["code"] = _code(draft, codes)
+            if links:
+                message["links"] = list(links)
+            drawn.append(message)
+    return drawn
+
+
+def _access(draft: Draft, operation: str, space: str, most: int) -> Spec:
+    address = draft.fact(type="u16")
+    count = draft.fact(type=draft.pick(("u16", "u8")), range=f"1..{most}")
+    words = draft.fact(type="u16", repeat=f"1..{most}")
+    size = draft.fact(type="u8", measures={"bytes": words["name"]})
+    sized = [size, words] if draft.chance(60) else [words]
+    access: Spec = {"operation": operation, "start": address["name"], "values": words["name"]}
+    if space and draft.chance(80):
+        access["space"] = space
+    if operation == "read":
+        access["count"] = count["name"]
+        return draft.fact(request=[address, count], response=sized, accesses=access)
+    if draft.chance(30):
+        single = {key: v for key, v in words.items() if key != "repeat"}
+        return draft.fact(request=[address, single], response=[], accesses=access)
+    if draft.chance(50):
+        access["count"] = count["name"]
+        count["measures"] = {"items": words["name"]}
+        return draft.fact(request=[address, count, *sized], response=[], accesses=access)
+    return draft.fact(request=[address, *sized], response=[], accesses=access)
+
+
+def _parameter_messages(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
+    """The messages that read and write the parameters of a set by their numbers."""
+    parameter_set = draft.pick(draft.spec["parameters"])
+    name = parameter_set.get("space") or parameter_set["name"]
+    number = draft.fact(type="u16", parameter={"set": name, "part": "number"})
+    kind = draft.pick(("u16", "u32", "i32"))
+    value = draft.fact(type=kind, parameter={"set": name, "part": "value", "number": number["name"]})
+    drawn = [draft.fact(request=[number], response=[number, value]), draft.fact(request=[number, value], response=[])]
+    for message in drawn:
+        message["code"] = _code(draft, codes)
+        if links:
+            message["links"] = list(links)
+    return drawn

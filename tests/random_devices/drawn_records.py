@@ -1,0 +1,138 @@
+"""Random records and bodies of messages: fields, lists, nested records, repeats, choices, sizes of other fields."""
+
+from __future__ import annotations
+
+from random_devices.draft import Draft, RecordDraft, Spec
+from random_devices.drawn_values import size_of, value
+
+
+def records(draft: Draft) -> list[Spec]:
+    """Records that nest in one another; some consist of whole registers, for tables."""
+    return [_record(draft, words=draft.chance(35)) for _ in range(draft.number(0, 4))]
+
+
+def _record(draft: Draft, words: bool) -> Spec:
+    record = draft.fact(fields=[])
+    size = 0
+    for _ in range(draft.number(1, 5)):
+        field, bytes_of_field = fixed_field(draft, "table" if words else "field")
+        record["fields"].append(field)
+        size += bytes_of_field
+    if draft.chance(20):
+        record["size"] = size
+    elif draft.chance(20) and words:
+        record["words"] = size // 2
+    if any({"since", "until"} & set(field) for field in record["fields"]):
+        record.pop("size", None)
+        record.pop("words", None)
+    apart = any("write_range" in field for field in record["fields"])
+    draft.records.append(RecordDraft(record["name"], size, words, apart))
+    return record
+
+
+def fixed_field(draft: Draft, place: str = "field") -> tuple[Spec, int]:
+    """A field whose size is fixed, and this size."""
+    fact = draft.fact()
+    nested = [record for record in draft.records if (record.words or place == "field") and not record.apart]
+    if nested and draft.chance(15):
+        record = draft.pick(nested)
+        count = draft.number(2, 3) if draft.chance(30) else 1
+        return {**fact, "record": record.name, **({"count": count} if count > 1 else {})}, record.size * count
+    keys = value(draft, place)
+    if draft.chance(8):
+        keys = {key: keys[key] for key in ("type", "length", "byte_order", "const") if key in keys} | {"reserved": True}
+        if keys["type"] == "f32":
+            keys["type"] = "u32"
+    count = draft.number(2, 4) if draft.chance(15) and not {"default", "const"} & set(keys) else 1
+    if count > 1:
+        keys["count"] = count
+    if place == "table" and draft.chance(20):
+        keys["access"] = "rw" if "write_range" in keys else draft.pick(("ro", "rw"))
+    return {**fact, **keys}, size_of(keys) * count
+
+
+def body(draft: Draft, place: str = "field") -> list[Spec]:
+    """The fields of a request or a response."""
+    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted"))
+    if form == "empty":
+        return []
+    fields = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0 if form != "fixed" else 1, 4))]
+    if form == "repeat":
+        return [*fields, _repeated(draft, fields)]
+    if form == "measured":
+        return _measured(draft, fields)
+    if form == "choice":
+        return _choosing(draft, fields)
+    if form == "counted":
+        return _counting(draft, fields)
+    return fields
+
+
+def _limits(draft: Draft) -> str:
+    low = draft.number(0, 3)
+    return f"{low}..{low + draft.number(1, 20)}"
+
+
+def _repeated(draft: Draft, fields: list[Spec]) -> Spec:
+    """A field that goes on to the end."""
+    nested = [record for record in draft.records if not record.apart]
+    if nested and draft.chance(25):
+        return draft.fact(record=draft.pick(nested).name, repeat=_limits(draft))
+    keys = {k: v for k, v in value(draft, "field").items() if k not in ("const", "default", "unit_default")}
+    return draft.fact(**keys, repeat=_limits(draft))
+
+
+def _measured(draft: Draft, fields: list[Spec]) -> list[Spec]:
+    """A number of elements or bytes somewhere before the repeat that it counts."""
+    repeated = _repeated(draft, fields)
+    what = draft.pick(("items", "bytes"))
+    measure = draft.fact(type=draft.pick(("u16", "u8", "u32")), measures={what: repeated["name"]})
+    return [*_inserted(draft, fields, measure), repeated]
+
+
+def _counting(draft: Draft, fields: list[Spec]) -> list[Spec]:
+    """The size of a field whose size is fixed, before or behind it."""
+    countable = [field for field in fields if not {"reserved", "const", "since", "until", "measures"} & set(field)]
+    if not countable:
+        return fields
+    other = draft.pick(countable)
+    measure = draft.fact(type=draft.pick(("u16", "u8")), measures={draft.pick(("items", "bytes")): other["name"]})
+    return _inserted(draft, fields, measure)
+
+
+def _inserted(draft: Draft, fields: list[Spec], field: Spec) -> list[Spec]:
+    at = draft.number(0, len(fields))
+    return [*fields[:at], field, *fields[at:]]
+
+
+def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
+    """A last field whose type an enum decides."""
+    closed = [e for e in draft.enums if len(e.members) > 1 and all(0 <= n <= 0xFFFF for n in e.members.values())]
+    if not closed:
+        return fields
+    enum = draft.pick(closed)
+    wide = any(n > 0xFF for n in enum.members.values())
+    kind = draft.pick(("u16", "u32")) if wide else draft.pick(("u8", "u16"))
+    selector = draft.fact(type=kind, enum=enum.name)
+    left = list(enum.members)
+    cases = []
+    while left and len(cases) < 4:
+        width = draft.number(1, 2)
+        cases.append(draft.fact(when=left[:width], **value(draft, "case")))
+        left = left[width:]
+    last: Spec = draft.fact(choice={"by": selector["name"], "cases": cases})
+    if draft.chance(50):
+        last["repeat"] = _limits(draft)
+    before = _inserted(draft, fields, selector)
+    if "repeat" in last and draft.chance(50):
+        measure = draft.fact(type="u8", measures={"items": last["name"]})
+        before = _inserted(draft, before, measure)
+    return [*before, last]
+
+
+def telegram(draft: Draft) -> list[Spec]:
+    """A body of signals and other fields."""
+    names = [name for name in draft.signals if draft.chance(60)]
+    placed = [{"signal": name, "source": draft.source()} for name in names]
+    own = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0, 2))]
+    return [*placed, *own]

@@ -1,0 +1,143 @@
+"""Random spaces, registers, tables of records, and numbered parameters."""
+
+from __future__ import annotations
+
+from random_devices.draft import Draft, Spec
+from random_devices.drawn_values import size_of, value
+
+ACCESSES = ("rw", "ro", "rw", "wo")
+
+
+def spaces(draft: Draft) -> list[Spec]:
+    """No space, or several with the same addresses."""
+    if not draft.chance(30):
+        return []
+    drawn = [draft.fact() for _ in range(draft.number(2, 3))]
+    for at, space in enumerate(drawn):
+        if at > 1 and draft.chance(40):
+            space["unit"] = draft.pick(("bit", "byte"))
+        if draft.chance(40):
+            space["first_number"] = draft.pick((0, 1, 30001, 40001))
+        if draft.chance(20):
+            space["bounds"] = "0..0xEFFF"
+    return drawn
+
+
+def register_groups(draft: Draft) -> list[Spec]:
+    """Groups of registers in ascending order, with gaps that are declared."""
+    words = [space["name"] for space in draft.spec.get("spaces", []) if space.get("unit", "word") == "word"]
+    free = dict.fromkeys(words or [""], draft.number(0, 0x2000))
+    return [_group(draft, free) for _ in range(draft.number(0, 3))]
+
+
+def _group(draft: Draft, free: dict[str, int]) -> Spec:
+    space = draft.pick(list(free))
+    at = free[space] + (draft.number(0, 99) if draft.chance(40) else 0)
+    group: Spec = {"group": draft.name(), "source": draft.source(), "rows": []}
+    if space and draft.chance(90):
+        group["space"] = space
+    elif space:
+        at, space = free[next(iter(free))], next(iter(free))
+    gaps = []
+    if draft.chance(15):
+        group["defaults"] = draft.pick(({"access": "rw"}, {"words": 1, "atomic": False, "trigger": False}))
+    for _ in range(draft.number(1, 6)):
+        if draft.chance(15) and group["rows"]:
+            gaps.append(f"{at}..{at + 3}")
+            at += 4
+        row, words = _register(draft, at)
+        group["rows"].append(row)
+        at += words
+    if gaps:
+        group["gaps"] = [{"at": gap, "reason": "The manual leaves them out."} for gap in gaps]
+    free[space] = at
+    return group
+
+
+def _register(draft: Draft, at: int) -> tuple[Spec, int]:
+    keys = value(draft, "register")
+    words = (size_of(keys) + 1) // 2
+    access = draft.pick(ACCESSES)
+    row = {"at": at, **draft.fact(), **keys, "words": words, "access": access}
+    if "write_range" in keys:
+        row["access"] = access = "rw"
+    if draft.chance(12) and access != "ro":
+        row["trigger"] = True
+    if draft.chance(8) and words > 1:
+        row["atomic"] = True
+    if draft.chance(4):
+        row["restart"] = True
+    if draft.chance(4) and access != "wo":
+        row["clears_on_read"] = True
+    if draft.chance(10) and words == 1:
+        row["decimal"] = at
+    if draft.chance(12):
+        row["count"] = draft.number(2, 4)
+        if draft.chance(40):
+            row["index_from"] = draft.number(0, 3)
+        if draft.chance(30):
+            row["stride"] = words + draft.number(0, 2)
+        return row, (row["count"] - 1) * row.get("stride", words) + words
+    return draft.bounded(row, 5), words
+
+
+def tables(draft: Draft) -> list[Spec]:
+    """Tables of the records that consist of whole registers, behind all registers."""
+    drawn = []
+    at = 0x4000
+    spaces_of_words = [s["name"] for s in draft.spec.get("spaces", []) if s.get("unit", "word") == "word"]
+    for record in [record for record in draft.records if record.words and record.size][:2]:
+        if not draft.chance(60):
+            continue
+        count = draft.number(1, 4)
+        table = draft.fact(base=at, stride=record.size // 2 + draft.number(0, 3), count=count, record=record.name)
+        if draft.chance(60):
+            table["access"] = draft.pick(("rw", "ro"))
+        if draft.chance(40):
+            table["index_from"] = draft.number(0, 2)
+        if spaces_of_words:
+            table["space"] = draft.pick(spaces_of_words)
+        drawn.append(table)
+        at += table["stride"] * count + 8
+    return drawn
+
+
+def parameters(draft: Draft) -> list[Spec]:
+    """Sets of numbered parameters, alone or several that share their numbers on the wire."""
+    drawn = []
+    shared = draft.chance(30)
+    for place in range(draft.number(0, 2)):
+        rows: list[Spec] = []
+        at = draft.number(0, 20)
+        for _ in range(draft.number(1, 5)):
+            rows.append(_parameter(draft, at))
+            at += rows[-1].get("count", 1) + (draft.number(0, 5) if draft.chance(4) else 0)
+        parameter_set = draft.fact(rows=rows)
+        if draft.chance(15):
+            parameter_set["defaults"] = {"access": "rw"}
+        if shared:
+            parameter_set |= {"space": "pnu", "base": 0x1000 * place, "numbers": "0..0xFFF"}
+        drawn.append(parameter_set)
+    return drawn
+
+
+def _parameter(draft: Draft, at: int) -> Spec:
+    keys = value(draft, "parameter")
+    row = {"number": at, **draft.fact(), **keys, "access": draft.pick(("rw", "ro", "rw"))}
+    if "write_range" in keys:
+        row["access"] = "rw"
+    if draft.chance(10) and row["access"] == "rw":
+        row["trigger"] = True
+    if draft.chance(5):
+        row["restart"] = True
+    if draft.chance(5) and not {"default", "unit_default", "const"} & set(row):
+        row = {"number": at, **draft.fact(), "type": row["type"], "reserved": True}
+        if draft.chance(50):
+            row["count"] = draft.number(2, 4)
+    elif draft.chance(10):
+        row["elements"] = draft.number(2, 6)
+        if draft.chance(50):
+            inner = draft.fact(index=0, type=row["type"])
+            rest = draft.fact(index=f"1..{row['elements'] - 1}", type=row["type"], reserved=True)
+            row["subindices"] = [inner, rest] if row["elements"] > 2 else [inner, {**rest, "index": 1}]
+    return row

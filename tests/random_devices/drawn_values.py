@@ -1,0 +1,135 @@
+"""Random values: types with ranges, scales, enums, sentinels, constants, and orders of their own."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from random_devices.draft import INTEGERS, SIZES, Draft, Spec, bounds, number, range_text
+
+SCALES = ("0.01", "0.1", "0.5", "10", "0.001", "100/2^14", "1/1000", "1/8")
+UNITS = ("mm", "rpm", "%", "ms", "V", "pulse", "°C")
+PLACES = ("field", "register", "parameter", "part", "signal", "case", "subindex", "table")
+"""Where a value may be; some keys belong to some places only."""
+
+
+def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:
+    """The keys of a random value at a place."""
+    kind = draft.pick(types or _types(draft, place))
+    keys: Spec = {"type": kind}
+    if kind == "text":
+        keys["length"] = draft.number(1, 12)
+        if place in ("register", "table"):
+            keys["length"] += keys["length"] % 2
+        if draft.chance(20):
+            keys["characters"] = draft.number(1, keys["length"])
+    elif kind == "bytes":
+        keys["length"] = draft.number(1, 9)
+        if place in ("register", "table"):
+            keys["length"] += keys["length"] % 2
+    elif kind == "f32":
+        _float(draft, keys, place)
+    elif not kind.startswith("bool"):
+        _integer(draft, keys, place)
+    # A text, bytes and a single byte have no order.
+    if SIZES.get(kind, 0) > 1 and draft.chance(15) and place not in ("signal", "subindex"):
+        keys["byte_order"] = draft.pick(("little", "big"))
+    return keys
+
+
+def size_of(keys: Spec) -> int:
+    """The bytes of a value."""
+    return int(keys.get("length") or SIZES[keys["type"]])
+
+
+def _types(draft: Draft, place: str) -> tuple[str, ...]:
+    if place == "part":
+        return tuple(kind for kind in INTEGERS if SIZES[kind] <= 4)
+    wide = place in ("register", "table")
+    if place in ("parameter", "subindex", "case"):
+        return tuple(k for k in (*INTEGERS, "f32", "bool8", "bool16") if place == "case" or SIZES[k] > 1)
+    usual = tuple(kind for kind in INTEGERS if not wide or SIZES[kind] > 1)
+    return usual if draft.chance(70) else ("f32", "bool16", "text", "bytes", *(() if wide else ("bool8",)))
+
+
+def _integer(draft: Draft, keys: Spec, place: str) -> None:
+    low, high = bounds(keys["type"])
+    forms = ("bare", "range", "scaled", "enum", "flags", "sentinel", "const")
+    form = draft.pick(forms[:5] if place == "part" else forms)
+    if form == "enum":
+        _enum(draft, keys, low, high)
+    elif form == "flags":
+        fitting = [name for name, kind in draft.flags.items() if kind == keys["type"]]
+        if fitting:
+            keys["flags"] = draft.pick(fitting)
+    elif form == "const" and (place in ("field", "register", "parameter") or draft.chance(5)):
+        keys["const"] = draft.edge(low, high)
+    elif form == "range":
+        _range(draft, keys, low, high, place)
+    elif form in ("scaled", "sentinel"):
+        _scale(draft, keys, place)
+        if draft.chance(60):
+            _range(draft, keys, low, high, place, form == "sentinel")
+        if form == "sentinel" and place != "part":
+            _sentinels(draft, keys, low, high)
+
+
+def _enum(draft: Draft, keys: Spec, low: int, high: int) -> None:
+    fitting = [e for e in draft.enums if all(low <= n <= high for n in e.members.values())]
+    if not fitting:
+        return
+    enum = draft.pick(fitting)
+    keys["enum"] = enum.name
+    outside = [n for n in (high, low, high - 1) if n not in enum.members.values()]
+    if draft.chance(15) and outside and not enum.open:
+        keys["sentinels"] = [{"value": draft.pick(outside), "name": "nothing"}]
+
+
+def _range(draft: Draft, keys: Spec, low: int, high: int, place: str, sentinel: bool = False) -> None:
+    intervals = draft.intervals(low, high)
+    if low < 0 and (intervals[0][0] == low) != (intervals[-1][1] == high):
+        if draft.chance(30) and place in ("field", "register"):
+            keys["allow"] = {"range_ends_match": "The manual prints it so."}
+        else:
+            intervals = draft.intervals(low + 1, high - 1)
+    exact = "/" not in str(keys.get("scale", "1"))
+    if draft.chance(20) and exact and "unit" in keys:
+        scale, offset = Decimal(str(keys.get("scale", 1))), Decimal(str(keys.get("offset", 0)))
+        ends = [(format(a * scale + offset, "f"), format(b * scale + offset, "f")) for a, b in intervals]
+        keys["unit_range"] = ", ".join(f"{a}..{b}" for a, b in ends)
+    else:
+        keys["range"] = range_text(intervals)
+    first, last = draft.pick(intervals)
+    inside = draft.edge(first, last)
+    if draft.chance(15) and place not in ("case", "part"):
+        if "unit_range" in keys and draft.chance(50):
+            keys["unit_default"] = number(inside * scale + offset)
+        else:
+            keys["default"] = inside
+    if draft.chance(15) and place in ("register", "parameter", "table") and "default" not in keys and not sentinel:
+        keys["write_range"] = range_text([(inside, draft.edge(inside, last))])
+        keys.pop("unit_default", None)
+
+
+def _scale(draft: Draft, keys: Spec, place: str) -> None:
+    if draft.chance(80):
+        scale = draft.pick(SCALES)
+        keys["scale"] = scale if "/" in scale else number(Decimal(scale))
+    if draft.chance(25):
+        keys["offset"] = number(Decimal(draft.number(-400, 400)) / 10)
+    keys["unit"] = draft.pick(UNITS)
+
+
+def _sentinels(draft: Draft, keys: Spec, low: int, high: int) -> None:
+    numbers = sorted({draft.edge(low, high) for _ in range(draft.number(1, 2))}, reverse=True)
+    keys["sentinels"] = [{"value": n, "name": f"absent_{place}"} for place, n in enumerate(numbers)]
+
+
+def _float(draft: Draft, keys: Spec, place: str) -> None:
+    if draft.chance(50):
+        keys["unit"] = draft.pick(UNITS)
+    if draft.chance(40):
+        low = draft.number(-1000, 1000)
+        keys["range"] = range_text([(low, low + draft.number(1, 5000))])
+    if draft.chance(30) and place != "part":
+        nan = {"bits": draft.pick((0x7FC00000,) * 9 + (0x7FA00001, 0xFFFFFFFF)), "name": "not_measured"}
+        keys["sentinels"] = [nan] if draft.chance(60) else [{"value": draft.pick((9999, -1)), "name": "overflow"}]

@@ -1,0 +1,95 @@
+"""Random enums, words of bits, and signals."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from random_devices.draft import SIZES, Draft, EnumDraft, Spec, bounds
+from random_devices.drawn_values import value
+
+
+def enums(draft: Draft) -> list[Spec]:
+    """Enums whose members fit some integer type; closed and open, with gaps and members that are not available."""
+    return [_enum(draft) for _ in range(draft.number(1, 4))]
+
+
+def _enum(draft: Draft) -> Spec:
+    low, high = bounds(draft.pick(("u8", "u8", "i8", "u16", "i16", "u32", "i64")))
+    numbers = sorted({draft.edge(low, high) for _ in range(draft.number(1, 5))})
+    if draft.chance(50):
+        numbers = list(range(draft.number(0, 2), draft.number(3, 6)))
+    enum = draft.fact(members=[])
+    if draft.chance(30):
+        enum["open"] = True
+    if draft.chance(20):
+        enum["kind"] = draft.pick(("alarm", "fault", "error", "type"))
+    for at in numbers:
+        member: Spec = {"value": at, "name": draft.name()}
+        if at == numbers[-1] and len(numbers) > 1:
+            draft.bounded(member, 10)
+        if draft.chance(5) and at != numbers[0]:
+            member["unavailable"] = True
+        enum["members"].append(member)
+    gaps = [f"{a + 1}..{b - 1}" for a, b in pairwise(numbers) if b > a + 1]
+    if gaps:
+        enum["gaps"] = f"{', '.join(gaps)}: the manual leaves them out"
+    members = {m["name"]: m["value"] for m in enum["members"] if not ({"since", "until", "unavailable"} & set(m))}
+    everything = {m["name"]: m["value"] for m in enum["members"]}
+    draft.enums.append(EnumDraft(enum["name"], members if len(members) > 1 else everything, bool(enum.get("open"))))
+    return enum
+
+
+def flags(draft: Draft) -> list[Spec]:
+    """Words of bits: bits, fields of several bits with and without an enum, reserved ones, states."""
+    return [_flags(draft) for _ in range(draft.number(0, 3))]
+
+
+def _flags(draft: Draft) -> Spec:
+    kind = draft.pick(("u16", "u8", "u32", "u64"))
+    word = draft.fact(type=kind, bits=[])
+    at = draft.number(0, 2)
+    while at < 8 * SIZES[kind] and len(word["bits"]) < 6:
+        bit, width = _bit(draft, at, 8 * SIZES[kind])
+        word["bits"].append(bit)
+        at += width + (draft.number(0, 9) if draft.chance(40) else 0)
+    single = [bit["name"] for bit in word["bits"] if "bit" in bit and not {"reserved", "since", "until"} & set(bit)]
+    if len(single) > 1 and draft.chance(25):
+        word["states"] = [draft.fact(set=single[:1], clear=single[1:2]), draft.fact(set=single[1:2], clear=single[:1])]
+    draft.flags[word["name"]] = kind
+    return word
+
+
+def _bit(draft: Draft, at: int, most: int) -> tuple[Spec, int]:
+    bit = draft.bounded(draft.fact(), 3)
+    width = min(draft.number(2, 9), most - at)
+    if draft.chance(30) and width > 1:
+        bit["bits"] = f"{at}..{at + width - 1}"
+        fitting = [e for e in draft.enums if all(0 <= n < 1 << width for n in e.members.values())]
+        if fitting and draft.chance(40):
+            bit["enum"] = draft.pick(fitting).name
+        return bit, width
+    bit["bit"] = at
+    if draft.chance(15):
+        bit["active"] = draft.pick(("low", "high"))
+    if draft.chance(15):
+        bit["edge"] = draft.pick(("rising", "falling"))
+    if draft.chance(10):
+        bit |= {"zero": "off", "one": "on"}
+    if draft.chance(8):
+        bit["reserved"] = True
+    return bit, 1
+
+
+def signals(draft: Draft, most: int = 4) -> list[Spec]:
+    """Values that telegrams carry."""
+    drawn = [draft.fact(**value(draft, "signal")) for _ in range(draft.number(1, most))]
+    draft.signals = {signal["name"]: signal for signal in drawn}
+    return drawn
+
+
+def conversions(draft: Draft) -> list[Spec]:
+    """Counts of signals that are fractions of a reference."""
+    counts = [
+        name for name, signal in draft.signals.items() if signal["type"] in ("i16", "u16", "i32") and len(signal) == 3
+    ]
+    return [draft.fact(signals=[name], full_scale=draft.number(1, 0x4000)) for name in counts if draft.chance(60)]

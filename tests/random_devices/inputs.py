@@ -1,0 +1,186 @@
+"""Random raw values and random bytes for a layout, from a generator of pseudo-random numbers, which is fast."""
+
+from __future__ import annotations
+
+import random
+import string
+import struct
+from typing import Any
+
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import CHECKSUMS, FrameLayout, PartLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.value import Kind, Value
+
+_LONGEST = 12
+"""Elements of a list that are made beyond the least number, so that frames stay short."""
+
+
+def is_computed(field: FieldLayout) -> bool:
+    """Whether encoders fill a field themselves."""
+    constant = field.value is not None and field.value.const is not None
+    return constant or field.field.measures is not None or field.field.reserved
+
+
+def stored_fields(record: RecordLayout, chosen: RecordLayout) -> list[FieldLayout]:
+    """The fields that have values: of the record that a selector has chosen, the last one too, if it is a constant."""
+    decided = chosen.fields[-1] if record.selector is not None else None
+    return [field for field in chosen.fields if field is decided or not is_computed(field)]
+
+
+def record_values(layout: DeviceLayout, record: RecordLayout, dice: random.Random) -> dict[str, Any]:
+    """Values for a record: mostly valid ones, and now and then one just outside a limit."""
+    if record.selector is not None:
+        number = dice.choice(list(record.chosen))
+        fields = stored_fields(record, record.chosen[number])
+        values = {field.name: _field(layout, field, dice) for field in fields}
+        return values | ({} if is_computed(record.selector) else {record.selector.name: number})
+    return {field.name: _field(layout, field, dice) for field in record.fields if not is_computed(field)}
+
+
+def _field(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any:
+    def element() -> Any:
+        if field.record is not None:
+            return record_values(layout, field.record, dice)
+        return number_or_text(layout, field.value, dice)
+
+    if not field.is_list:
+        return element()
+    repeat = field.field.repeat
+    least, most = (repeat.low, repeat.high) if repeat else (field.count or 0, field.count or 0)
+    count = dice.randint(least, min(most, least + _LONGEST))
+    if dice.random() < 0.03:
+        count = max(0, count + dice.choice((-1, 1)))
+    return [element() for _ in range(count)]
+
+
+def number_or_text(layout: DeviceLayout, value: Value | None, dice: random.Random) -> Any:
+    """A raw value."""
+    assert value is not None
+    kind = value.type.kind
+    if kind is Kind.TEXT:
+        length = dice.randint(0, value.size) if dice.random() < 0.95 else value.size + 1
+        return "".join(dice.choice(string.printable) for _ in range(length))
+    if kind is Kind.BYTES:
+        return dice.randbytes(value.size)
+    if kind is Kind.BOOLEAN:
+        return dice.random() < 0.5
+    if kind is Kind.FLOAT:
+        return _float(value, dice)
+    return _whole_number(layout, value, dice)
+
+
+def _whole_number(layout: DeviceLayout, value: Value, dice: random.Random) -> int:
+    low, high = value.type.low, value.type.high
+    if value.const is not None and dice.random() < 0.9:
+        return value.const
+    if value.sentinels and dice.random() < 0.1:
+        return dice.choice(value.sentinels).value
+    if value.enum and dice.random() < 0.95:
+        members = layout.device.enums[value.enum].members
+        return dice.choice(members).value if members else 0
+    if value.ranges is not None and dice.random() < 0.93:
+        first, last = dice.choice((value.writable_ranges or value.ranges).intervals)
+        return dice.choice((first, last, dice.randint(first, last)))
+    near = dice.choice(value.ranges.intervals[0] if value.ranges is not None else (low, high))
+    if dice.random() < 0.2:
+        return near + dice.choice((-1, 1))
+    return dice.choice((low, high, dice.randint(low, high), dice.randint(low, high), 0, 1))
+
+
+def _float(value: Value, dice: random.Random) -> float:
+    if value.sentinels and dice.random() < 0.15:
+        sentinel = dice.choice(value.sentinels)
+        return float("nan") if sentinel.is_nan else float(sentinel.value)
+    if value.ranges is not None and dice.random() < 0.8:
+        first, last = dice.choice(value.ranges.intervals)
+        number = dice.choice((float(first), float(last), dice.uniform(first, last), dice.uniform(first, last)))
+    else:
+        number = dice.choice((0.0, -1.5, 3.4e38, 1e-45, float("inf"), dice.uniform(-1e6, 1e6), 301.0, -0.0))
+    return float(struct.unpack(">f", struct.pack(">f", number))[0])
+
+
+def header_values(layout: DeviceLayout, link: str, frame: FrameLayout, dice: random.Random) -> dict[str, Any]:
+    """Values for the parts of a header that users supply."""
+    values = {}
+    for part in frame.header:
+        if part.is_argument:
+            stations = layout.links[link].link.unit_addresses if part.role == "unit_address" else None
+            if stations is not None and stations.ranges is not None and dice.random() < 0.95:
+                values[part.name] = dice.choice(stations.ranges.intervals)[0]
+                if stations.broadcast is not None and dice.random() < 0.2:
+                    values[part.name] = stations.broadcast
+            else:
+                values[part.name] = number_or_text(layout, part.value, dice)
+    return values
+
+
+def record_bytes(record: RecordLayout, dice: random.Random) -> bytes:
+    """Bytes that resemble a record: often of the right size, of small numbers, with the right size in its measures."""
+    form, number = record, None
+    if record.selector is not None and dice.random() < 0.8:
+        number = dice.choice(list(record.chosen))
+        form = record.chosen[number]
+    most = form.most if form.most is not None else form.least + 40
+    least = form.least
+    size = dice.choice(
+        (least, dice.randint(least, min(most, least + 60)), max(0, least - 1), min(most + 1, least + 99))
+    )
+    last = form.fields[-1] if form.fields else None
+    if last is not None and last.field.repeat is not None and dice.random() < 0.7:
+        repeat = last.field.repeat
+        size = last.offset + last.size * dice.randint(repeat.low, min(repeat.high, repeat.low + _LONGEST))
+    data = bytearray(dice.randbytes(size))
+    if dice.random() < 0.5:
+        data = bytearray(dice.choice((0, 0, 0, 1, 1, 2, 0x30, 0x41, 0xFF)) for _ in range(size))
+    if number is not None and record.selector is not None:
+        put(data, record.selector.offset, record.selector.size, record.selector.order, number)
+    for field in form.fields:
+        measure = field.field.measures
+        other = form.named(measure.field) if measure is not None else None
+        if measure is not None and other is not None and dice.random() < 0.8:
+            length = len(data) - other.offset if other.count is None else other.size * other.count
+            put(data, field.offset, field.size, field.order, length if measure.of == "bytes" else length // other.size)
+        elif field.value is not None and field.value.const is not None and dice.random() < 0.8 and not field.is_list:
+            put(data, field.offset, field.size, field.order, field.value.const)
+    return bytes(data)
+
+
+def put(data: bytearray, at: int, size: int, order: str, number: int) -> None:
+    """Writes a number at an offset, if there is room for it."""
+    if len(data) >= at + size and 0 <= number < 1 << (8 * size):
+        data[at : at + size] = number.to_bytes(size, "little" if order == "little" else "big")
+
+
+def spoiled(frame: bytes, dice: random.Random) -> bytes:
+    """A frame with some bytes changed, cut off or appended."""
+    data = bytearray(frame)
+    for _ in range(dice.randint(0, 2) if data else 0):
+        at = dice.randrange(len(data))
+        data[at] = dice.choice((data[at] ^ 1, data[at] ^ 0x80, 0, dice.randrange(256)))
+    if dice.random() < 0.2:
+        del data[dice.randint(0, len(data)) :]
+    if dice.random() < 0.1:
+        data += dice.randbytes(dice.randint(1, 3))
+    return bytes(data)
+
+
+def sealed(layout: DeviceLayout, link: str, frame: FrameLayout, data: bytes) -> bytes:
+    """Bytes of all parts as a frame with the right constants, length and checksum, so that the rest is decoded."""
+    parts = bytearray(data)
+    if len(parts) >= frame.header_size + frame.trailer_size:
+        length, checksum = frame.role("length"), frame.checksum
+        for part in frame.constants:
+            _put_part(parts, part, (part.constant or 0) & ((1 << 8 * part.size) - 1))
+        number = length.number(len(parts)) if length is not None else None
+        if length is not None and number is not None:
+            _put_part(parts, length, number)
+        if checksum is not None:
+            _put_part(parts, checksum, CHECKSUMS[checksum.algorithm](bytes(parts[checksum.start : checksum.stop])))
+    marks = layout.links[link].link
+    inner = bytes(parts).hex().upper().encode() if marks.encoding == "hex_ascii" else bytes(parts)
+    return marks.start + inner + marks.end
+
+
+def _put_part(parts: bytearray, part: PartLayout, number: int) -> None:
+    put(parts, part.at(len(parts)), part.size, part.order, number)

@@ -1,0 +1,175 @@
+"""The generated Python as a judge: its module is imported, and asked by the names of the spec."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import python_package
+from fieldspec.backends.python.backend import PACKAGE, files
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import RecordLayout
+from fieldspec.names import Name
+from python_package import built, class_of, codec_error, link_of, raw, raws, record_class
+from random_devices.queries import Answer, Query, flat, flat_value, refused
+
+_MODULES = (".chance",)
+
+
+def module_of_device(layout: DeviceLayout, number: int) -> ModuleType:
+    """The module of a layout, in a subpackage with a number of its own; the one before it is forgotten."""
+    package = python_package.package().__name__
+    for name in [name for name in sys.modules if name.startswith(f"{package}.chance_")]:
+        del sys.modules[name]
+    text = next(
+        text for path, text in files([layout]).items() if path.startswith(f"{PACKAGE}/") and "__init__" not in path
+    )
+    name = f"{package}.chance_{number}.device"
+    module = ModuleType(name)
+    module.__package__ = f"{package}.chance_{number}"
+    sys.modules[name] = module
+    exec(compile(text, f"chance_{number}.py", "exec"), module.__dict__)
+    return module
+
+
+class Python:
+    """The answers of generated Python."""
+
+    def __init__(self, layout: DeviceLayout, folder: Path, number: int) -> None:
+        self.layout = layout
+        self.module = module_of_device(layout, number)
+        importlib.invalidate_caches()
+        self.error = codec_error()
+        self.constants = {register.name.partition("[")[0]: register for register in self.module.REGISTERS}
+
+    def answers(self, queries: list[Query]) -> list[Answer]:
+        """The answer to each query."""
+        return [self.answer(query) for query in queries]
+
+    def answer(self, query: Query) -> Answer:
+        """The answer to one query."""
+        try:
+            if query.kind == "frame":
+                return self._encoded(query) if query.values is not None else self._frame(query)
+            if query.kind == "record":
+                return self._record(query)
+            return self._value(query)
+        except self.error as error:
+            return refused(error)
+
+    def _message(self, record: RecordLayout, values: dict[str, Any]) -> Any:
+        return built(self.module, self.layout, record, values)
+
+    def _arguments(self, link: str, direction: str, head: dict[str, Any]) -> tuple[list[Any], dict[str, Any]]:
+        """The arguments for the parts of a header: the unit address, and the others by name."""
+        shape = self.layout.links[link].frame(direction)
+        first, named = [], {}
+        for part in shape.header:
+            if not part.is_argument:
+                continue
+            value = head[part.name]
+            if part.role == "unit_address":
+                first.append(value)
+                continue
+            assert part.value is not None
+            if part.value.flags:
+                value = class_of(self.module, part.value.flags, "Flags")(value)
+            named[part.name] = value
+        return first, named
+
+    def _frame_of(self, path: tuple[str, ...], head: dict[str, Any], content: Any, error: bool, code: Any) -> bytes:
+        link, direction, _ = path
+        first, named = self._arguments(link, direction, head)
+        line = link_of(self.module, link)
+        if error:
+            return bytes(line.encode_error(*first, code, content, **named))
+        return bytes(getattr(line, f"encode_{direction}")(*first, content, **named))
+
+    def _encoded(self, query: Query) -> Answer:
+        assert query.values is not None
+        link, direction, _ = query.path
+        names = {part.name for part in self.layout.links[link].frame(direction).header}
+        values = {name: value for name, value in query.values.items() if name not in names}
+        content = self._message(query.shape, values)
+        return Answer(again=self._frame_of(query.path, query.values, content, query.error, query.code).hex())
+
+    def _frame(self, query: Query) -> Answer:
+        link, direction, message = query.path
+        shape, line = self.layout.links[link].frame(direction), link_of(self.module, link)
+        asked: list[Any] = []
+        if message and shape.role("code") is None:
+            asked = [record_class(self.module, self.layout.messages[message].request)]
+        decoded = getattr(line, f"decode_{direction}")(query.data, *asked)
+        head: dict[str, Any] = {}
+        for part in shape.header:
+            if part.is_argument:
+                head[part.name] = raw(decoded.station if part.role == "unit_address" else getattr(decoded, part.name))
+        error = self.layout.links[link].link.exception_response
+        refusal = error is not None and hasattr(decoded, "exception")
+        content = decoded.exception if refusal else decoded.message
+        record = (
+            self.layout.records[error.record] if refusal and error is not None else self._record_of(direction, content)
+        )
+        code = None
+        if shape.role("code") is not None:
+            code = decoded.code if refusal else type(content).CODE
+        text = "".join(f"{value};" for value in head.values()) + f"|{int(refusal)}|{code}|"
+        text += flat(record, raws(content, record))
+        try:
+            again = self._frame_of(query.path, head, content, refusal, code).hex()
+        except self.error as error_again:
+            again = "!" + error_again.reason
+        return Answer(values=text, again=again)
+
+    def _record_of(self, direction: str, content: Any) -> RecordLayout:
+        records = (message.data(direction) for message in self.layout.messages.values())
+        return next(record for record in records if record_class(self.module, record) is type(content))
+
+    def _record(self, query: Query) -> Answer:
+        record: RecordLayout = query.shape
+        if query.values is not None:
+            return Answer(again=self._message(record, query.values).encode().hex())
+        decoded = record_class(self.module, record).decode(query.data)
+        try:
+            again = decoded.encode().hex()
+        except self.error as error:
+            again = "!" + error.reason
+        return Answer(values=flat(record, raws(decoded, record)), again=again)
+
+    def _holder(self, query: Query) -> Any:
+        """What decodes and encodes a register, a parameter or an element of one."""
+        if query.kind == "register":
+            return next(iter(self._array(query.path[0])))
+        layout_set = self.layout.device.parameters[query.path[0]]
+        row = next(row for row in layout_set.parameters if row.name == query.path[1])
+        return link_of(self.module, query.path[0])[row.number]
+
+    def _array(self, name: str) -> Any:
+        constant = self.constants[name]
+        return [constant] if hasattr(constant, "words") else constant
+
+    def _value(self, query: Query) -> Answer:
+        value = query.shape[0]
+        holder = self._holder(query)
+        if query.kind == "subindex":
+            return Answer(reason=None)
+        if query.values is not None:
+            number = query.values[query.path[-1]]
+            return Answer(again=holder.encode(self._typed(value, number)).hex())
+        decoded = holder.decode(query.data)
+        try:
+            again = holder.encode(decoded).hex()
+        except self.error as error:
+            again = "!" + error.reason
+        return Answer(values=flat_value(value, raw(decoded)), again=again)
+
+    def _typed(self, value: Any, number: Any) -> Any:
+        return class_of(self.module, value.flags, "Flags")(number) if value.flags else number
+
+
+def pascal(name: str) -> str:
+    """A name as Python writes classes."""
+    return Name.of(name).pascal()

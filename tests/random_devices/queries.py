@@ -1,0 +1,250 @@
+"""Questions to all codecs of a device, and the answers of the reference."""
+
+from __future__ import annotations
+
+import math
+import random
+import struct
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import FieldLayout, Orders, RecordLayout
+from fieldspec.model.value import Kind, Value
+from fieldspec.reference import CodecError, DeviceCodec, codec
+from random_devices.inputs import (
+    header_values,
+    number_or_text,
+    record_bytes,
+    record_values,
+    sealed,
+    spoiled,
+    stored_fields,
+)
+
+UNKNOWN = None
+"""What a judge does not say."""
+
+
+@dataclass(frozen=True)
+class Query:
+    """What a codec is asked: to decode bytes and encode the result again, or to encode values.
+
+    `kind` is frame, record, register, parameter or subindex; `path` says which. `values` are those to encode, and
+    None where `data` is decoded. `shape` is the record of a body, or the value of a register.
+    """
+
+    kind: str
+    path: tuple[str, ...]
+    data: bytes = b""
+    values: dict[str, Any] | None = None
+    error: bool = False
+    code: int | None = None
+    shape: Any = field(default=None, repr=False, compare=False)
+
+
+@dataclass
+class Answer:
+    """A refusal with its offset, or values and the bytes that are encoded from them; `again` may be a refusal too.
+
+    A judge that does not say an attribute leaves it UNKNOWN. How values that are not stable are encoded is open.
+    """
+
+    reason: str | None = ""
+    offset: Any = UNKNOWN
+    values: str | None = UNKNOWN
+    again: str | None = UNKNOWN
+    is_stable: bool = True
+
+    def differences(self, other: Answer) -> list[str]:
+        """The attributes that both say, and that differ."""
+        names = ("reason", "offset", "values", "again")
+        if self.reason and other.reason:
+            names = ("reason", "offset")
+        return [
+            f"{name} {getattr(self, name)!r} and {getattr(other, name)!r}"
+            for name in names
+            if UNKNOWN not in (getattr(self, name), getattr(other, name))
+            and getattr(self, name) != getattr(other, name)
+        ]
+
+
+ABSENT_OFFSET = -1
+"""The offset of a refusal that has none."""
+
+
+def refused(error: Any) -> Answer:
+    """The answer of a codec that raises."""
+    return Answer(error.reason, ABSENT_OFFSET if error.offset is None else error.offset)
+
+
+# Values as texts that every language can print.
+
+
+def flat(record: RecordLayout, values: Mapping[str, Any]) -> str:
+    """The stored values of a record: numbers in decimal, floats as their bits, texts and bytes in hexadecimal."""
+    chosen = record
+    if record.selector is not None:
+        chosen = record.of_number(values.get(record.selector.name, _constant(record.selector))) or record
+    return "".join(_flat_field(f, values[f.name]) for f in stored_fields(record, chosen))
+
+
+def _constant(selector: FieldLayout) -> Any:
+    return selector.value.const if selector.value is not None else None
+
+
+def _flat_field(field: FieldLayout, value: Any) -> str:
+    if field.is_list:
+        return f"[{''.join(_flat_element(field, item) for item in value)}]"
+    return _flat_element(field, value)
+
+
+def _flat_element(field: FieldLayout, value: Any) -> str:
+    if field.record is not None:
+        return f"({flat(field.record, value)})"
+    assert field.value is not None
+    return flat_value(field.value, value)
+
+
+def flat_value(value: Value, raw: Any) -> str:
+    """A value as a text, with a semicolon behind it."""
+    kind = value.type.kind
+    if kind is Kind.FLOAT:
+        return "nan;" if math.isnan(raw) else struct.pack(">f", raw).hex() + ";"
+    if kind is Kind.TEXT:
+        return raw.partition("\0")[0].encode("ascii").hex() + ";"
+    if kind is Kind.BYTES:
+        return bytes(raw).hex() + ";"
+    return f"{int(raw)};"
+
+
+def is_stable(values: Any) -> bool:
+    """Whether every language keeps the values whole: no NaN with bits of its own, no text that goes on after a zero."""
+    if isinstance(values, Mapping):
+        return all(map(is_stable, values.values()))
+    if isinstance(values, list | tuple):
+        return all(map(is_stable, values))
+    if isinstance(values, float):
+        return not math.isnan(values)
+    return not (isinstance(values, str) and "\0" in values)
+
+
+def to_encode(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The values that an encoder takes: those that it fills itself are left out."""
+    chosen = record
+    if record.selector is not None:
+        chosen = record.of_number(values[record.selector.name]) or record
+    result = {}
+    for inner in stored_fields(record, chosen):
+        value = values[inner.name]
+        if inner.record is not None:
+            of = inner.record
+            value = [to_encode(of, item) for item in value] if inner.is_list else to_encode(of, value)
+        result[inner.name] = value
+    return result
+
+
+# Random queries
+
+
+def frame_queries(layout: DeviceLayout, dice: random.Random, count: int) -> Iterator[Query]:
+    """Frames of random values, spoiled ones, and frames around random bytes."""
+    places = [
+        (link.name, direction, message)
+        for link in layout.links.values()
+        for direction in ("request", "response")
+        for message in link.messages
+    ]
+    reference = codec(layout)
+    for number in range(count if places else 0):
+        link, direction, message = places[number % len(places)]
+        yield from _frame_queries(layout, reference, link, direction, message, dice)
+
+
+def _frame_queries(
+    layout: DeviceLayout, reference: DeviceCodec, link: str, direction: str, message: str, dice: random.Random
+) -> Iterator[Query]:
+    shape, line = layout.links[link].frame(direction), layout.links[link].link
+    coded = shape.role("code") is not None
+    asked = "" if coded else message
+    record = layout.messages[message].data(direction)
+    error = line.exception_response if direction == "response" and dice.random() < 0.15 else None
+    if error is not None:
+        record = layout.records[error.record]
+    head = header_values(layout, link, shape, dice)
+    values = record_values(layout, record, dice)
+    code = layout.messages[message].message.code if coded else None
+    yield Query(
+        "frame", (link, direction, message), values={**head, **values}, error=bool(error), code=code, shape=record
+    )
+    try:
+        frame = reference.links[link].encode(direction, message, {**head, **values}, error=bool(error), code=code)
+        yield Query("frame", (link, direction, asked), frame)
+        yield Query("frame", (link, direction, asked), spoiled(frame, dice))
+        parts = bytearray(spoiled(reference.links[link].parts(frame), dice))
+    except CodecError:
+        parts = bytearray(dice.randbytes(shape.header_size + shape.trailer_size))
+    if dice.random() < 0.5:
+        body = record_bytes(record, dice)
+        head_bytes = parts[: shape.header_size].ljust(shape.header_size, b"\0")
+        tail = dice.randbytes(shape.trailer_size)
+        parts = bytearray(head_bytes + body + tail)
+    yield Query("frame", (link, direction, asked), sealed(layout, link, shape, bytes(parts)))
+
+
+def record_queries(layout: DeviceLayout, dice: random.Random, count: int) -> Iterator[Query]:
+    """Bytes and values of the records alone, as tables have them."""
+    for record in layout.records.values():
+        for _ in range(count):
+            yield Query("record", (record.name,), record_bytes(record, dice), shape=record)
+        yield Query("record", (record.name,), values=record_values(layout, record, dice), shape=record)
+
+
+def value_queries(layout: DeviceLayout, dice: random.Random, count: int) -> Iterator[Query]:
+    """Bytes and values of registers and parameters."""
+    for kind, path, shape in shapes(layout):
+        value, size = shape[0], shape[4]
+        for _ in range(count):
+            data = dice.randbytes(size)
+            if dice.random() < 0.3:
+                data = dice.choice((bytes(size), b"\xff" * size, b"\0" * (size - 1) + b"\1"))
+            elif value.type.kind is Kind.TEXT:
+                data = bytes(byte & 0x7F for byte in data)
+            yield Query(kind, path, data, shape=shape)
+        if value.const is None:
+            yield Query(kind, path, values={path[-1]: number_or_text(layout, value, dice)}, shape=shape)
+
+
+def shapes(layout: DeviceLayout) -> Iterator[tuple[str, tuple[str, ...], Any]]:
+    """What has an address or a number: its kind, its path, and its value with the order, triggering and size."""
+    for register in layout.registers:
+        value = register.register.value
+        yield (
+            "register",
+            (register.name,),
+            (value, register.order, register.swapped, register.register.trigger, value.size + value.size % 2),
+        )
+    device = layout.device
+    orders = Orders(device.byte_order, device.word_order)
+    for parameters in device.parameters.values():
+        for parameter in parameters.parameters:
+            if parameter.reserved:
+                continue
+            value = parameter.value
+            shape = (value, *orders.of(value), parameter.trigger, value.size)
+            yield "parameter", (parameters.name, parameter.name), shape
+            for inner in parameter.subindices:
+                if not inner.reserved:
+                    of_inner = (inner.value, *orders.of(inner.value), parameter.trigger, inner.value.size)
+                    yield "subindex", (parameters.name, parameter.name, inner.name), of_inner
+
+
+def queries(layout: DeviceLayout, seed: int, frames: int) -> list[Query]:
+    """The random queries of a layout, with about so many frames."""
+    dice = random.Random(seed)
+    return [
+        *frame_queries(layout, dice, (frames + 2) // 3),
+        *record_queries(layout, dice, 3),
+        *value_queries(layout, dice, 3),
+    ]

@@ -1,0 +1,205 @@
+"""The keys of the language that random devices do not have, with the reason for each, and those that they have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from fieldspec.schema import Schema, resolved, schema
+
+Key = tuple[str, str]
+"""The definition or the path of a mapping in the schema, and a key of it."""
+
+DOCUMENTATION = "It is documentation: no byte depends on it, and the tests of the pages cover it."
+COMPARED = "It is compared with another fact by a check, which has its own cases."
+HANDLING = "It says how to handle a value and is in no codec."
+PROTOCOL = "It needs a second file, which the tests of reading and of versions cover."
+ANYWHERE = {
+    "allow": "It permits a finding; one place is enough.",
+    "inferred": DOCUMENTATION,
+    "standard": DOCUMENTATION,
+    "reported": DOCUMENTATION,
+    "unverified": DOCUMENTATION,
+    "restated": COMPARED,
+    "roles": "It names facts for tasks and is in no codec.",
+    "title": DOCUMENTATION,
+    "label": DOCUMENTATION,
+    "doc": DOCUMENTATION,
+    "notes": DOCUMENTATION,
+    "printed_name": DOCUMENTATION,
+    "section": DOCUMENTATION,
+    "source": DOCUMENTATION,
+    "only": "It picks facts for versions as `since` and `until` do.",
+    "since": "Whether a fact has bounds does not depend on its kind; rows, fields, bits and messages have them.",
+    "until": "Whether a fact has bounds does not depend on its kind; rows, fields, bits and messages have them.",
+    "memory": HANDLING,
+    "saved_by": HANDLING,
+    "endurance": HANDLING,
+    "opposite_of": HANDLING,
+    "clears_on_read": HANDLING,
+    "restart": HANDLING,
+    "printed_as": COMPARED,
+}
+"""Keys that many facts may have."""
+MAPPINGS = {
+    "claim": COMPARED,
+    "standard": DOCUMENTATION,
+    "report": DOCUMENTATION,
+    "cause": DOCUMENTATION,
+    "lookup": DOCUMENTATION,
+    "limit": DOCUMENTATION,
+    "note": DOCUMENTATION,
+    "statement": DOCUMENTATION,
+    "task": "Tasks are steps over facts and are in no codec.",
+    "step": "Tasks are steps over facts and are in no codec.",
+    "erratum": "An erratum is proven by the rule that it names.",
+    "review": DOCUMENTATION,
+    "audit": "It says how to read a manual, and random devices have none.",
+    "manual_section": "It says how to read a manual, and random devices have none.",
+    "manual_pattern": "It says how to read a manual, and random devices have none.",
+    "left_out": "It says how to read a manual, and random devices have none.",
+    "unprinted": "It says how to read a manual, and random devices have none.",
+    "acceptance": "It is about changes of specs.",
+    "was_is": PROTOCOL,
+    "protocol": PROTOCOL,
+    "uses": PROTOCOL,
+    "overlay": PROTOCOL,
+    "adds": PROTOCOL,
+    "changes": PROTOCOL,
+    "removes": PROTOCOL,
+    "renames": PROTOCOL,
+    "example": "Examples are made of the frames of the reference when a device is compared.",
+    "copy": "A copy of a block is a group of registers; the tests of glider-x cover it.",
+    "device": DOCUMENTATION,
+    "device.manual": DOCUMENTATION,
+    "table.elements": COMPARED,
+    "link.serial": DOCUMENTATION,
+    "link.silence": "It is about time, and codecs see no time.",
+    "link.direction_names": DOCUMENTATION,
+    "message.frame_length": COMPARED,
+    "message.data_words": COMPARED,
+    "version_line": "Lines beside the built one share its outputs; the tests of versions cover them.",
+    "value.parameter": "The messages of parameters carry raw numbers; the tests of parameters cover what these mean.",
+}
+"""Mappings of which no key must be in random devices."""
+KEYS = {
+    ("file", key): reason
+    for key, reason in {
+        **dict.fromkeys(("uses", "protocol", "overlay", "adds", "changes", "removes", "renames"), PROTOCOL),
+        **dict.fromkeys(("lookups", "limits", "notes", "tasks"), DOCUMENTATION),
+        **dict.fromkeys(("errata", "reviews", "audit", "accepts"), "It is about the manual or about changes of specs."),
+        "examples": MAPPINGS["example"],
+    }.items()
+} | {
+    ("link.unit_addresses", "rule"): DOCUMENTATION,
+    ("fact", "name"): "It is what the facts of the other mappings have.",
+    ("link", "message_name"): DOCUMENTATION,
+    ("link", "direction_names"): DOCUMENTATION,
+    ("member", "number"): "It is a column of documentation, and what an enum that is `derived` takes.",
+    ("member", "problem"): DOCUMENTATION,
+    ("member", "causes"): DOCUMENTATION,
+    ("member", "remedies"): DOCUMENTATION,
+    ("enum", "derived"): "Its members are those of another list; the tests of glider-x cover it.",
+    ("flags", "range"): COMPARED,
+    ("bit", "when"): DOCUMENTATION,
+    ("record", "same_as"): COMPARED,
+    ("field", "at"): COMPARED,
+    ("field", "words"): COMPARED,
+    ("field", "span"): COMPARED,
+    ("field", "word_span"): COMPARED,
+    ("field", "atomic"): "It bounds the requests for a register; registers have it.",
+    ("register", "copy_of"): MAPPINGS["copy"],
+    ("register", "number"): COMPARED,
+    ("register", "reserved"): "A reserved register has no value in any codec.",
+    ("register", "same_as"): COMPARED,
+    ("register", "element_name"): DOCUMENTATION,
+    ("register", "element_sources"): DOCUMENTATION,
+    ("register_group", "order"): "It permits addresses in another order.",
+    ("register_group", "copies"): MAPPINGS["copy"],
+    ("table", "decimal"): COMPARED,
+    ("table", "words"): COMPARED,
+    ("table", "elements"): COMPARED,
+    ("parameter", "wire_number"): COMPARED,
+    ("parameter", "applies_to"): DOCUMENTATION,
+    ("parameter", "messages"): DOCUMENTATION,
+    ("parameter_set", "type"): "It is a default of rows, which state their own.",
+    ("parameter_set", "defaults"): "These are defaults of rows, which state their own; groups of registers have them.",
+    ("message", "group"): DOCUMENTATION,
+    ("message", "supplements"): "It says beside which messages one is sent.",
+    ("message", "data_words"): COMPARED,
+    ("message", "frame_length"): COMPARED,
+    ("conversion", "complement"): "Conversions are of quantities; the tests of conversions cover them.",
+    ("conversion", "type"): "Conversions are of quantities; the tests of conversions cover them.",
+    ("conversion", "references"): "Conversions are of quantities; the tests of conversions cover them.",
+    ("conversion", "printed"): DOCUMENTATION,
+    ("signal", "direction"): COMPARED,
+}
+"""Single keys; those of a `value` are the same wherever a value is."""
+
+
+def reason(key: Key) -> str:
+    """Why random devices need not have a key; empty where they must."""
+    owner, name = key
+    if name in _value_keys() and owner != "value":
+        return "A value is the same wherever it is."
+    return KEYS.get(key) or ANYWHERE.get(name) or MAPPINGS.get(owner) or MAPPINGS.get(owner.split(".")[0], "")
+
+
+def _value_keys() -> frozenset[str]:
+    return frozenset(schema()["$defs"]["value"]["properties"])
+
+
+def known_keys() -> set[Key]:
+    """All keys of all mappings of the schema."""
+    keys: set[Key] = set()
+    seen: set[str] = set()
+
+    def walk(part: Schema, owner: str) -> None:
+        name, part = _named(part, owner)
+        for key, inner in part.get("properties", {}).items():
+            keys.add((name, key))
+            child, _ = _named(inner, f"{name}.{key}")
+            if child not in seen:
+                seen.add(child)
+                walk(inner, f"{name}.{key}")
+        if "items" in part:
+            walk(part["items"], name)
+
+    walk(schema(), "file")
+    for name in schema()["$defs"]:
+        walk({"$ref": f"#/$defs/{name}"}, name)
+    return keys
+
+
+def keys_in(data: Any) -> set[Key]:
+    """The keys of the mappings in a spec."""
+    keys: set[Key] = set()
+
+    def walk(part: Schema, owner: str, node: Any) -> None:
+        name, part = _named(part, owner)
+        if isinstance(node, dict):
+            for key, inner in node.items():
+                if key in part.get("properties", {}):
+                    keys.add((name, key))
+                    if key in _value_keys():
+                        keys.add(("value", key))
+                    walk(part["properties"][key], f"{name}.{key}", inner)
+        for inner in node if isinstance(node, list) else ():
+            walk(part.get("items", {}), name, inner)
+
+    walk(schema(), "file", data)
+    return keys
+
+
+def _named(part: Schema, owner: str) -> tuple[str, Schema]:
+    """The name of a definition, or the path of a mapping without one; for a list, that of its items."""
+    items = part.get("items", {}) if "$ref" not in part else {}
+    reference = part.get("$ref") or items.get("$ref")
+    name = reference.removeprefix("#/$defs/").replace("/properties/", ".") if reference else owner
+    return name.removeprefix("file."), resolved(part)
+
+
+def missing(specs: Iterator[Any]) -> set[Key]:
+    """The keys that are neither in the specs nor excused."""
+    present: set[Key] = set().union(*map(keys_in, specs))
+    return {key for key in known_keys() - present if not reason(key)}

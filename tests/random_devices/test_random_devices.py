@@ -1,0 +1,78 @@
+"""Random devices: all codecs agree with the reference on them, and on those that broke something once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from hypothesis import HealthCheck, Phase, given, seed, settings
+
+from random_devices.agreement import JUDGES, Judge, compare
+from random_devices.devices import devices
+from random_devices.draft import Spec
+from random_devices.fuzz import CASES, batch
+from random_devices.queries import Answer, Query
+from random_devices.schema_keys import KEYS, MAPPINGS, known_keys, missing
+
+SEEDS = (1, 2, 3)
+COUNT = 12
+
+
+@pytest.mark.parametrize("number", SEEDS)
+def test_all_codecs_agree_on_random_devices(number: int) -> None:
+    tally = batch(number, COUNT, frames=60)
+    assert tally.cases == {}
+    assert tally.clean * 2 > tally.devices
+    assert tally.frames > 20 * tally.clean
+
+
+@pytest.mark.parametrize("case", sorted(CASES.glob("*.yaml")), ids=lambda path: path.stem)
+def test_what_broke_something_once_breaks_nothing_now(case: Path) -> None:
+    spec = yaml.safe_load(case.read_text(encoding="utf-8"))
+    for number in (1, 2):
+        result = compare(spec, number, 60)
+        assert result.findings == ()
+        assert result.disagreements == []
+
+
+class Forgetful:
+    """A judge that takes a byte of every frame for another one."""
+
+    def __init__(self, *_: Any) -> None:
+        pass
+
+    def answers(self, queries: list[Query]) -> list[Answer]:
+        return [Answer(again="00") for _ in queries]
+
+
+def test_a_wrong_codec_is_noticed_on_a_device_that_is_shrunk() -> None:
+    tally = batch(1, 20, (Judge("forgetful", 1, Forgetful),), frames=9)
+    ((disagreement, text),) = tally.cases.items()
+    assert disagreement.startswith("forgetful: ")
+    assert len(yaml.safe_load(text)["links"]) == 1
+
+
+def test_every_key_of_the_language_is_in_random_devices_or_has_a_reason_why_not() -> None:
+    specs: list[Spec] = []
+    limits = settings(
+        max_examples=20,
+        database=None,
+        deadline=None,
+        phases=(Phase.generate,),
+        suppress_health_check=list(HealthCheck),
+    )
+    for number in range(14):
+        seed(number)(limits(given(devices())(lambda spec: specs.append(spec))))()
+    assert missing(iter(specs)) == set()
+
+
+def test_a_reason_is_about_a_key_that_there_is() -> None:
+    known = known_keys()
+    assert set(KEYS) <= known
+    assert set(MAPPINGS) <= {owner for owner, _ in known}
+
+
+def test_the_table_of_judges_has_every_codec() -> None:
+    assert [judge.name for judge in JUDGES][:2] == ["python", "access"]
