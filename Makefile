@@ -7,6 +7,7 @@
 # make plants  run the examples of docs/plc.md for a million random scans each, against simulated devices
 # make accept  rewrite the tests' expectations, with RULE=code those of one rule; read the difference before you commit it
 # make soak    kill builds at random moments, and strike faults at every operation on files, for some minutes
+# make soak-device  let 24 hours of random requests and faults pass for each simulated device
 # make dist    build the wheel and the sdist into dist/
 # make sbom    write dist/sbom.json, the bill of materials of what an installation holds, as CycloneDX
 # make bench   measure, and write docs/benchmarks.md
@@ -28,7 +29,7 @@ UV := uv==0.13.8
 
 SBOM := build/sbom
 
-.PHONY: build test test-fast test-night fuzz fuzz-specs plants accept soak dist sbom bench pins clean
+.PHONY: build test test-fast test-night fuzz fuzz-specs plants accept soak soak-device dist sbom bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -54,6 +55,9 @@ fuzz-specs: $(INSTALLED)
 soak: $(INSTALLED)
 	$(BIN)/python tests/interruptions.py 200 1
 	FAULT_STEP=1 $(BIN)/pytest tests/test_faults.py tests/test_interruptions.py
+
+soak-device: $(INSTALLED)
+	FIELDSPEC_SOAK_HOURS=24 $(BIN)/pytest tests/device/test_soak.py
 
 dist: $(INSTALLED)
 	rm -rf dist

@@ -290,7 +290,12 @@ class Server:
         code = part.get("code", code)
         known = frames.link.message_with_code(code) if code is not None else None
         flagged = code is not None and code & record.flag
-        frame = frames.encode("response", known.name if known and not flagged else "", values, error=True, code=code)
+        try:
+            frame = frames.encode(
+                "response", known.name if known and not flagged else "", values, error=True, code=code
+            )
+        except CodecError as error:
+            return Answer(b"", f"{text}; no response can say so: {error}")
         return Answer(frame, text)
 
     def _exception(self, part: Part) -> int | None:
