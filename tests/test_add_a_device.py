@@ -125,3 +125,12 @@ def test_the_audit_of_the_mended_device_leaves_nothing(mended: Path, accept: boo
     assert len(blocks) == 2
     result = json.loads(run("$ fieldspec audit lifter --format json", mended))
     assert result["sections"]["coverage"]["findings"] == []
+
+
+def test_the_spec_with_coils_has_no_findings(folder: Path) -> None:
+    (sections,) = (text for text in code_blocks("yaml", PAGE.read_text("utf-8")) if "unit: bit" in text)
+    head = files()["specs/lifter/device.yaml"].partition("uses:")[0]
+    for path in (folder / "specs" / "lifter").glob("*.yaml"):
+        path.unlink()
+    (folder / "specs" / "lifter" / "device.yaml").write_text(head + sections, "utf-8")
+    assert run("$ fieldspec check lifter", folder) == "no findings in lifter\n"

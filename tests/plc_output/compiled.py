@@ -64,9 +64,16 @@ class Block:
 class Compiled(Machine):
     """The functions of a text in the standard's dialect; calls go to the compiled code."""
 
-    def __init__(self, text: str, folder: Path, block: Block | None = None, unit: Unit | None = None) -> None:
+    def __init__(
+        self,
+        text: str,
+        folder: Path,
+        block: Block | None = None,
+        unit: Unit | None = None,
+        flags: tuple[str, ...] = FLAGS,
+    ) -> None:
         super().__init__(parsed(anonymous(text)) if unit is None else unit)
-        self.block = block
+        self.block, self.flags = block, flags
         self.numbers = {name: number for number, name in enumerate(self.unit.functions)}
         self._process = subprocess.Popen(
             [str(self._program(text, folder))],
@@ -161,7 +168,7 @@ class Compiled(Machine):
     def _program(self, text: str, folder: Path) -> Path:
         """The program of a text, compiled."""
         tool = matiec()
-        about = repr((text, self.block, FLAGS, QUIET, Path(__file__).read_bytes()))
+        about = repr((text, self.block, self.flags, QUIET, Path(__file__).read_bytes()))
         place = folder / hashlib.sha256(about.encode()).hexdigest()[:16]
         place.mkdir(parents=True, exist_ok=True)
         with (place / "lock").open("w") as lock:
@@ -182,7 +189,7 @@ class Compiled(Machine):
         assert ran.returncode == 0, ran.stderr[-3000:]
         assert not ran.stderr, ran.stderr[-3000:]
         (place / "driver.c").write_text(self._driver((place / "POUS.h").read_text("utf-8")), "utf-8")
-        compiler = [require_tool("gcc"), *FLAGS, *QUIET, "-isystem", str(tool / "lib" / "C"), f"-I{place}"]
+        compiler = [require_tool("gcc"), *self.flags, *QUIET, "-isystem", str(tool / "lib" / "C"), f"-I{place}"]
         unfinished = place / "unfinished"
         completed_process = subprocess.run(
             [*compiler, "-o", str(unfinished), str(place / "driver.c"), "-lm"],

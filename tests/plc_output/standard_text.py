@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 ARRAY = re.compile(r"ARRAY\s*\[\s*(-?\d+)\s*\.\.\s*(-?\d+)\s*\]\s*OF\s+(?!ARRAY\b)(\w+)", re.IGNORECASE)
 DECLARED = re.compile(r"\nTYPE\n    (\w+) : (ARRAY [^;:]+?)(?: := [^;]+)?;\nEND_TYPE\n")
@@ -46,3 +47,25 @@ def named(text: str) -> str:
             before, value = value, ARRAY.sub(called, value)
         out += [*fresh, value]
     return "".join(out)
+
+
+def needed(content: str, names: Iterable[str]) -> str:
+    """The types of a text, and of its functions and blocks those with some names and what they call."""
+    objects = OBJECT.split(content)
+    by_name = {}
+    for item in objects:
+        match = re.match(r"(?:FUNCTION|FUNCTION_BLOCK)\s+(\w+)", item)
+        if match:
+            by_name[match.group(1).upper()] = item
+    wanted: set[str] = set()
+    left = [name.upper() for name in names]
+    while left:
+        name = left.pop()
+        if name not in wanted and name in by_name:
+            wanted.add(name)
+            left += [word.upper() for word in re.findall(r"\bFB?_\w+", by_name[name])]
+    return "".join(
+        item
+        for item in objects
+        if not (match := re.match(r"(?:FUNCTION|FUNCTION_BLOCK)\s+(\w+)", item)) or match.group(1).upper() in wanted
+    )

@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from compiled import Block, Compiled
 from loaded import programs
 from st_syntax import parsed
-from standard_text import anonymous, named, without_comments
+from standard_text import anonymous, named, needed, without_comments
 from test_scl_execution import siemens_text
 
 from fieldspec.backends.iec.backend import source, text
@@ -37,6 +37,9 @@ class Line:
         layout = newest(SPECS, device)
         self.codec, self.message = codec(layout).links[link], message
         functions = text(source(layout)) if dialect == "iec" else siemens(device)
+        words = (link, *message.split("_"))
+        name = f"FB_{device.title()}_{''.join(word.title() for word in words)}"
+        functions = needed(functions, [name])
         unpacked_text = anonymous(functions) if dialect == "iec" else functions
         unit = parsed(unpacked_text)
         match = re.search(

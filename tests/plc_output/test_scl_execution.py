@@ -39,7 +39,7 @@ def siemens_text(device: str) -> str:
         for path, content in result.items()
         if path.endswith(kind)
     )
-    for mine, theirs in (("VAR_TEMP", "VAR"), ("IN := ", ""), (", N := ", ", "), ("fbTimeout(", "fbTimeout(IN := ")):
+    for mine, theirs in (("VAR_TEMP", "VAR"), ("SHL(IN := ", "SHL("), ("SHR(IN := ", "SHR("), (", N := ", ", ")):
         source = source.replace(mine, theirs)
     return source
 

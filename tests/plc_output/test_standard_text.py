@@ -31,7 +31,8 @@ def test_functions_have_the_statements_of_the_other_dialects_with_numbers_for_me
     for ours, theirs in zip(source_text.routines, other.functions, strict=True):
         wanted = re.sub(r"\bE_\w+\.\w+", lambda match: members[match.group()], " ".join(theirs.implementation))
         text = " ".join(implementation(ours, source_text.spelling))
-        assert text.split() == wanted.split(), ours.name
+        # A name of a member is longer than its number, so that lines break at other places.
+        assert "".join(text.split()) == "".join(wanted.split()), ours.name
 
 
 def translated(content: str, folder: Path) -> None:

@@ -21,6 +21,7 @@ from fieldspec.plc.layout import fitting
 from fieldspec.plc.layout.images import Images, SpecNaming, titled
 from fieldspec.plc.layout.memory import MEMORIES, Placed, placed
 from fieldspec.plc.narrowing import narrowed
+from fieldspec.plc.routines.blocks.ports import ports
 from fieldspec.plc.routines.expressions import EnumType, StructType, Type
 from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.routines.records import choice_type, field_type, is_user_field
@@ -78,6 +79,7 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     images = tuple(declaring.images())
     constants = tuple(declaring.constants())
     texts = tuple(declaring.texts())
+    structs += tuple(declaring.ports())
     return Declarations(
         dialect, narrowed_layout, declaring.world, enums, structs, images, constants, texts, tuple(declaring.found)
     )
@@ -170,6 +172,15 @@ class _Declaring:
                         members.append(self._answer(scope, group.name, register, answer))
                 title = group.title or Name.of(group.name).title()
                 yield self._struct(group.name, "registers", group, title, members)
+
+    def ports(self) -> Iterator[Struct]:
+        """The structs that the blocks of a device share, by names that no fact has."""
+        for port in ports(self.world):
+            name = self._structs[port.key] = self.scope.free(self._form(self.dialect.struct, port.name))
+            named = {text: self.dialect.legal_name(self.member(text, kind)) for text, kind, _ in port.members}
+            self._members[port.key] = named
+            members = [StructMember(named[text], kind, remark, None) for text, kind, remark in port.members]
+            yield Struct(name, port.key, "port", port.title, tuple(members))
 
     def _answer(self, scope: Scope, group: str, register: RegisterLayout, kind: Type) -> StructMember:
         """The member that receives what the device answers, beside the one that holds what is written."""

@@ -16,6 +16,7 @@ from fieldspec.plc.dialects import IEC, Spelling
 from fieldspec.plc.routines.device import routines
 from fieldspec.plc.routines.expressions import ArrayType
 from fieldspec.plc.routines.printer import comment, comment_text, routine_text
+from fieldspec.plc.routines.remarks import without_block
 from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.structured.examples import examples
 from fieldspec.plc.structured.objects import number
@@ -24,11 +25,15 @@ from fieldspec.plc.structured.program import about, newest
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A device for such a compiler: what is declared, its routines, and how they are spelled."""
+    """A device for such a compiler: what is declared, its routines, and how they are spelled.
+
+    `missing` are the tasks without a block, with the reasons.
+    """
 
     declared: Declarations
     routines: tuple[Routine, ...]
     spelling: Spelling
+    missing: tuple[tuple[str, str], ...]
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
@@ -54,7 +59,8 @@ def source(layout: DeviceLayout) -> Source:
     """The source of a device that has passed the checks."""
     declared = declarations(layout, IEC)
     spelling = replace(IEC.spelling, array=IEC.spelling.array.format(declared.world.names.device, "{}"))
-    return Source(declared, tuple(routines(declared.world)), spelling)
+    all_blocks = routines(declared.world)
+    return Source(declared, all_blocks.routines, spelling, all_blocks.missing)
 
 
 def text(iec_source: Source) -> str:
@@ -88,6 +94,7 @@ def _guide(iec_source: Source) -> list[str]:
         "Each function returns a status, a number: see the constants. Unless that is 0, its outputs and what it was to",
         "fill must not be used. Arrays have named types, because an argument must have the type of the parameter.",
         *examples(iec_source.declared.world, iec_source.routines, iec_source.spelling),
+        *without_block(iec_source.missing),
     ]
 
 

@@ -231,7 +231,7 @@ def _row(
 
 
 def _letters(row: Parameter, carrier: FieldLayout | None, big: bool) -> str:
-    """The Struct that turns a value into the number in a message, in the order of its own Struct; empty where none can."""
+    """The Struct that turns a value into the number in a message, in its own order; empty where there is none."""
     if carrier is None or carrier.value is None:
         return ""
     letter = carrier.value.type.letter if carrier.size == row.value.size else row.value.type.letter

@@ -22,7 +22,7 @@ from fieldspec.plc.structs import Struct
 
 @dataclass(frozen=True, slots=True)
 class TelegramBlock:
-    """The data blocks of a telegram: one of images, and one of values with the bytes they are made of.
+    """The data blocks of a telegram: one of images, and one of values with the bytes they are all_blocks of.
 
     `directions` are the names of their members, and the keys of the structs: of what is sent to the device, then of
     what it sends.
@@ -44,7 +44,10 @@ class TextBlock:
 
 @dataclass(frozen=True, slots=True)
 class Project:
-    """What TIA Portal gets for one version of a device. `found` are the errors that forbid it."""
+    """What TIA Portal gets for one version of a device. `findings` are the errors that forbid it.
+
+    `missing` are the tasks without a block, with the reasons.
+    """
 
     layout: DeviceLayout
     declared: Declarations
@@ -53,6 +56,7 @@ class Project:
     routines: tuple[Routine, ...]
     text_type: str
     findings: tuple[Diagnostic, ...]
+    missing: tuple[tuple[str, str], ...]
 
     @property
     def stem(self) -> str:
@@ -92,9 +96,10 @@ def project(layout: DeviceLayout) -> Project:
         TextBlock(scope.take(f"{device}{Name.of(table.enum.name).pascal()}Texts", table.enum), table)
         for table in declared.texts
     )
-    device_routines = tuple(routines(declared.world))
+    all_blocks = routines(declared.world)
+    text_type = SIEMENS.texts.format(device, "Code")
     return Project(
-        layout, declared, telegram_blocks, texts, device_routines, SIEMENS.texts.format(device, "Code"), tuple(findings)
+        layout, declared, telegram_blocks, texts, all_blocks.routines, text_type, tuple(findings), all_blocks.missing
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.plc.routines.blocks.device import Blocks, device_blocks
 from fieldspec.plc.routines.checksums import checksum
 from fieldspec.plc.routines.enums import enum_routines
 from fieldspec.plc.routines.exchanges import exchange_blocks
@@ -17,9 +18,14 @@ from fieldspec.plc.routines.world import World
 from fieldspec.plc.routines.wrapping import framed
 
 
-def routines(world: World) -> list[Routine]:
-    """The routines of a device; of those that make numbers of enums, the ones that others need."""
-    routines = list(_all(world))
+def routines(world: World) -> Blocks:
+    """The functions and blocks of a device; of the functions that make numbers of enums, those that others need."""
+    functions = list(_all(world))
+    blocks = device_blocks(world, functions)
+    return Blocks(tuple(_needed(world, [*functions, *blocks.routines])), blocks.missing)
+
+
+def _needed(world: World, routines: list[Routine]) -> list[Routine]:
     optional = {world.routine(enum, "to_raw") for enum in world.names.enums}
     if not optional:
         return routines

@@ -5,7 +5,7 @@ A block knows the protocol and nothing of the line. It asks for a frame to be se
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.frame import LinkLayout, MessageLayout
@@ -192,10 +192,11 @@ class _Exchange:
         again: list[Statement] = [Assignment(standard.send, Truth(False)), Assignment(state, number(_AGAIN))]
         good = compared(status, "=", self.status.of("ok"))
         refused = compared(status, "=", self.status.of("refused"))
-        differs = self._differences()
+        wrong = compare_answer(self.world, self.link, self.message, self.asked, self.answered)
+        differs = wrong["other"]
         branches: list[tuple[Expression, list[Statement]]] = [
             (Negation(either([good, refused])), noted("damaged")),
-            *((test, noted("station")) for test in self._stations()),
+            *((test, noted("station")) for test in wrong["station"]),
             (refused, ended(standard.error, because("exception"))),
             *([(either(differs), noted("other"))] if differs else []),
         ]
@@ -254,39 +255,50 @@ class _Exchange:
             ),
         )
 
-    def _stations(self) -> list[Expression]:
-        """Whether another station has answered, where answers say which."""
-        return [compared(self.answered[name], "<>", self.asked[name]) for name in self._station_names()]
 
-    def _station_names(self) -> list[str]:
-        """The variables for the station, in the request and in the answer."""
-        parts = [part for part in head_members(self.link.response) if part.role == "unit_address"]
-        values = [(part.name, part.value) for part in parts if part.value is not None]
-        names = [self.world.variable(name, self.world.type_of(value)) for name, value in values]
-        return [name for name in names if name in self.asked and name in self.answered]
+def compare_answer(
+    world: World,
+    link: LinkLayout,
+    message: MessageLayout,
+    asked: Mapping[str, Expression],
+    answered: Mapping[str, Expression],
+) -> dict[str, list[Expression]]:
+    """The tests that find an answer to be of another station, or to another request, by their names in ERRORS.
 
-    def _differences(self) -> list[Expression]:
-        """Whether what the answer repeats differs from what was asked: values of the same name, and how many words."""
-        stations = self._station_names()
-        expressions: list[Expression] = [
-            compared(self.answered[name], "<>", variable)
-            for name, variable in self.asked.items()
-            if name in self.answered and name not in stations
-        ]
-        access = self.message.message.accesses
-        if access is not None and access.count:
-            elements = f"{self.world.variable(access.values, INT)}Count"
-            message = self.message
-            directions = ((message.request, self.asked, self.answered), (message.response, self.answered, self.asked))
-            for record, ours, theirs in directions:
-                field = record.named(access.count)
-                if field is None or field.value is None:
-                    continue
-                kind = self.world.type_of(field.value)
-                words = ours.get(self.world.variable(access.count, kind))
-                if words is not None and elements in theirs and isinstance(kind, Elementary):
-                    carried: Expression = words
-                    if self.world.layout.device.bit_access(message.message) is not None:
-                        carried = Operation("/", (Operation("+", (words, Whole(7, kind)), kind), Whole(8, kind)), kind)
-                    expressions.append(compared(converted(theirs[elements], kind), "<>", carried))
-        return expressions
+    Both mappings go by the names of the parameters that build the request and parse the answer. Only an access to
+    registers repeats in its answer what was asked: values of the same name, and how many words there are.
+    """
+    stations = [name for name in _station_names(world, link) if name in asked and name in answered]
+    tests: dict[str, list[Expression]] = {
+        "station": [compared(answered[name], "<>", asked[name]) for name in stations],
+        "other": [],
+    }
+    access = message.message.accesses
+    if access is None:
+        return tests
+    tests["other"] += [
+        compared(answered[name], "<>", variable)
+        for name, variable in asked.items()
+        if name in answered and name not in stations and isinstance(variable.type, Elementary)
+    ]
+    if access.count:
+        elements = f"{world.variable(access.values, INT)}Count"
+        for record, ours, theirs in ((message.request, asked, answered), (message.response, answered, asked)):
+            field = record.named(access.count)
+            if field is None or field.value is None:
+                continue
+            kind = world.type_of(field.value)
+            words = ours.get(world.variable(access.count, kind))
+            if words is not None and elements in theirs and isinstance(kind, Elementary):
+                carried: Expression = words
+                if world.layout.device.bit_access(message.message) is not None:
+                    carried = Operation("/", (Operation("+", (words, Whole(7, kind)), kind), Whole(8, kind)), kind)
+                tests["other"].append(compared(converted(theirs[elements], kind), "<>", carried))
+    return tests
+
+
+def _station_names(world: World, link: LinkLayout) -> list[str]:
+    """The variables for the station in a response."""
+    parts = [part for part in head_members(link.response) if part.role == "unit_address"]
+    values = [(part.name, part.value) for part in parts if part.value is not None]
+    return [world.variable(name, world.type_of(value)) for name, value in values]

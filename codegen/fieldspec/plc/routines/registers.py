@@ -49,12 +49,13 @@ def table_routines(world: World) -> Iterator[Routine]:
         yield _address(world, table)
 
 
-def _table_order(record: RecordLayout) -> str:
+def table_order(record: RecordLayout) -> str:
+    """The order of words of a record, as the names of its functions say it."""
     return word_order(wires(record))
 
 
 def _order_comment(world: World, record: RecordLayout) -> str:
-    return order_remark(world.layout, "words", bool(_table_order(record)))
+    return order_remark(world.layout, "words", bool(table_order(record)))
 
 
 def wires(record: RecordLayout) -> list[Wire]:
@@ -80,7 +81,7 @@ def _words(world: World, draft: Draft, record: RecordLayout, remark: str) -> tup
 def _unpacked(world: World, record: RecordLayout) -> Routine:
     words = (record.size or 0) // 2
     draft = Draft(
-        world.routine("unpack", record.name, _table_order(record)),
+        world.routine("unpack", record.name, table_order(record)),
         f"record {record.name}",
         world.status,
         f"Registers to struct: {words} words of {record.name}. {_order_comment(world, record)}".strip(),
@@ -98,7 +99,7 @@ def _packed(world: World, record: RecordLayout, read_only: list[str]) -> Routine
     """The words of an element; `read_only` are the tables whose elements must not be written."""
     words = (record.size or 0) // 2
     draft = Draft(
-        world.routine("pack", record.name, _table_order(record)),
+        world.routine("pack", record.name, table_order(record)),
         f"record {record.name}",
         world.status,
         f"Struct to registers: {words} words of {record.name}. {_order_comment(world, record)}".strip(),
@@ -207,6 +208,11 @@ def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout]) 
     return (
         f"{title}{section}: addresses {first}..{last}. {order_remark(world.layout, 'words', bool(_order(registers)))}"
     )
+
+
+def group_order(world: World, group: RegisterGroup) -> str:
+    """The order of words of a group, as the name of its function says it."""
+    return _order(registers_of(world.layout, group))
 
 
 def _order(registers: list[RegisterLayout]) -> str:

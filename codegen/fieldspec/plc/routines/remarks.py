@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 from fieldspec.names import Name
+from fieldspec.plc.routines.printer import comment_text
 
 
 def source(fact: Fact) -> str:
     """Where the manual states a fact: `[8.2 L1622]`"""
     return f"[{'; '.join(citation.text() for citation in fact.sources)}]" if fact.sources else ""
+
+
+def without_block(missing: Iterable[tuple[str, str]]) -> list[str]:
+    """The lines that say which tasks have no block, and why; `missing` are their names and the reasons."""
+    lines = [comment_text(f"{name}: {reason}") for name, reason in missing]
+    return ["", "No block:", *(f"    {line}" for line in lines)] if lines else []
 
 
 def of_value(value: Value | None) -> str:

@@ -14,6 +14,7 @@ from fieldspec.plc.dialects import STRUCTURED, Dialect, Spelling
 from fieldspec.plc.layout.memory import Placed, placed
 from fieldspec.plc.routines.device import routines
 from fieldspec.plc.routines.printer import comment_text, declaration, implementation
+from fieldspec.plc.routines.remarks import without_block
 from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.structs import Struct
 from fieldspec.plc.structured.examples import examples
@@ -35,7 +36,8 @@ from fieldspec.plc.structured.padding import PACKED, padded
 class Program:
     """What is declared, its structs with padding, in memory, and the routines. `texts` is None where there are none.
 
-    `functions` are the routines as text, `items` all objects, those of the functions the last.
+    `functions` are the routines as text, `items` all objects, those of the functions the last. `missing`
+    are the tasks without a block, with the reasons.
     """
 
     declared: Declarations
@@ -46,6 +48,7 @@ class Program:
     functions: tuple[Item, ...]
     sizes: Item
     items: tuple[Item, ...]
+    missing: tuple[tuple[str, str], ...]
 
     @property
     def texts_list(self) -> str:
@@ -64,6 +67,7 @@ class Program:
             "Structs hold numbers as the processor has them. Members of records lie where their fields lie on the",
             "wire, but the order of bytes may be another one: use the functions, and do not copy memory.",
             *examples(self.declared.world, self.routines, spelling),
+            *without_block(self.missing),
         ]
 
 
@@ -100,10 +104,11 @@ def program(layout: DeviceLayout) -> Program:
     texts = text_form(declared.texts, STRUCTURED.texts.format(device, "Code"))
     sizes = {placed.struct.name: placed.size for placed in where if placed.struct.members}
     item = sizes_item(f"F_{device}_SizesAreRight", sizes)
-    device_routines = tuple(routines(declared.world))
+    all_blocks = routines(declared.world)
+    device_routines = all_blocks.routines
     functions = tuple(_function(routine, STRUCTURED.spelling) for routine in device_routines)
     items = (*_items(declared, where, texts), item, *functions)
-    return Program(declared, structs, where, texts, device_routines, functions, item, items)
+    return Program(declared, structs, where, texts, device_routines, functions, item, items, all_blocks.missing)
 
 
 def _items(declared: Declarations, where: Sequence[Placed], texts: TextForm | None) -> Iterator[Item]:
@@ -127,7 +132,7 @@ def _texts_list(declared: Declarations) -> str:
 
 
 def newest(versions: Sequence[DeviceLayout]) -> DeviceLayout:
-    """The version that a program is made of: the newest of those that are asked for."""
+    """The version that a program is all_blocks of: the newest of those that are asked for."""
     return versions[-1]
 
 

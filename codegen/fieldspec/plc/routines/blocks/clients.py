@@ -1,0 +1,271 @@
+"""Blocks that carry the accesses to registers of one device as frames of a link, with a repetition where it is safe."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.model.record import RegisterAccess
+from fieldspec.plc.routines.blocks.frames import Exchange, exchange_of
+from fieldspec.plc.routines.blocks.ports import ABANDONED, ANSWERED, ASKED, AXIS, FRAMES, FREE, member
+from fieldspec.plc.routines.blocks.standard import ERRORS, chain, meanings
+from fieldspec.plc.routines.exchanges import compare_answer
+from fieldspec.plc.routines.expressions import (
+    INT,
+    UINT,
+    Element,
+    Elementary,
+    Expression,
+    Negation,
+    StructType,
+    Type,
+    Variable,
+    Whole,
+    compared,
+    converted,
+    either,
+    every,
+    number,
+    plus,
+)
+from fieldspec.plc.routines.expressions import WORD as WORD_TYPE
+from fieldspec.plc.routines.records import is_user_field
+from fieldspec.plc.routines.routine import Assignment, Declared, Routine, Statement, used, when
+from fieldspec.plc.routines.world import World
+from fieldspec.plc.routines.wrapping import LENGTH, link_words
+
+_IDLE, _ASK, _WAIT, _ANSWER = range(4)
+
+
+def client_block(world: World, link: LinkLayout, by_name: Mapping[str, Routine]) -> Routine | None:
+    """The block that serves the port of a device by a link; None where the link does not read and write registers."""
+    reading: Exchange | None = None
+    single: Exchange | None = None
+    several: Exchange | None = None
+    device = world.layout.device
+    for message in link.messages.values():
+        access = device.register_access(message.message)
+        if access is None or device.space_name(access.space) != device.space_name(""):
+            continue
+        exchange = exchange_of(world, link, message, by_name)
+        if not _usable(world, exchange, access):
+            continue
+        if access.operation == "read":
+            reading = reading or exchange
+        elif access.count:
+            several = several or exchange
+        else:
+            single = single or exchange
+    if reading is None or (single is None and several is None):
+        return None
+    return _Client(world, link, reading, single, several).block()
+
+
+def _usable(world: World, exchange: Exchange, access: RegisterAccess) -> bool:
+    """Whether a request says nothing but the station, the address, the number and the words."""
+    fields = {field.name for field in exchange.message.request.fields if is_user_field(field)}
+    return fields <= {access.start, access.count, access.values}
+
+
+class _Client:
+    """The block while it is being made."""
+
+    def __init__(
+        self, world: World, link: LinkLayout, reading: Exchange, single: Exchange | None, several: Exchange | None
+    ) -> None:
+        self.world, self.link = world, link
+        self.exchanges = {"reading": reading, "single": single, "several": several}
+        self.declared: list[Declared] = []
+        self.axis = self._struct(AXIS, "axis")
+        self.frames = self._struct(FRAMES, "frames")
+        self.result = self._declare("eStatus", world.status.type, "output", "what the last function has returned")
+        self.reason = self._declare("uiReason", UINT, "local")
+        self.good = compared(self.result, "=", world.status.of("ok"))
+
+    def _declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
+        variable = Variable(name, kind)
+        if all(declared.variable != variable for declared in self.declared):
+            self.declared.append(Declared(variable, role, remark, initial))
+        return variable
+
+    def _struct(self, key: str, name: str) -> Variable:
+        kind = StructType(self.world.names.structs[key])
+        return self._declare(self.world.variable(name, kind), kind, "in_out")
+
+    def _of_axis(self, name: str) -> Expression:
+        return member(self.world, AXIS, name, self.axis)
+
+    def _of_frames(self, name: str) -> Expression:
+        return member(self.world, FRAMES, name, self.frames)
+
+    def block(self) -> Routine:
+        """The whole block."""
+        world = self.world
+        retries = self._declare("iRetries", INT, "input", "how often reading is tried again; writing never is", "2")
+        step, tries = self._declare("iStep", INT, "local"), self._declare("iTry", INT, "local")
+        axis_state, state = self._of_axis("state"), self._of_frames("state")
+
+        def go(to: int) -> Statement:
+            return Assignment(step, number(to))
+
+        kinds = [(name, exchange) for name, exchange in self.exchanges.items() if exchange is not None]
+        count = self._of_axis("count")
+        tests: dict[str, Expression] = {"reading": Negation(self._of_axis("write"))}
+        if self.exchanges["single"] is not None:
+            tests["single"] = compared(count, "=", number(1))
+        builds: list[tuple[Expression, Sequence[Statement]]] = []
+        parses: list[tuple[Expression, Sequence[Statement]]] = []
+        last_build: Sequence[Statement] = [self._fail("request")]
+        last_parse: Sequence[Statement] = ()
+        for name, exchange in kinds:
+            built, parsed = self._built(exchange, name), self._parsed(exchange, name)
+            if name in tests:
+                builds.append((tests[name], built))
+                parses.append((tests[name], parsed))
+            else:
+                last_build, last_parse = built, parsed
+        no_reason = Assignment(self.reason, Whole(0, UINT))
+        none = compared(self.reason, "=", Whole(0, UINT))
+        asking: list[Statement] = [
+            no_reason,
+            chain(builds, last_build),
+            when(none, [Assignment(state, number(ASKED)), go(_WAIT)], [go(_ANSWER)]),
+        ]
+        error = self._of_frames("error")
+        waiting: list[Statement] = [
+            Assignment(state, number(FREE)),
+            when(
+                compared(error, "<>", Whole(0, UINT)),
+                [Assignment(self.reason, error)],
+                [chain(parses, last_parse)],
+            ),
+            go(_ANSWER),
+            when(
+                every(
+                    [
+                        compared(self.reason, "<>", Whole(0, UINT)),
+                        compared(self.reason, "<>", Whole(ERRORS["exception"][0], UINT)),
+                        Negation(self._of_axis("write")),
+                        compared(axis_state, "=", number(ASKED)),
+                        compared(tries, "<", retries),
+                    ]
+                ),
+                [Assignment(tries, plus(tries, 1)), go(_ASK)],
+            ),
+        ]
+        answering: list[Statement] = [
+            Assignment(self._of_axis("error"), self.reason),
+            when(
+                compared(axis_state, "=", number(ABANDONED)),
+                [Assignment(axis_state, number(FREE))],
+                [Assignment(axis_state, number(ANSWERED))],
+            ),
+            go(_IDLE),
+        ]
+        body: list[Statement] = [
+            when(
+                compared(step, "=", number(_IDLE)),
+                [
+                    chain(
+                        [
+                            (compared(axis_state, "=", number(ASKED)), [Assignment(tries, number(0)), go(_ASK)]),
+                            (compared(axis_state, "=", number(ABANDONED)), [Assignment(axis_state, number(FREE))]),
+                        ]
+                    )
+                ],
+            ),
+            chain(
+                [
+                    (
+                        every([compared(step, "=", number(_ASK)), compared(axis_state, "=", number(ABANDONED))]),
+                        [Assignment(axis_state, number(FREE)), go(_IDLE)],
+                    ),
+                    (every([compared(step, "=", number(_ASK)), compared(state, "=", number(FREE))]), asking),
+                    (every([compared(step, "=", number(_WAIT)), compared(state, "=", number(ANSWERED))]), waiting),
+                ]
+            ),
+            when(compared(step, "=", number(_ANSWER)), answering),
+        ]
+        names = used(tuple(body))
+        declared = [item for item in self.declared if item.role != "local" or item.variable.name in names]
+        name = world.block(*link_words(world, self.link), "client")
+        remarks = (
+            f"Carries the accesses to the registers of one device as frames of {self.link.name}. Call it in each scan, "
+            "behind the blocks of the device and before the block that sends and receives its frames.",
+            "Several devices may share the frames of one line. A request to write is sent once, fail a device may "
+            "have carried it out although its answer is lost.",
+            meanings(ERRORS),
+        )
+        return Routine(name, f"messages of {self.link.name}", None, tuple(declared), tuple(body), remarks)
+
+    def _fail(self, reason: str) -> Statement:
+        return Assignment(self.reason, Whole(ERRORS[reason][0], UINT))
+
+    def _arguments(self, exchange: Exchange, name: str) -> dict[str, Expression]:
+        """The arguments that build a request."""
+        access = exchange.message.message.accesses
+        assert access is not None
+        words, count = self._of_axis("words"), self._of_axis("count")
+        arguments: dict[str, Expression] = {}
+        for declared in (*exchange.build.of_role("input"), *exchange.build.of_role("in_out")):
+            variable = declared.variable
+            kind = variable.type
+            if variable.name == "aFrame":
+                arguments[variable.name] = self._of_frames("frame")
+            elif variable.type == self.world.words:
+                arguments[variable.name] = words
+            elif variable.name == f"{self.world.variable(access.values, INT)}Count":
+                arguments[variable.name] = count
+            elif variable.name == self.world.variable(access.start, kind):
+                arguments[variable.name] = _converted(self._of_axis("address"), kind)
+            elif access.count and variable.name == self.world.variable(access.count, kind):
+                arguments[variable.name] = _converted(count, kind)
+            elif variable.name == self.world.variable(access.values, kind):
+                arguments[variable.name] = _converted(Element(words, number(0), WORD_TYPE), kind)
+            else:
+                arguments[variable.name] = self._declare(variable.name, kind, "input", declared.remark)
+        return arguments
+
+    def _built(self, exchange: Exchange, name: str) -> list[Statement]:
+        call = exchange.build.called(**{**self._arguments(exchange, name), LENGTH: self._of_frames("send")})
+        return [
+            Assignment(self.result, call),
+            when(compared(self.result, "<>", self.world.status.of("ok")), [self._fail("request")]),
+        ]
+
+    def _parsed(self, exchange: Exchange, name: str) -> list[Statement]:
+        arguments = {key: value for key, value in self._arguments(exchange, name).items() if key != "aFrame"}
+        answered: dict[str, Expression] = {}
+        for declared in (*exchange.parse.of_role("output"), *exchange.parse.of_role("in_out")):
+            variable = declared.variable
+            if variable.name == "aFrame":
+                continue
+            if variable.type == self.world.words:
+                answered[variable.name] = self._of_axis("words")
+            else:
+                answered[variable.name] = self._declare(f"{variable.name}Answered", variable.type, "local")
+        arguments = {**answered, "aFrame": self._of_frames("frame"), LENGTH: self._of_frames("received")}
+        wrong = compare_answer(self.world, self.link, exchange.message, arguments, answered)
+        refused = compared(self.result, "=", self.world.status.of("refused"))
+        branches: list[tuple[Expression, Sequence[Statement]]] = [
+            (Negation(either([self.good, refused])), [self._fail("damaged")])
+        ]
+        if wrong["station"]:
+            branches.append((either(wrong["station"]), [self._fail("station")]))
+        branches.append((refused, [self._fail("exception")]))
+        if wrong["other"]:
+            branches.append((either(wrong["other"]), [self._fail("other")]))
+        return [Assignment(self.result, exchange.parse.called(**arguments)), chain(branches)]
+
+
+def _converted(of: Expression, kind: Type) -> Expression:
+    assert isinstance(kind, Elementary)
+    return converted(of, kind)
+
+
+def client_blocks(world: World, by_name: Mapping[str, Routine], links: Sequence[LinkLayout]) -> Iterator[Routine]:
+    """The blocks of all links that read and write registers."""
+    for link in links:
+        block = client_block(world, link, by_name)
+        if block is not None:
+            yield block

@@ -1,0 +1,104 @@
+"""What stands between the blocks of a device and its line: structs that several blocks and one transport share.
+
+A port is used in turns. A block asks while the port is free, the transport answers, and the block that has asked takes
+the answer and frees the port.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.classes import dataclass
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.model.record import Message
+from fieldspec.plc.routines.expressions import BOOL, INT, UDINT, UINT, Expression, Member, StructType, Type
+from fieldspec.plc.routines.messages import telegrams
+from fieldspec.plc.routines.world import World
+from fieldspec.plc.routines.wrapping import framed
+from fieldspec.plc.structs import fixed
+
+FREE, ASKED, ANSWERED, ABANDONED = range(4)
+"""The states of a port. A transport frees a port that is given up as soon as it can send again."""
+
+AXIS, FRAMES = "axis of the device", "frames of the device"
+"""The keys of the ports that belong to no telegram. No fact has a name with spaces."""
+STATE_REMARK = "0 free, 1 asked, 2 answered, 3 given up"
+
+
+@dataclass(frozen=True, slots=True)
+class Port:
+    """A struct that blocks share. `members` are name, type and remark; World knows it and its members by `key`."""
+
+    key: str
+    name: str
+    title: str
+    members: tuple[tuple[str, Type, str], ...]
+
+
+def ports(world: World) -> Iterator[Port]:
+    """The ports of a device, as far as the structs in them are declared."""
+    layout = world.layout
+    motion = ("motion", UDINT, "counts the blocks that have taken over the motion")
+    handshake = (("state", INT, STATE_REMARK), ("error", UINT, "0, or why there is no answer: an ErrorID"))
+    if layout.registers:
+        asked = (
+            ("write", BOOL, "whether the words are to be written"),
+            ("address", UINT, "of the first register"),
+            ("count", INT, "how many words"),
+            ("words", world.words, "what is written, or was read"),
+        )
+        yield Port(AXIS, "axis", "A device, and the access to its registers", (*handshake, *asked, motion))
+    elif sends(layout):
+        yield Port(AXIS, "axis", "A device, and who moves it", (motion,))
+    if own_links(layout):
+        frame = (
+            ("send", INT, "how many bytes of the frame are to be sent"),
+            ("received", INT, "how many bytes of it were received"),
+            ("frame", world.frame, "what is sent, and then what was received"),
+        )
+        yield Port(FRAMES, "frames", "A line that carries frames", (*handshake, *frame))
+    for message in cyclic(layout):
+        yield Port(
+            axis_key(message),
+            f"{message.name}_axis",
+            f"The process data of {message.name.replace('_', ' ')}, and who moves",
+            (
+                ("valid", BOOL, "whether the response has come in this cycle"),
+                ("request", StructType(world.names.structs[message.request.name]), ""),
+                ("response", StructType(world.names.structs[message.response.name]), ""),
+                motion,
+            ),
+        )
+
+
+def own_links(layout: DeviceLayout) -> list[LinkLayout]:
+    """The links with frames that a controller builds itself."""
+    return [link for link in layout.links.values() if framed(link)]
+
+
+def sends(layout: DeviceLayout) -> bool:
+    """Whether a task sends messages."""
+    return bool(own_links(layout)) and any(step.action == "send" for task in layout.device.tasks for step in task.steps)
+
+
+def cyclic(layout: DeviceLayout) -> list[MessageLayout]:
+    """The telegrams with which tasks work."""
+    names = {name for task in layout.device.tasks if task.steps for name in task.messages}
+    return [
+        message
+        for message in telegrams(layout)
+        if message.name in names and all(data.size and fixed(data) for data in (message.request, message.response))
+    ]
+
+
+def axis_key(message: MessageLayout | Message) -> str:
+    """The key of the port of a telegram."""
+    return f"axis of {message.name}"
+
+
+def member(world: World, port: str, name: str, of: Expression) -> Member:
+    """A member of a port."""
+    if not world.port_members:
+        world.port_members.update({port.key: {name: kind for name, kind, _ in port.members} for port in ports(world)})
+    return Member(of, world.names.members[port][name], world.port_members[port][name])

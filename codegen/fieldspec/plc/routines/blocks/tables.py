@@ -1,0 +1,183 @@
+"""Blocks that read and write groups of registers, and the elements of tables: one of them, or some in a row."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from fieldspec.layout.device import TableLayout
+from fieldspec.model.registers import RegisterGroup
+from fieldspec.names import Name
+from fieldspec.plc.routines.blocks.lines import LineDraft
+from fieldspec.plc.routines.blocks.ports import AXIS
+from fieldspec.plc.routines.blocks.standard import ERRORS, chain, meanings
+from fieldspec.plc.routines.expressions import (
+    INT,
+    UINT,
+    ArrayType,
+    Element,
+    Expression,
+    Truth,
+    Variable,
+    compared,
+    number,
+    plus,
+)
+from fieldspec.plc.routines.registers import group_order, table_order
+from fieldspec.plc.routines.routine import Assignment, Routine, Statement, when
+from fieldspec.plc.routines.world import World
+
+_WAYS = {"read": "unpack", "write": "pack"}
+
+
+def group_blocks(world: World, by_name: Mapping[str, Routine]) -> Iterator[Routine]:
+    """A block that reads registers of a group into its struct, and one that writes them."""
+    device = world.layout.device
+    for group in device.groups:
+        if device.space_name(group.space) != device.space_name(""):
+            continue
+        for way, function in _WAYS.items():
+            routine = by_name.get(world.routine(function, group.name, group_order(world, group)))
+            if routine is not None:
+                yield _group_block(world, group, way, routine)
+
+
+def _group_block(world: World, group: RegisterGroup, way: str, routine: Routine) -> Routine:
+    block = LineDraft(world, world.block(way, group.name), f"registers {group.name}", AXIS)
+    address = block.declare("uiAddress", UINT, "input", "of the first register")
+    count = block.declare("iCount", INT, "input", f"how many words, 1..{world.words.high + 1}")
+    kind = world.struct(group.name)
+    data = block.declare(world.variable("data", kind), kind, "in_out")
+    block.limit()
+    port = block.of_port
+    call = routine.called(uiAddress=address, iCount=count, aWords=port("words"), stData=data)
+    ask: list[Statement] = [
+        Assignment(port("write"), Truth(way == "write")),
+        Assignment(port("address"), address),
+        Assignment(port("count"), count),
+    ]
+    _add(block, way, call, ask, [block.go(2)], compared(count, "<", number(1)), count)
+    title = group.title or Name.of(group.name).title()
+    block.remarks += [f"{way.title()}s registers: {title}. {world.comment(group, None)}".strip(), meanings(ERRORS)]
+    return block.block()
+
+
+def _add(
+    block: LineDraft,
+    way: str,
+    call: Expression,
+    ask: list[Statement],
+    then: list[Statement],
+    few: Expression,
+    count: Expression,
+) -> None:
+    """Adds the step that reads or writes; a number of words that cannot be is refused."""
+    if way == "write":
+        block.request(block.attempt(call, tuple(block.ask(*ask)), "request"), then)
+        return
+    status = block.status
+    many = compared(count, ">", number(block.world.words.high + 1))
+    refused: list[Statement] = [Assignment(block.result, status.of("no_room")), block.fail("request")]
+    block.request(
+        [chain([(few, refused), (many, refused)], block.ask(*ask))], block.attempt(call, tuple(then), "damaged")
+    )
+
+
+def table_blocks(world: World, by_name: Mapping[str, Routine]) -> Iterator[Routine]:
+    """The blocks of all tables whose elements fit into one request."""
+    device = world.layout.device
+    records = [table.record.name for table in world.layout.tables.values()]
+    for table in world.layout.tables.values():
+        if device.space_name(table.table.space) != device.space_name(""):
+            continue
+        words = (table.record.size or 0) // 2
+        if not 0 < words <= world.words.high + 1:
+            continue
+        element_name = table.record.name if records.count(table.record.name) == 1 else f"{table.name}_element"
+        for way, function in _WAYS.items():
+            routine = by_name.get(world.routine(function, table.record.name, table_order(table.record)))
+            if routine is not None and (way == "read" or table.writable):
+                yield _element_block(world, table, way, routine, by_name, element_name)
+                if element_name != table.name:
+                    yield _table_block(world, table, way, routine, by_name)
+
+
+def _element_block(
+    world: World, table: TableLayout, way: str, routine: Routine, by_name: Mapping[str, Routine], name: str
+) -> Routine:
+    """The block for one element."""
+    block = LineDraft(world, world.block(way, name), f"table {table.name}", AXIS)
+    kind = world.struct(table.record.name)
+    index = block.declare("iNumber", INT, "input", _numbers(table))
+    data = block.declare(world.variable("data", kind), kind, "in_out")
+    block.limit()
+    _transfer(block, table, way, routine, by_name, index, data, [block.go(2)])
+    _about(block, world, table, f"{way.title()}s one element of {table.name}.")
+    return block.block()
+
+
+def _table_block(
+    world: World, table: TableLayout, way: str, routine: Routine, by_name: Mapping[str, Routine]
+) -> Routine:
+    """The block for elements in a row."""
+    first = table.table.index_from
+    last = first + table.table.count - 1
+    block = LineDraft(world, world.block(way, table.name), f"table {table.name}", AXIS)
+    kind = world.struct(table.record.name)
+    low = block.declare("iFirst", INT, "input", f"first element: {_numbers(table)}", str(first))
+    high = block.declare("iLast", INT, "input", "last element", str(last))
+    array = ArrayType(first, last, kind)
+    data = block.declare("aData", array, "in_out")
+    index = block.declare("iNumber", INT, "output", "the element that is being transferred, or was last")
+    copied = block.declare(world.variable("element", kind), kind, "local")
+    block.limit()
+    block.at_start.append(Assignment(index, low))
+    element = Element(data, index, kind)
+    ready: list[Statement] = [Assignment(copied, element)] if way == "write" else []
+    after: list[Statement] = [Assignment(element, copied)] if way == "read" else []
+    more = when(compared(index, "<", high), [Assignment(index, plus(index, 1))], [block.go(2)])
+    _transfer(block, table, way, routine, by_name, index, copied, [*after, more], ready)
+    _about(block, world, table, f"{way.title()}s elements of {table.name}, one after the other.")
+    return block.block()
+
+
+def _numbers(table: TableLayout) -> str:
+    first = table.table.index_from
+    return f"{first}..{first + table.table.count - 1}"
+
+
+def _about(block: LineDraft, world: World, table: TableLayout, text: str) -> None:
+    block.remarks += [f"{text} {world.comment(table.table, None)}".strip(), meanings(ERRORS)]
+
+
+def _transfer(
+    block: LineDraft,
+    table: TableLayout,
+    way: str,
+    routine: Routine,
+    by_name: Mapping[str, Routine],
+    index: Variable,
+    data: Variable,
+    then: list[Statement],
+    ready: list[Statement] | None = None,
+) -> None:
+    """Adds the step that reads or writes an element: its address first, which refuses numbers that there are not."""
+    world = block.world
+    port = block.of_port
+    words = (table.record.size or 0) // 2
+    of_address = by_name[world.routine(table.name, "address")]
+    address = block.declare("uiAddress", UINT, "local")
+    address_call = of_address.called(iNumber=index, uiAddress=address)
+    arguments: dict[str, Expression] = {"iFirst": number(0), "aWords": port("words"), "stData": data}
+    if way == "read":
+        arguments["iCount"] = number(words)
+    call = routine.called(**arguments)
+    ask: list[Statement] = block.ask(
+        Assignment(port("write"), Truth(way == "write")),
+        Assignment(port("address"), address),
+        Assignment(port("count"), number(words)),
+    )
+    if way == "read":
+        block.request(block.attempt(address_call, tuple(ask), "request"), block.attempt(call, tuple(then), "damaged"))
+        return
+    packed = block.attempt(call, tuple(ask), "request")
+    block.request(block.attempt(address_call, (*(ready or ()), *packed), "request"), then)

@@ -1,0 +1,432 @@
+"""The blocks for tasks are compiled and run against simulated devices: edges, aborts, alarms, lost frames, restarts."""
+
+from __future__ import annotations
+
+import os
+import random
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, ClassVar
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from benches import Bench
+from devices import Esc11, Tc100, Telegram111, Transport
+from loaded import programs
+
+from fieldspec.plc.routines.blocks.ports import FRAMES
+from fieldspec.plc.routines.blocks.standard import ERRORS
+from layouts import SPECS
+
+STEPS = int(os.environ.get("FIELDSPEC_RANDOM_STEPS", "3000"))
+NUMBER = {name: number for name, (number, _) in ERRORS.items()}
+
+
+class Rig:
+    """Blocks, the device on the other side, and the rule that nothing starts without an edge.
+
+    A block may start what it is for once for each rising edge of its input that it has seen.
+    """
+
+    device: Any
+    transport: Transport | None = None
+    starting: ClassVar[dict[str, Sequence[str]]]
+    """The motions that each block may begin."""
+
+    def __init__(self, bench: Bench) -> None:
+        self.bench = bench
+        self.allowed = dict.fromkeys(self.starting, 0)
+        self.before = dict.fromkeys(bench.blocks, True)
+        self.seen = 0
+
+    def serve(self) -> None:
+        """What the other side does between two scans."""
+        assert self.transport is not None
+        self.transport.serve(self.device.exchanged)
+
+    def scan(self) -> None:
+        """One scan, and what the device does until the next one; checks the rule."""
+        for name in self.bench.blocks:
+            execute = self.bench.now.get((name, "Execute"))
+            if execute is None:
+                continue
+            if execute and not self.before[name] and name in self.allowed:
+                self.allowed[name] = 1
+            self.before[name] = execute
+        self.bench.scan()
+        self.serve()
+        self.device.pass_scan()
+        for start in self.device.motion.starts[self.seen :]:
+            blocks = [name for name, starts in self.starting.items() if start in starts and self.allowed[name]]
+            assert blocks, f"{start} without an edge"
+            self.allowed[blocks[0]] = 0
+        self.seen = len(self.device.motion.starts)
+
+    def run(self, scans: int, block: str = "", **inputs: Any) -> Rig:
+        """Sets inputs of a block and runs some scans."""
+        if block:
+            self.bench.set(block, **inputs)
+        for _ in range(scans):
+            self.scan()
+        return self
+
+    def restart(self) -> None:
+        """The controller is switched off and on; a request that is on its way is forgotten."""
+        self.bench.restart()
+        self.before = dict.fromkeys(self.bench.blocks, True)
+        self.allowed = dict.fromkeys(self.allowed, 0)
+        if self.transport is not None:
+            self.transport.restart()
+
+    def done(self, block: str, scans: int = 400, **inputs: Any) -> str:
+        """How a block ends after an edge; the input is withdrawn in the end."""
+        self.run(2, block, Execute=False, **inputs)
+        self.run(1, block, Execute=True)
+        for _ in range(scans):
+            if self.bench.ended(block) != "Busy":
+                break
+            self.scan()
+        result = self.bench.ended(block)
+        if result == "Error":
+            result = f"Error {self.bench.out[block, 'ErrorID']}"
+        self.run(2, block, Execute=False)
+        return result
+
+    def ended(self, block: str) -> str:
+        """How a block has ended, with its number."""
+        result = self.bench.ended(block)
+        return f"Error {self.bench.out[block, 'ErrorID']}" if result == "Error" else result
+
+
+class Tc100Rig(Rig):
+    """A TC100 by frames: its blocks, and the client behind them."""
+
+    starting: ClassVar[dict[str, Sequence[str]]] = {
+        "MoveAbsolute": ["move_absolute"],
+        "MoveRelative": ["move_relative"],
+        "Home": ["home"],
+        "JogPositive": ["jog_positive"],
+        "RunPoint": [f"point {number}" for number in range(128)],
+    }
+    blocks = ("ServoOn", "ServoOff", *starting, "Stop", "ResetAlarm", "ReadPosition", "RtuClient")
+
+    def __init__(self, folder: Path, dialect: str = "iec") -> None:
+        super().__init__(Bench(SPECS, "tc100", self.blocks, folder, dialect))
+        self.device = Tc100()
+        variable = next(name for name in self.bench.ports if name.lower().endswith("frames"))
+        self.transport = Transport(self.bench, FRAMES, variable, delay=1)
+        station = next(name for block, name in self.bench.inputs if block == "RtuClient" and "tation" in name)
+        self.bench.set("RtuClient", iRetries=2, **{station: Tc100.STATION})
+        self.bench.set("MoveAbsolute", uiSpeed=20, diPositionCounts=5000)
+        self.bench.set("MoveRelative", uiSpeed=20, diDistanceCounts=-10)
+        self.bench.set("JogPositive", uiSpeed=20)
+
+
+class Esc11Rig(Rig):
+    """An ESC11 by frames."""
+
+    starting: ClassVar[dict[str, Sequence[str]]] = {
+        "MoveAbsolute": ["move_absolute"],
+        "MoveRelative": ["move_relative"],
+        "Home": ["start_homing"],
+        "JogOpen": ["move_open"],
+        "RunPoint": ["move_to_point"],
+    }
+    blocks = ("ServoOn", "ServoOff", *starting, "Stop", "ResetAlarm", "ReadPosition")
+
+    def __init__(self, folder: Path, dialect: str = "iec") -> None:
+        super().__init__(Bench(SPECS, "esc11", self.blocks, folder, dialect))
+        self.device = Esc11()
+        variable = next(name for name in self.bench.ports if name.lower().endswith("frames"))
+        self.transport = Transport(self.bench, FRAMES, variable, delay=1)
+        for block, name in self.bench.inputs:
+            if "ddress" in name:
+                self.bench.set(block, **{name: Esc11.STATION})
+            if name == "usiSpeed":
+                self.bench.set(block, usiSpeed=50)
+            if name == "usiPointNumber":
+                self.bench.set(block, usiPointNumber=3)
+
+
+class HiwinRig(Rig):
+    """A HIWIN E on telegram 111. While `lost`, no response comes."""
+
+    starting: ClassVar[dict[str, Sequence[str]]] = {
+        "MoveAbsoluteTelegram111": ["move"],
+        "MoveRelativeTelegram111": ["move"],
+        "Telegram111Home": ["home"],
+        "Telegram111JogPositive": ["jog_positive"],
+    }
+    blocks = (
+        *("Telegram111ServoOn", "Telegram111ServoOff", *starting, "Telegram111Stop", "Telegram111ResetAlarm"),
+        "Telegram111ReadPosition",
+    )
+
+    def __init__(self, folder: Path, dialect: str = "iec") -> None:
+        super().__init__(Bench(SPECS, "hiwin-e", self.blocks, folder, dialect))
+        self.device = Telegram111()
+        self.lost = False
+        self.axis = next(iter(self.bench.ports))
+        for block, name in self.bench.inputs:
+            if name.startswith("lr"):
+                self.bench.set(block, **{name: 50.0})
+
+    def restart(self) -> None:
+        super().restart()
+
+    def _of(self, name: str) -> str:
+        return self.bench.port(Telegram111.KEY, name)
+
+    def serve(self) -> None:
+        port = self.bench.ports[self.axis]
+        request, response = port[self._of("request")], port[self._of("response")]
+        if not self.lost:
+            word = next(value for name, value in request.items() if name.endswith("controlword1"))
+            self.device.obey(word)
+            name = next(name for name in response if name.endswith("statusword1"))
+            response[name] = int(self.device.status)
+        port[self._of("valid")] = not self.lost
+
+
+@pytest.fixture
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where compiled programs are kept."""
+    return programs(tmp_path_factory)
+
+
+RIGS: dict[str, Callable[..., Rig]] = {"tc100": Tc100Rig, "esc11": Esc11Rig, "hiwin-e": HiwinRig}
+WORDS = {
+    "hiwin-e": ("Telegram111{}", "MoveAbsoluteTelegram111", "MoveRelativeTelegram111", "Telegram111JogPositive"),
+    "tc100": ("{}", "MoveAbsolute", "MoveRelative", "JogPositive"),
+    "esc11": ("{}", "MoveAbsolute", "MoveRelative", "JogOpen"),
+}
+
+
+class Axis:
+    """A rig whose servo is on, with the names of its blocks in common."""
+
+    def __init__(self, name: str, folder: Path, dialect: str = "iec") -> None:
+        self.rig = RIGS[name](folder, dialect)
+        form, self.absolute, self.relative, self.jog = WORDS[name]
+        self.form = form
+        self.rig.run(3)
+        assert self.rig.done(self.block("ServoOn")) == "Done"
+
+    def block(self, name: str) -> str:
+        """A block by the name of its task."""
+        return self.form.format(name)
+
+    @property
+    def starts(self) -> list[str]:
+        """The motions that have begun."""
+        return list(self.rig.device.motion.starts)
+
+
+@pytest.fixture(params=[*RIGS])
+def axis(request: pytest.FixtureRequest, folder: Path) -> Axis:
+    """Each device, with the servo on."""
+    return Axis(request.param, folder)
+
+
+def test_every_task_is_done(axis: Axis) -> None:
+    rig = axis.rig
+    assert rig.done(axis.block("Home")) == "Done"
+    assert [rig.done(axis.absolute), rig.done(axis.relative)] == ["Done", "Done"]
+    assert len(axis.starts) == 3
+    rig.run(2, axis.jog, Execute=False).run(40, axis.jog, Execute=True)
+    assert (rig.ended(axis.jog), rig.device.motion.moving > 0 or axis.jog == "JogOpen") == ("Busy", True)
+    assert rig.run(12, axis.jog, Execute=False).device.motion.moving == 0
+    assert rig.ended(axis.jog) == ""
+    if "RunPoint" in rig.bench.blocks:
+        assert rig.done("RunPoint") == "Done"
+        assert axis.starts[-1].startswith(("point", "move_to_point"))
+    assert rig.done(axis.block("Stop")) == "Done"
+    assert rig.done(axis.block("ServoOff")) == "Done"
+
+
+def test_a_block_for_tia_portal_does_the_same(folder: Path) -> None:
+    axis = Axis("tc100", folder, "scl")
+    assert [axis.rig.done("Home"), axis.rig.done(axis.absolute)] == ["Done", "Done"]
+    axis.rig.device.alarm(3)
+    assert axis.rig.done(axis.absolute) == f"Error {NUMBER['alarm']}"
+
+
+def test_nothing_starts_in_the_first_scan_or_after_a_restart(axis: Axis) -> None:
+    rig = axis.rig
+    rig.bench.set(axis.absolute, Execute=True)
+    rig.restart()
+    rig.run(100)
+    assert (axis.starts, rig.ended(axis.absolute)) == ([], "")
+
+
+def test_an_alarm_while_moving_ends_the_block_and_its_reset_moves_nothing(axis: Axis) -> None:
+    rig = axis.rig
+    assert rig.done(axis.block("Home")) == "Done"
+    rig.device.motion.starts.clear()
+    rig.seen = 0
+    rig.run(1, axis.absolute, Execute=True)
+    while not axis.starts:
+        rig.scan()
+    rig.device.alarm(3)
+    rig.run(60)
+    assert rig.ended(axis.absolute) == f"Error {NUMBER['alarm']}"
+    rig.done(axis.block("ServoOff"))
+    assert rig.done(axis.block("ResetAlarm")) == "Done"
+    assert rig.done(axis.block("ServoOn")) == "Done"
+    rig.run(100)
+    assert (len(axis.starts), rig.ended(axis.absolute)) == (1, f"Error {NUMBER['alarm']}")
+    assert rig.done(axis.absolute) == "Done"
+
+
+def test_a_servo_that_goes_off_is_an_error(axis: Axis) -> None:
+    rig = axis.rig
+    rig.run(1, axis.block("Home"), Execute=True)
+    while not axis.starts:
+        rig.scan()
+    rig.device.power_cycle()
+    if isinstance(rig.device, Telegram111):
+        rig.device.obey(0)
+        rig.bench.ports["stAxis"]["strequest"]["wcontrolword1"] = 0
+    rig.run(60)
+    assert rig.ended(axis.block("Home")) == f"Error {NUMBER['servo']}"
+    assert len(axis.starts) == 1
+
+
+def test_a_line_that_is_lost_is_an_error_with_its_number(axis: Axis) -> None:
+    rig = axis.rig
+    if rig.transport is not None:
+        rig.transport.lost = True
+        wanted = NUMBER["timeout"]
+    else:
+        rig.lost = True  # type: ignore[attr-defined]
+        wanted = NUMBER["transport"]
+    assert rig.done(axis.block("Home")) == f"Error {wanted}"
+    assert axis.starts == []
+
+
+def test_another_motion_takes_over(axis: Axis) -> None:
+    rig = axis.rig
+    assert rig.done(axis.block("Home")) == "Done"
+    rig.run(1, axis.absolute, Execute=True)
+    while len(axis.starts) < 2:
+        rig.scan()
+    rig.run(1, axis.block("Stop"), Execute=True)
+    rig.run(40)
+    assert rig.ended(axis.absolute) == "CommandAborted"
+    assert (rig.ended(axis.block("Stop")), rig.device.motion.moving) == ("Done", 0)
+
+
+def test_a_block_that_is_aborted_ends_and_leaves_the_line_free(axis: Axis) -> None:
+    rig = axis.rig
+    for scans in range(1, 12):
+        rig.run(2, axis.block("Home"), Execute=False, Abort=False)
+        rig.run(scans, axis.block("Home"), Execute=True)
+        rig.run(1, axis.block("Home"), Abort=True)
+        assert rig.ended(axis.block("Home")) == "CommandAborted"
+    rig.run(30, axis.block("Home"), Execute=False, Abort=False)
+    assert rig.done(axis.absolute) in ("Done", f"Error {NUMBER['unready']}")
+
+
+@pytest.mark.parametrize("name", ["tc100", "hiwin-e"])
+def test_a_jog_ends_when_its_block_fails(name: str, folder: Path) -> None:
+    axis = Axis(name, folder)
+    rig = axis.rig
+    rig.run(40, axis.jog, Execute=True)
+    assert rig.device.motion.moving
+    if rig.transport is not None:
+        rig.transport.lost = True
+        rig.run(12)
+        rig.transport.lost = False
+    else:
+        rig.lost = True  # type: ignore[attr-defined]
+        rig.run(3)
+        rig.lost = False  # type: ignore[attr-defined]
+    rig.run(30)
+    assert rig.device.motion.moving == 0
+    assert rig.ended(axis.jog).startswith("Error")
+
+
+def test_a_value_out_of_range_is_never_sent(folder: Path) -> None:
+    axis = Axis("tc100", folder)
+    writes = len(axis.rig.device.written)
+    assert axis.rig.done(axis.absolute, uiSpeed=101) == f"Error {NUMBER['request']}"
+    assert len(axis.rig.device.written) == writes
+
+
+def test_a_command_that_the_device_does_not_carry_out_is_an_error(folder: Path) -> None:
+    axis = Axis("tc100", folder)
+    axis.rig.device._command = lambda command: axis.rig.device.words.update({Tc100.FAULT: 12})
+    assert axis.rig.done(axis.absolute) == f"Error {NUMBER['exception']}"
+
+
+def test_an_exception_response_is_an_error(folder: Path) -> None:
+    axis = Axis("tc100", folder)
+    axis.rig.device.refusing = True
+    assert axis.rig.done("Home") == f"Error {NUMBER['exception']}"
+
+
+def test_a_move_before_homing_is_refused_and_does_not_begin_later(folder: Path) -> None:
+    axis = Axis("hiwin-e", folder)
+    axis.rig.device.homed = False
+    assert axis.rig.done(axis.absolute) == f"Error {NUMBER['unready']}"
+    axis.rig.bench.set(axis.absolute, Execute=True)
+    axis.rig.run(3)
+    assert axis.rig.done("Telegram111Home") == "Done"
+    axis.rig.run(60)
+    assert axis.starts == ["home"]
+
+
+def test_a_reset_of_an_alarm_leaves_the_drive_switched_off(folder: Path) -> None:
+    axis = Axis("hiwin-e", folder)
+    axis.rig.device.alarm(1)
+    axis.rig.run(5)
+    assert axis.rig.done("Telegram111ResetAlarm") == "Done"
+    axis.rig.run(50)
+    assert not axis.rig.device.operation
+
+
+@pytest.mark.parametrize("name", [*RIGS])
+def test_a_position_is_valid_while_it_is_read(name: str, folder: Path) -> None:
+    axis = Axis(name, folder)
+    block = axis.block("ReadPosition")
+    rig = axis.rig
+    rig.run(20, block, Enable=True)
+    assert (rig.bench.out[block, "Valid"], rig.bench.out[block, "Error"]) == (True, False)
+    if name == "esc11":
+        assert rig.bench.out[block, "lrPosition"] == pytest.approx(123.45)
+        assert rig.bench.out[block, "diPositionRaw"] == 12345
+    rig.run(1, block, Enable=False)
+    assert not rig.bench.out[block, "Valid"]
+    assert not rig.bench.out[block, "Busy"]
+
+
+@pytest.mark.parametrize("name", [*RIGS])
+def test_nothing_starts_without_an_edge_whatever_happens(name: str, folder: Path) -> None:
+    axis = Axis(name, folder)
+    rig, dice, ended = axis.rig, random.Random(7), 0
+    blocks = [block for block in rig.bench.blocks if (block, "Execute") in rig.bench.inputs]
+    for _ in range(STEPS):
+        chance = dice.random()
+        if chance < 0.08:
+            block = dice.choice(blocks)
+            rig.bench.set(block, Execute=not rig.bench.now[block, "Execute"])
+        elif chance < 0.082:
+            rig.bench.set(dice.choice(blocks), Abort=dice.random() < 0.3)
+        elif chance < 0.088:
+            rig.device.alarm(dice.choice([0, 3]))
+        elif chance < 0.0885:
+            rig.device.power_cycle()
+        elif chance < 0.089:
+            rig.restart()
+        if rig.transport is not None:
+            rig.transport.lost = 0.09 < chance < 0.1
+            rig.transport.swallowed = 0.1 < chance < 0.11
+        else:
+            rig.lost = 0.09 < chance < 0.095  # type: ignore[attr-defined]
+        rig.scan()
+        ended += sum(rig.bench.ended(block) == "Done" for block in blocks)
+    assert ended
+    assert axis.starts
