@@ -43,7 +43,7 @@ _RANGE = re.compile(r"(0x[0-9A-Fa-f]{1,4}|[0-9]{1,5})(?:\.\.(0x[0-9A-Fa-f]{1,4}|
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Carries out one verb. Exit code 1 where the device has refused something or does not answer."""
+    """Carries out one verb. Exit code 1 where the device refuses something or does not answer. Raises UsageError."""
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
     if not any(layout.device.register_access(message) is not None for message in layout.device.messages.values()):

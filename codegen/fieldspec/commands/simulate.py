@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Serves a device until it is interrupted."""
+    """Serves a device until it is interrupted. Raises UsageError."""
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
     behaviour = behaviour_of(spec.tree_at(version))
