@@ -5,6 +5,7 @@
 # make fuzz    fuzz the C headers of all devices at the same time, for a minute each
 # make fuzz-specs   compare all codecs on random devices for a minute, or SECONDS=600; what they disagree on becomes a case
 # make plants  run the examples of docs/plc.md for a million random scans each, against simulated devices
+# make capabilities  verify every line of docs/capabilities.md about keys, of which the tests verify a share
 # make accept  rewrite the tests' expectations, with RULE=code those of one rule; read the difference before you commit it
 # make soak    kill builds at random moments, and strike faults at every operation on files, for some minutes
 # make soak-device  let 24 hours of random requests and faults pass for each simulated device
@@ -29,7 +30,7 @@ UV := uv==0.13.8
 
 SBOM := build/sbom
 
-.PHONY: build test test-fast test-night fuzz fuzz-specs plants accept soak soak-device dist sbom bench pins clean
+.PHONY: build test test-fast test-night fuzz fuzz-specs plants capabilities accept soak soak-device dist sbom bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -72,6 +73,9 @@ sbom: dist
 	$(SBOM)/tool/$(notdir $(BIN))/python -m pip --disable-pip-version-check --python $(SBOM)/environment install --quiet dist/*.whl
 	$(SBOM)/tool/$(notdir $(BIN))/cyclonedx-py environment --output-reproducible --pyproject pyproject.toml \
 	  --output-file dist/sbom.json $(SBOM)/environment
+
+capabilities: $(INSTALLED)
+	FIELDSPEC_CAPABILITIES=all $(BIN)/pytest -n 3 tests/test_capabilities.py
 
 plants: $(INSTALLED)
 	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py -k whatever_happens

@@ -295,9 +295,9 @@ def test_a_check_and_a_build_without_the_cache_do_all_the_work(place: Place, opt
             "changed: protocols/words.yaml",
         ),
         (lambda place: (place.out / "c/gadget.h").unlink(), "it is missing"),
-        (lambda place: (place.out / "c/gadget.h").write_text("other", "utf-8"), "it is not what was written"),
+        (lambda place: (place.out / "c/gadget.h").write_text("other", "utf-8"), "it was edited"),
         (lambda place: place.forgets("c/gadget.h"), "it is new"),
-        (lambda place: place.wrote("c/gadget.h", b"by another compiler"), "another compiler has written it"),
+        (lambda place: place.wrote("c/gadget.h", b"by another compiler"), "another version of the compiler wrote it"),
     ],
     ids=["spec", "protocol", "missing", "changed", "new", "compiler"],
 )

@@ -86,7 +86,7 @@ def test_a_broken_spec_shows_the_findings_and_keeps_the_outputs(watch: Watch) ->
 def test_the_watch_waits_for_specs_that_are_gone(watch: Watch) -> None:
     text = watch.spec.read_text("utf-8")
     watch.spec.unlink()
-    assert "holds no device" in watch.next_output()
+    assert "contains no device" in watch.next_output()
     watch.save(text)
     assert "\nbuilt in" in watch.next_output()
 

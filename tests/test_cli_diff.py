@@ -277,7 +277,7 @@ def refused(run: Run, *arguments: str) -> str:
     [
         ("tc100@9.9", "there is no version of tc100 9.9"),
         ("tc10@2.0", "did you mean tc100?"),
-        ("esc11@1.17", "are two devices"),
+        ("esc11@1.17", "are different devices"),
         ("nothing-like-it", "no device, no folder and no git revision nothing-like-it"),
         ("", "there is no device, no folder and no git revision"),
     ],
@@ -293,7 +293,7 @@ def test_what_cannot_be_compared_is_wrong_use(run: Run, repository: Path, old: s
         ("HEAD~99", "no git revision HEAD~99"),
         ("HEAD~2", "the revision HEAD~2 has no folder specs"),
         ("HEAD:nowhere", "the revision HEAD has no folder nowhere"),
-        ("HEAD~2:", "HEAD~2 holds no specs"),
+        ("HEAD~2:", "HEAD~2 contains no specs"),
         ("HEAD:README.md", "the revision HEAD has no folder README.md"),
         ("HEAD@9.9", "there is no version of gadget 9.9"),
         (":specs", "no git revision"),
@@ -307,7 +307,7 @@ def test_a_revision_that_is_not_there_or_holds_no_specs_is_wrong_use(
 
 def test_a_folder_that_holds_no_specs_is_wrong_use(run: Run, repository: Path) -> None:
     (repository / "empty").mkdir()
-    assert "the folder empty holds no specs" in refused(run, "empty", "specs")
+    assert "the folder empty contains no specs" in refused(run, "empty", "specs")
 
 
 def test_specs_that_cannot_be_read_are_wrong_use(run: Run, repository: Path) -> None:

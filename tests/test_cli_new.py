@@ -60,14 +60,14 @@ def test_a_version_of_another_line_follows_the_last_one_of_that_line(folder: Pat
 @pytest.mark.parametrize(
     ("words", "text"),
     [
-        (("device", "tc100", "--protocol", "modbus"), "there is a file"),
+        (("device", "tc100", "--protocol", "modbus"), "already exists"),
         (("device", "x", "--protocol", "modbuss"), "there is no protocol modbuss; did you mean modbus?"),
         (("device", "x"), "name the protocol with --protocol: "),
         (("device", "My Drive", "--protocol", "packet"), "My Drive is not a valid name of a device"),
         (("device", "../x", "--protocol", "packet"), "../x is not a valid name of a device"),
         (("device", "x", "1.0", "--protocol", "packet"), "a new device has no version yet"),
         (("version", "tc100"), "name the version"),
-        (("version", "tc100", "2.0"), "tc100 has a version 2.0 already"),
+        (("version", "tc100", "2.0"), "tc100 already has a version 2.0"),
         (("version", "tc100", "2.1", "--based-on", "1.9"), "there is no version of tc100 1.9"),
         (("version", "tc100", "2.1", "--line", "software"), "there is no line of versions of tc100 software"),
         (("version", "tc100", "../2.1"), "../2.1 is not a valid name of a version"),

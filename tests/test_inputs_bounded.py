@@ -103,7 +103,7 @@ LISTS: dict[str, tuple[Callable[[], bytes], str]] = {
     "more parts than a workbook has": (lambda: _packed(BOOK, 3000), "has more than 2000 parts"),
     "JSON nested 985 deep": (lambda: b"[" * 985 + b"]" * 985, "nested more than 16 levels deep"),
     "JSON of empty lists": (lambda: b"[" + b"[]," * 10_000_000 + b"[]]", "is JSON with more than 2000000 values"),
-    "JSON of marks of escapes": (lambda: b'["' + b'\\"' * 16_000_000, "begins like JSON and is none"),
+    "JSON of marks of escapes": (lambda: b'["' + b'\\"' * 16_000_000, "begins like JSON but is not JSON"),
     "lines without an end": (lambda: b"\n" * (32 << 20), "is empty"),
     "an address and many empty lines": (lambda: b"address\n0x10\n" + b"\n" * (31 << 20), "has more than 100000 rows"),
     "a row of separators": (lambda: b"address" + b"," * (31 << 20), "has a row with more than 1048576 characters"),
@@ -180,9 +180,9 @@ IRREGULAR: dict[str, tuple[Callable[[Path], object], str]] = {
     "a socket": (bound, "it is a socket"),
     "a folder": (Path.mkdir, "it is a folder"),
     "a sparse file": (sparse, "has 1099511627776 bytes"),
-    "zeros without end": (lambda path: path.symlink_to("/dev/zero"), "leads out of the specs' folder"),
-    "noise without end": (lambda path: path.symlink_to("/dev/urandom"), "leads out of the specs' folder"),
-    "a file of somebody else": (secret, "leads out of the specs' folder"),
+    "zeros without end": (lambda path: path.symlink_to("/dev/zero"), "a link out of the folder of the specs"),
+    "noise without end": (lambda path: path.symlink_to("/dev/urandom"), "a link out of the folder of the specs"),
+    "a file of somebody else": (secret, "a link out of the folder of the specs"),
     "a link to itself": (lambda path: path.symlink_to(path.name), "the file"),
 }
 

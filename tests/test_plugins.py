@@ -232,7 +232,7 @@ BROKEN = {
     "path out": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'../x': ''}"), "'../x' is no path of a file"),
     "absolute path": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'/x': ''}"), "'/x' is no path of a file"),
     "bytes": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'x': b''}"), "neither a text nor a workbook"),
-    "no dict": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "[]"), "its files are no dict"),
+    "no dict": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "[]"), "its files are not a dict"),
     "no documentation": ("checks", "extra", "bad:good", "def good(device): return ()", "has not the parts Why"),
     "no function": ("checks", "extra", "bad:other", GOOD_CHECK, "has no attribute 'other'"),
     "not callable": ("checks", "extra", "bad:__doc__", GOOD_CHECK, "bad:__doc__ is no function"),
@@ -242,7 +242,7 @@ BROKEN = {
         "extra",
         "bad:good",
         GOOD_CHECK.replace("iter(())", "[1]"),
-        "yields what is no Diagnostic",
+        "yields something that is not a Diagnostic",
     ),
     "another code": (
         *("checks", "extra", "bad:good"),

@@ -122,7 +122,7 @@ def test_what_stands_otherwise_is_told_by_a_sign_and_a_word_and_not_by_colour_al
     assert rows
     for row in rows:
         sign = "".join(row[0].itertext())
-        assert re.fullmatch(r"[✓✗!](right|wrong|to be looked at)", sign), sign
+        assert re.fullmatch(r"[✓✗!](right|wrong|to be examined)", sign), sign
 
 
 def test_every_state_of_an_address_has_a_look_of_its_own() -> None:

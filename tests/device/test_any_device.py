@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-from pathlib import Path
 
 import pytest
 
@@ -14,7 +13,7 @@ from fieldspec.simulator.server import Server
 from layouts import SPECS, TEST_SPECS, layouts
 
 NEWEST = [
-    pytest.param(versions[-1], id=name) for root in (SPECS, TEST_SPECS) for name, versions in layouts(Path(root)).items()
+    pytest.param(versions[-1], id=name) for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()
 ]
 
 

@@ -12,7 +12,7 @@ class Effect(Enum):
     """Whom a change affects, the gravest first.
 
     `wire`: bytes mean something else. `source`: generated names or types change, so programs must be changed.
-    `behaviour`: limits, defaults or access change, or there is something new. `docs`: people read something else.
+    `behaviour`: limits, defaults or access change, or there is something new. `docs`: only the documentation changes.
     """
 
     WIRE = "wire"

@@ -79,12 +79,12 @@ def compared(specs_option: str | None, device: str, name: str | None) -> tuple[M
 def record(specs_option: str | None, device: Device, name: str | None) -> int:
     """Writes the index of a manual beside the spec of a device, which must cite that very text. Raises UsageError."""
     if not name:
-        raise UsageError("give the text of the manual that is to be recorded: --manual FILE --record")
+        raise UsageError("--record needs the text of the manual: --manual FILE --record")
     manual, cited = at_hand(name), device.manual
     if manual.sha256 != cited.sha256 or len(manual.lines) != cited.lines:
         raise UsageError(
-            f"{name} is not the text that the spec cites; where the spec has been compared with it, "
-            f"put its hash and its lines into the spec first: sha256: {manual.sha256}, lines: {len(manual.lines)}"
+            f"{name} is not the text that the spec cites; if you have compared the spec with it, first put its "
+            f"hash and number of lines into the spec: sha256: {manual.sha256}, lines: {len(manual.lines)}"
         )
     folder = specs.writable_folder(specs_option)
     storage.write(folder / device.id / NAME, index_text(manual, device.id).encode())
@@ -100,13 +100,13 @@ _HEAD = "# yaml-language-server: $schema=../../codegen/fieldspec/schema/spec.sch
 def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[DeviceLayout]) -> int:
     """Appends an entry to the reviews of a device. Raises UsageError, and writes nothing, where that cannot be done."""
     if not arguments.by or not arguments.by.strip():
-        raise UsageError('--sign records who made the comparison; give a name or a role, as in --by "second reader"')
+        raise UsageError('--sign records who made the comparison; add a name or a role, such as --by "second reader"')
     today = time.strftime("%Y-%m-%d")
     day = arguments.on or today
     if not is_day(day):
-        raise UsageError(f"--on {day} is not a date; write it as in 2026-01-31")
+        raise UsageError(f"--on {day} is not a date; write it like 2026-01-31")
     if day > today:
-        raise UsageError(f"--on {day} is in the future, today is {today}; give the day of the comparison")
+        raise UsageError(f"--on {day} is in the future; today is {today}; use the date of the comparison")
     all_layouts = list(layouts)
     signed = _picked(states(of_versions(all_layouts)), arguments.sign)
     manual = all_layouts[-1].device.manual

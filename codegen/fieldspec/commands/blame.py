@@ -23,7 +23,7 @@ def run(arguments: argparse.Namespace) -> int:
     if not isinstance(fact, Mapping):
         hint = "" if fact is None else ", only a list"
         known = f"{arguments.device.partition('@')[0]} has no fact {arguments.path} at {version}{hint}"
-        raise UsageError(f"{known}; `fieldspec facts` lists the paths")
+        raise UsageError(f"{known}; `fieldspec facts` lists all paths")
     rows = [*_rows(fact, ""), *_inherited(tree, arguments.path, fact)]
     print_blocks([Table(_HEADINGS, tuple(rows))])
     return 0

@@ -32,7 +32,7 @@ def suggest(parser: argparse.ArgumentParser) -> None:
     directions = sorted({link.direction_name(way) for link in links for way in DIRECTIONS} - set(DIRECTIONS))
     for verb in _verbs(parser):
         for option in options:
-            verb.add_argument(option, metavar="NAME", help="the message, as the device calls it")
+            verb.add_argument(option, metavar="NAME", help="the message, by the device's name for it")
         for action in verb._actions:
             if "--direction" in action.option_strings:
                 action.choices = [*DIRECTIONS, *directions]

@@ -84,7 +84,7 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(f"{arguments.device} has no link, so there are no frames to decode")
     options = frame_options(layout, arguments)
     if arguments.request and "response" not in options.directions:
-        raise UsageError(f"--request says what a response answers, so --direction cannot be {arguments.direction}")
+        raise UsageError(f"--request is for responses, so --direction cannot be {arguments.direction}")
     asked = _parse_request(layout, options, arguments.request)
     printer = FramePrinter(layout, arguments.format)
     text = " ".join(arguments.frame)
@@ -92,7 +92,7 @@ def run(arguments: argparse.Namespace) -> int:
         if sys.stdin is None:
             raise UsageError("there is no standard input to read frames from")
         if sys.stdin.isatty():
-            print("reading frames from the terminal, one a line", file=sys.stderr)
+            print("reading frames from the terminal, one on each line", file=sys.stderr)
         gc.enable()  # a log may be long
         return Log(layout, options, asked, printer).explain(sys.stdin.buffer)
     line = _frame(layout, text)
@@ -109,7 +109,7 @@ def _parse_request(layout: DeviceLayout, options: FrameOptions, text: str | None
     request = read(layout, _frame(layout, text).frame, FrameOptions(places, options.message))
     if request.wrong and request.explanation.reasons != ("unknown_code",):
         why = "; ".join(faults(request.explanation))
-        raise UsageError(f"--request is no good request of {layout.device.id}: {why}")
+        raise UsageError(f"--request is not a valid request of {layout.device.id}: {why}")
     return OpenRequest(request.explanation, True)
 
 
@@ -117,9 +117,9 @@ def _frame(layout: DeviceLayout, text: str) -> LogLine:
     try:
         line = log_line(text, [link.link for link in layout.links.values()])
     except Unreadable as error:
-        raise UsageError(f"this is no frame: {error}") from None
+        raise UsageError(f"this is not a frame: {error}") from None
     if line is None or not line.frame:
-        raise UsageError("this is no frame: there are no bytes in it")
+        raise UsageError("this is not a frame: it has no bytes")
     return line
 
 

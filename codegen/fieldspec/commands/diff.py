@@ -82,7 +82,7 @@ def _common(old: SpecState, new: SpecState) -> list[str]:
     """The devices to compare: the requested one, or all that both states have. Raises UsageError."""
     asked = {spec_state.device for spec_state in (old, new) if spec_state.device}
     if len(asked) > 1:
-        raise UsageError(f"{old.device} and {new.device} are two devices; compare two versions of one")
+        raise UsageError(f"{old.device} and {new.device} are different devices; compare two versions of one device")
     if asked:
         return sorted(asked)
     common = [device for device in sorted(new.project.devices) if device in old.project.devices]

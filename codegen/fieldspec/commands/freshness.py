@@ -236,7 +236,7 @@ class Manifest:
         if earlier.hash_of(path) is None:
             return "it is missing"
         if earlier.hash_of(path) != self.files[path]:
-            return "it is not what was written"
+            return "it was edited"
         makers = [
             name for name, built in result.devices.items() if any(path in files for files in built.outputs.values())
         ]
@@ -249,7 +249,7 @@ class Manifest:
             name for name in self.packages.keys() | packages.keys() if self.packages.get(name) != packages.get(name)
         ):
             return f"changed: {_enumerated([f'the package {name}' for name in changed])}"
-        return "another compiler has written it"
+        return "another version of the compiler wrote it"
 
 
 def _enumerated(names: Sequence[str]) -> str:

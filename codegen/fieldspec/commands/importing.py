@@ -26,7 +26,7 @@ def run(arguments: argparse.Namespace) -> int:
     path = Path(arguments.to)
     device = _device(path)
     if arguments.to != "-" and path.exists():
-        raise UsageError(f"there is a file {path} already")
+        raise UsageError(f"the file {path} already exists")
     data = list_files.content(arguments.file)
     file = Path(arguments.file).name if arguments.file != "-" else "list.txt"
     columns = list_files.column_options(arguments)
@@ -60,7 +60,7 @@ def _device(path: Path) -> str:
     if path.name == MAIN and identity != name:
         raise UsageError(f"the folder {name} is not a valid name of a device: {form['description']}")
     if not re.fullmatch(form["pattern"], identity) or len(identity) > form["maxLength"]:
-        raise UsageError(f"{identity} is no name of a device: {form['description']}")
+        raise UsageError(f"{identity} is not a valid name of a device: {form['description']}")
     return str(identity)
 
 

@@ -35,7 +35,7 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         path, text = _device(arguments)
     if path.exists():
-        raise UsageError(f"there is a file {path} already")
+        raise UsageError(f"the file {path} already exists")
     if arguments.protocol is not None and arguments.protocol not in SHAPES:
         _bring_protocols(path.parent.parent, arguments.protocol)
     write(path, text.encode("utf-8"), new=True)
@@ -51,7 +51,7 @@ def _version(arguments: argparse.Namespace) -> tuple[Path, str]:
     if base not in spec.lines.place:
         raise unknown(f"version of {arguments.name}", base, spec.lines.place)
     if arguments.version in spec.lines.place:
-        raise UsageError(f"{arguments.name} has a version {arguments.version} already")
+        raise UsageError(f"{arguments.name} already has a version {arguments.version}")
     _fits(arguments.version, "version", "a version")
     line = arguments.line or _line_of(spec, base)
     known = [identity(version_line) or "" for version_line in mappings(spec.tree.values.get("versions"))]

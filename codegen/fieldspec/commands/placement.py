@@ -72,11 +72,11 @@ class Staging:
         try:
             recover(self.out, folder)
         except JournalError as error:
-            raise UsageError(f"an earlier build did not end: {error}") from None
+            raise UsageError(f"an earlier build did not finish: {error}") from None
         except OSError as error:
             raise UsageError(
                 f"an earlier build was interrupted, and cannot be completed: cannot write "
-                f"{error.filename or self.out}: {error.strerror}; build again when that is fixed"
+                f"{error.filename or self.out}: {error.strerror}; fix that, and build again"
             ) from None
 
     def __exit__(self, *raised: object) -> None:
@@ -131,8 +131,8 @@ class Staging:
             self._pending = False
         except OSError as error:
             raise UsageError(
-                f"cannot write {error.filename or self.out}: {error.strerror}; some files are old and some are new: "
-                "build again when that is mended"
+                f"cannot write {error.filename or self.out}: {error.strerror}; some files are old and some are "
+                f"new: fix that, and build again"
             ) from None
 
     def _unwritten(self, error: OSError) -> UsageError:

@@ -79,7 +79,7 @@ class PluginBackend:
 def _checked_files(plugin: Plugin, files: Any) -> Files:
     """The files of an output, if they are what an output may give: texts and workbooks, by paths below its folder."""
     if not isinstance(files, dict):
-        raise plugin.error("its files are no dict of contents by path")
+        raise plugin.error("its files are not a dict of contents by path")
     for path, value in files.items():
         if not isinstance(path, str) or not all(step not in ("", ".", "..") for step in re.split(r"[/\\:]", path)):
             raise plugin.error(f"{path!r} is no path of a file below the folder of the output")
@@ -96,7 +96,7 @@ def _checked_findings(plugin: Plugin, findings: Any) -> list[Diagnostic]:
     except Exception as error:
         raise plugin.failed(error) from error
     if not all(isinstance(finding, Diagnostic) for finding in result):
-        raise plugin.error("it yields what is no Diagnostic")
+        raise plugin.error("it yields something that is not a Diagnostic")
     return result
 
 

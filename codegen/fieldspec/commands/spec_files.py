@@ -47,7 +47,9 @@ def folder(specs_option: str | None) -> str:
     """The folder with the specs: by option, by environment, here or above, or installed. Raises UsageError."""
     path = folder_or_none(specs_option)
     if path is None:
-        raise UsageError(f"there is no folder {FOLDER} here or above; give it with --specs, or set {VARIABLE}")
+        raise UsageError(
+            f"there is no folder {FOLDER} here or in a parent folder; name it with --specs, or set {VARIABLE}"
+        )
     return path
 
 
@@ -56,7 +58,7 @@ def folder_or_none(specs_option: str | None) -> str | None:
     named = specs_option or os.environ.get(VARIABLE)
     if named:
         if not os.path.isdir(named):
-            raise UsageError(f"there is no folder {named}; give the folder with the specs with --specs")
+            raise UsageError(f"there is no folder {named}; name the folder with the specs with --specs")
         return named
     above, last = os.getcwd(), ""
     while above != last:
@@ -103,24 +105,24 @@ def _content(root: str | os.PathLike[str], path: str, linked: bool, left: int, n
     """The bytes of a spec file, or a `Refused`; `left` is the number of bytes that the folder may still have."""
     most = min(left, LARGEST_FILE)
     if number >= MOST_FILES:
-        return Refused.because("file_too_large", f"the folder has more than {MOST_FILES} files", "take some out of it")
+        return Refused.because("file_too_large", f"the folder has more than {MOST_FILES} files", "remove some of them")
     try:
         if linked and _leads_out(root, path):
-            return Refused.because("file_regular", "the file is a link that leads out of the specs' folder", _COPY)
+            return Refused.because("file_regular", "the file is a link out of the folder of the specs", _COPY)
         return content(path, most, 0 if linked else NO_LINK)
     except SizeError as error:
         if most < LARGEST_FILE:
             text = f"the files of this folder have more than {LARGEST_FOLDER} bytes together"
-            return Refused.because("file_too_large", text, "take some out of it")
+            return Refused.because("file_too_large", text, "remove some of them")
         text = f"the file has {error.size} bytes; a spec file may have {LARGEST_FILE}"
         return Refused.because("file_too_large", text, "split it over several files")
     except IrregularError as error:
         return Refused.because("file_regular", f"the file cannot be read: {error.strerror}", _COPY)
     except FileNotFoundError:
-        return Refused.because("file_regular", "the file is a link that leads nowhere", _COPY)
+        return Refused.because("file_regular", "the file is a broken link", _COPY)
 
 
-_COPY = "put a regular file in its place"
+_COPY = "replace it by a regular file"
 
 
 def _leads_out(root: str | os.PathLike[str], path: str) -> bool:
@@ -227,7 +229,7 @@ def of_devices(specs_option: str | None, wanted: frozenset[str] = frozenset()) -
     for device in sorted(wanted.difference(known)):
         raise unknown("device", device, known)
     if not known:
-        raise UsageError(f"the folder {path} holds no device; a device is a folder with a {MAIN}")
+        raise UsageError(f"the folder {path} contains no device; a device is a folder with a {MAIN}")
     return path, with_protocols(files(path, wanted))
 
 

@@ -46,7 +46,7 @@ def tree(revision: str, path: str | None, specs: Path | None) -> Tree:
         folder, blobs = posixpath.join(folder, "specs"), _below(blobs, "specs")
     if not _devices(blobs):
         where = f"{revision}:{folder}" if folder else revision
-        raise UsageError(f"{where} holds no specs; a device is a folder with a {MAIN}: give REVISION:FOLDER")
+        raise UsageError(f"{where} contains no specs; a device is a folder with a {MAIN}: give REVISION:FOLDER")
     return Tree(folder, "", _read_blobs(here, blobs))
 
 
@@ -208,7 +208,7 @@ def _folder(text: str, path: Path, version: str) -> SpecState:
     elif not any(path.glob(f"*/{MAIN}")) and any(path.glob(f"{specs.FOLDER}/*/{MAIN}")):
         path = path / specs.FOLDER
     if not any(path.glob(f"*/{MAIN}")):
-        raise UsageError(f"the folder {text} holds no specs; a device is a folder with a {MAIN}")
+        raise UsageError(f"the folder {text} contains no specs; a device is a folder with a {MAIN}")
     only = frozenset([device]) if device else frozenset[str]()
     files = specs.with_protocols(_of_devices(specs.files(path, only)))
     return _wide(text, read(files, only, specs.relative_path(path), specs.origins(files)), device, version)

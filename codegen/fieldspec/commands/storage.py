@@ -105,7 +105,7 @@ def write(path: Path, content: bytes, new: bool = False) -> None:
     """Writes a file all or nothing. Raises UsageError, with `new` also for a file that exists."""
     with exclusive_folder(path.parent):
         if new and os.path.lexists(path):
-            raise UsageError(f"there is a file {path} already")
+            raise UsageError(f"the file {path} already exists")
         replace(path, content)
 
 

@@ -77,7 +77,7 @@ def address_range(text: str, row: int) -> AddressRange | None:
     """The addresses in a cell, None if there are none. Raises ListError for a number with separators."""
     normalized = unicodedata.normalize("NFKC", text).strip()
     if _GROUPED.fullmatch(normalized):
-        raise ListError(f"has the address `{text}` in row {row}, with separators between thousands; take them out")
+        raise ListError(f"has the address `{text}` in row {row}, with thousands separators; remove them")
     whole = address_text(normalized)
     if whole is not None:
         return AddressRange(whole)

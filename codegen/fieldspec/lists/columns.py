@@ -194,7 +194,7 @@ def _refuse_unreadable(sheet: Sheet, columns: Columns, names: Mapping[str, str])
     if wrong:
         row, column = wrong[0]
         more = f" and {len(wrong) - 1} more" if len(wrong) > 1 else ""
-        raise ListError(f"has formulas in {letters(column)}{row}{more}; save the list with values in place of formulas")
+        raise ListError(f"has formulas in {letters(column)}{row}{more}; save the list with values instead of formulas")
     for area in sheet.merged:
         touched = [column for column in used if area.first_column <= column <= area.last_column]
         if touched and area.last_row >= first and area.last_row > area.first_row:

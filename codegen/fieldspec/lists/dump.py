@@ -125,7 +125,7 @@ def _lettered(piece: str) -> bool:
 
 def _values(text: str, row: int, hexadecimal: bool) -> tuple[int, ...]:
     if _GROUPED.fullmatch(unicodedata.normalize("NFKC", text).strip()):
-        raise ListError(f"has the value `{text}` in row {row}, with separators between thousands; take them out")
+        raise ListError(f"has the value `{text}` in row {row}, with thousands separators; remove them")
     return tuple(_number(_WORDS.get(piece.lower(), piece), text, row, hexadecimal) for piece in _pieces(text))
 
 
@@ -133,7 +133,7 @@ def _number(piece: str, text: str, row: int, hexadecimal: bool) -> int:
     pointless = _POINTLESS.fullmatch(piece)
     match = _NUMBER.fullmatch(pointless[1] if pointless else piece)
     if match is None:
-        raise ListError(f"has the value `{text[:40]}` in row {row}, which is no whole number of counts")
+        raise ListError(f"has the value `{text[:40]}` in row {row}, which is not a whole number of counts")
     sign, marked, ended, decimal = match.groups()
     number = int(marked or ended, 16) if marked or ended else int(decimal, 16 if hexadecimal else 10)
     if number >= _LIMIT:

@@ -21,7 +21,7 @@ def json_data(text: str, pairs: Callable[[list[tuple[str, Any]]], Any] | None = 
     try:
         return json.loads(text, object_pairs_hook=pairs)
     except (ValueError, RecursionError):
-        raise ListError("begins like JSON and is none") from None
+        raise ListError("begins like JSON but is not JSON") from None
 
 
 def _count(text: str) -> None:

@@ -92,7 +92,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], base: str = "") -> Listing:
         raise ListError(f"has no address under {heading}: {places}{more}; name the column with --address")
     if not rows:
         alone = len(columns_of_sheet.headings) == 1 and len(heading.split()) > 1
-        parted = "; if blanks part its columns, put tabs, commas or bars between them" if alone else ""
+        parted = "; if spaces separate its columns, use tabs, commas or bars instead" if alone else ""
         raise ListError(f"has no address under {heading}{parted}")
     result = Listing(
         columns_of_sheet, tuple(rows), tuple(skipped), _bases([addresses for _, addresses in rows], base, heading)

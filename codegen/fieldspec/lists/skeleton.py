@@ -136,7 +136,7 @@ def _refuse_overlaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> None:
     if twice:
         rows_text = "; ".join(f"rows {a} and {b} hold 0x{address:04X}" for a, b, address in twice[:5])
         more = f"; and {len(twice) - 5} more" if len(twice) > 5 else ""
-        raise ListError(f"has two rows about the same word: {rows_text}{more}; put their addresses or words right")
+        raise ListError(f"has two rows about the same word: {rows_text}{more}; correct their addresses or words")
 
 
 def _gaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> Iterator[str]:

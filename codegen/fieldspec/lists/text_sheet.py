@@ -94,12 +94,12 @@ def decoded(content: bytes, encoding: str = "") -> str:
         raise ListError(f"cannot be read: there is no encoding {named}; some are gbk, big5, utf-16, cp1252") from None
     except UnicodeError:
         if named:
-            raise ListError(f"is not in the encoding {named}; give another one with --encoding") from None
+            raise ListError(f"is not in the encoding {named}; use another --encoding") from None
         if b"\0" in content:
-            raise ListError("is binary: give a CSV or XLSX file, or say --encoding utf-16-le") from None
-        raise ListError("is not UTF-8; say which encoding it has, as in --encoding gbk or --encoding big5") from None
+            raise ListError("is binary: use a CSV or XLSX file, or add --encoding utf-16-le") from None
+        raise ListError("is not UTF-8; state its encoding, such as --encoding gbk or --encoding big5") from None
     if "\0" in text:
-        hint = "give a CSV or XLSX file" if named else "give a CSV or XLSX file, or say --encoding utf-16-le"
+        hint = "use a CSV or XLSX file" if named else "use a CSV or XLSX file, or add --encoding utf-16-le"
         raise ListError(f"is binary: {hint}")
     return text.removeprefix("\ufeff")
 
@@ -125,7 +125,7 @@ def _of_json(text: str) -> Sheet:
     """The sheet of a JSON list of objects. Its columns are their keys."""
     data = json_data(text)
     if not isinstance(data, list) or not data or not all(isinstance(item, dict) for item in data):
-        raise ListError("is JSON, and no list of objects")
+        raise ListError("is JSON but not a list of objects")
     if len(data) > MOST_ROWS:
         raise ListError(f"has more than {MOST_ROWS} rows; a list of registers has fewer")
     heads = list(dict.fromkeys(key for item in data for key in item))

@@ -23,7 +23,7 @@ def workbook_sheet(content: bytes, named: str = "") -> Sheet:
     try:
         book = openpyxl.load_workbook(io.BytesIO(content), data_only=False, keep_links=False)
     except Exception:  # openpyxl lets pass whatever its parts raise
-        raise ListError("is no workbook that can be read; save it anew as .xlsx, or as CSV") from None
+        raise ListError("is not a readable workbook; save it again as .xlsx, or as CSV") from None
     sheets = list(book.worksheets)
     if named:
         matches = [sheet for sheet in sheets if sheet.title == named]

@@ -34,14 +34,14 @@ def check_workbook(content: bytes) -> None:
             if sum(part.file_size for part in parts) > _MOST_UNPACKED:
                 raise ListError("unpacks to more than a list of registers holds")
             if "xl/workbook.xml" not in packed.namelist():
-                raise ListError("is packed, and no workbook; give a CSV or XLSX file")
+                raise ListError("is an archive and not a workbook; use a CSV or XLSX file")
             counts = _Counts()
             for part in parts:
                 if part.filename.lower().endswith((".xml", ".rels", ".vml")):
                     with packed.open(part) as file:
                         counts.count(file)
     except (zipfile.BadZipFile, zipfile.LargeZipFile, EOFError, RuntimeError, ValueError, OSError, expat.ExpatError):
-        raise ListError("is a workbook that is cut off or protected; save it anew as .xlsx, or as CSV") from None
+        raise ListError("is a truncated or protected workbook; save it again as .xlsx, or as CSV") from None
     except MemoryError:
         raise ListError("unpacks to more than a list of registers holds") from None
 
@@ -100,8 +100,8 @@ class _Counts:
             raise ListError(f"has more than {MOST_COLUMNS} columns")
         if self._rows * self._columns > MOST_CELLS:
             raise ListError(
-                f"has {self._rows} rows with {self._columns} columns, which is more than {MOST_CELLS} cells; remove "
-                "what stands far away from the list"
+                f"has {self._rows} rows with {self._columns} columns, which is more than {MOST_CELLS} cells; "
+                f"remove what is far away from the list"
             )
 
     def _merge(self, area: str) -> None:
@@ -109,7 +109,7 @@ class _Counts:
         rows = [int(place[2]) for place in places if place]
         columns = [_column(place[1]) for place in places if place]
         if len(rows) < len(places):
-            raise ListError("has merged cells without a place; save it anew as .xlsx, or as CSV")
+            raise ListError("has merged cells without a place; save it again as .xlsx, or as CSV")
         self._merged += (max(rows) - min(rows) + 1) * (max(columns) - min(columns) + 1)
         if self._merged > MOST_CELLS or max(rows) > MOST_ROWS or max(columns) > MOST_COLUMNS:
             raise ListError(f"has merged cells as far as {area}; a list of registers has no such area")

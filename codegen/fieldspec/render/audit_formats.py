@@ -17,7 +17,7 @@ from fieldspec.render.finding_formats import json_text
 from fieldspec.source import Span
 from fieldspec.spreadsheet import clean, guarded
 
-SIGNS = {"good": ("✓", "right"), "bad": ("✗", "wrong"), "warning": ("!", "to be looked at"), "": ("", "")}
+SIGNS = {"good": ("✓", "right"), "bad": ("✗", "wrong"), "warning": ("!", "to be examined"), "": ("", "")}
 """The marks of rows and figures, as a sign and in words."""
 
 

@@ -170,7 +170,7 @@ def _head(report: Report, device: Device, findings: Sequence[Diagnostic]) -> str
     if errors:
         verdict, kind = f"{_many(errors, 'error')} and {_many(warnings, 'warning')} are open.", "bad"
     elif warnings:
-        verdict, kind = f"No error; {_many(warnings, 'warning')} to be looked at.", "warning"
+        verdict, kind = f"No error; {_many(warnings, 'warning')} to be examined.", "warning"
     else:
         verdict, kind = "No finding in any part of the audit.", "good"
     subtitle = f'<p class="subtitle">{_visible(device.title)}</p>\n' if clean(device.title) else ""

@@ -124,9 +124,9 @@ def _overview(space: Space) -> Drawing:
     )
     return Drawing(
         "map-overview",
-        "All blocks in the space of addresses",
-        "Where the blocks lie",
-        f"A line for each 1000h addresses in which there is a block. {names}.",
+        "All blocks of the address space",
+        "The place of the blocks",
+        f"A line for each 1000h addresses with a block. {names}.",
         _LEFT + _OVERVIEW + 2,
         _HEAD + len(lines) * _HIGH + 2,
         tuple(boxes),
@@ -160,7 +160,7 @@ def _block(space: Space, block: Block) -> Drawing:
         f"map-{space.name}-{block.name}".replace(" ", "-"),
         f"{clean(block.title)}, {ends}",
         f"{clean(block.title)}, {ends}",
-        f"Of {space.what}: {counts}. The table of every address says the same in words.",
+        f"Of {space.what}: {counts}. The table of all addresses has the same in words.",
         _LEFT + A_ROW * _BOX + 2,
         y + 2,
         tuple(boxes),

@@ -15,8 +15,8 @@ from fieldspec.source import Span
 MEANINGS = {
     Effect.WIRE: "bytes mean something else",
     Effect.SOURCE: "generated names or types change",
-    Effect.BEHAVIOUR: "limits, defaults or access change, or there is more",
-    Effect.DOCS: "people read something else",
+    Effect.BEHAVIOUR: "limits, defaults or access change, or something is new",
+    Effect.DOCS: "only the documentation changes",
 }
 
 

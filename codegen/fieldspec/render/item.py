@@ -187,7 +187,7 @@ def numbered(item: Item, number: int) -> bool:
 Details = Iterator[tuple[str, str]]
 
 _MEMORY = {"volatile": "lost when the power is switched off", "nonvolatile": "nonvolatile"}
-_ENDURANCE = {"limited": "a limited number of writes, which is not printed", "unlimited": "as many writes as one likes"}
+_ENDURANCE = {"limited": "a limited number of writes; the number is not printed", "unlimited": "any number of writes"}
 
 
 def fact_details(device: Device, fact: Fact) -> Details:

@@ -101,9 +101,9 @@ def _register(layout: DeviceLayout, register: Register, address: int | None) -> 
     yield "access", register.access or "not printed"
     yield from value_details(register.value)
     yield "restart", _RESTART[register.restart]
-    yield "trigger", "writing it starts something; reading gives 0" if register.trigger else ""
+    yield "trigger", "writing it starts an action; reading returns 0" if register.trigger else ""
     yield "atomic", "its words are read in one request" if register.atomic else ""
-    yield "reserved", "it has no meaning to the user" if register.reserved else ""
+    yield "reserved", "it has no meaning for the user" if register.reserved else ""
     yield "same as", register.same_as
     yield "copy of", _register_text(layout, register.copy_of)
     for other in layout.device.registers():
@@ -197,7 +197,7 @@ def _parameter(item: ParameterNumber, number: int | None) -> Details:
     yield "set", parameter_set.name
     yield "number", _number(parameter_set, item.number)
     if parameter is None:
-        yield "row", "none: the manual gives the number no meaning of its own"
+        yield "row", "none: the manual states no meaning of the number itself"
         return
     if parameter.count > 1:
         last = _number(parameter_set, parameter.number + parameter.count - 1)
@@ -217,10 +217,10 @@ def _parameter(item: ParameterNumber, number: int | None) -> Details:
         yield "default", str(value.default)
     yield "names", value.enum or value.flags
     yield "restart", _RESTART[parameter.restart]
-    yield "trigger", "writing it starts something; reading does not give it back" if parameter.trigger else ""
+    yield "trigger", "writing it starts an action; reading does not return the value" if parameter.trigger else ""
     yield "for", ", ".join(parameter.applies_to)
     yield "used by", ", ".join(parameter.messages)
-    yield "reserved", "it has no meaning to the user" if parameter.reserved else ""
+    yield "reserved", "it has no meaning for the user" if parameter.reserved else ""
 
 
 def _number(parameter_set: ParameterSet, number: int) -> str:

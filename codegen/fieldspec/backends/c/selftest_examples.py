@@ -46,13 +46,6 @@ from fieldspec.layout.values import body_of, raw_values
 from fieldspec.model.device import Device
 from fieldspec.model.texts import Example
 
-_STATUSES = {
-    "unknown_code": "err_unknown_code",
-    "wrong_check": "err_wrong_check",
-    "wrong_length": "err_wrong_length",
-    "out_of_range": "err_out_of_range",
-    "incomplete": "err_incomplete",
-}
 _BYTE = Type("uint8_t")
 _FRAME, _RECEIVED, _BUFFER, _OPENED = (Identifier(name) for name in ("frame", "received", "buffer", "opened"))
 _IN, _OUT, _AGAIN, _STATUS = (Identifier(name) for name in ("in", "out", "again", "status"))
@@ -170,7 +163,7 @@ def _refused_body(layout: DeviceLayout, example: Example) -> RecordLayout | None
 
 def _expect_refusal(layout: DeviceLayout, naming: Naming, example: Example, opened: Call) -> list[Statement]:
     """The frame, or the body in it, is refused for the reason of the example."""
-    error = naming.status(_STATUSES[example.refused])
+    error = naming.status(f"err_{example.refused}")
     what = f"example {example.id}"
     record = _refused_body(layout, example)
     if record is None:
