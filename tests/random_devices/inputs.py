@@ -7,8 +7,9 @@ import string
 import struct
 from typing import Any
 
+from fieldspec.layout.checksums import checksum as checksum_of
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import CHECKSUMS, FrameLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Kind, Value
 
@@ -176,7 +177,8 @@ def sealed(layout: DeviceLayout, link: str, frame: FrameLayout, data: bytes) -> 
         if length is not None and number is not None:
             _put_part(parts, length, number)
         if checksum is not None:
-            _put_part(parts, checksum, CHECKSUMS[checksum.algorithm](bytes(parts[checksum.start : checksum.stop])))
+            covered = bytes(parts[checksum.start : checksum.stop])
+            _put_part(parts, checksum, checksum_of(checksum.algorithm, covered, checksum.order))
     marks = layout.links[link].link
     inner = bytes(parts).hex().upper().encode() if marks.encoding == "hex_ascii" else bytes(parts)
     return marks.start + inner + marks.end

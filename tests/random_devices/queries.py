@@ -217,9 +217,14 @@ def value_queries(layout: DeviceLayout, dice: random.Random, count: int) -> Iter
 
 
 def shapes(layout: DeviceLayout) -> Iterator[tuple[str, tuple[str, ...], Any]]:
-    """What has an address or a number: its kind, its path, and its value with the order, triggering and size."""
+    """What has an address or a number: its kind, its path, and its value with the order, triggering and size.
+
+    A single bit has no bytes of its own.
+    """
     for register in layout.registers:
         value = register.register.value
+        if value.type.name == "bit":
+            continue
         yield (
             "register",
             (register.name,),

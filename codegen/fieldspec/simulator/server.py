@@ -17,7 +17,7 @@ from fieldspec.simulator import parameters
 from fieldspec.simulator.engine import Engine
 from fieldspec.simulator.memory import element_value
 from fieldspec.simulator.refusal import Refusal
-from fieldspec.simulator.registers import read_registers, write_registers
+from fieldspec.simulator.registers import read_bits, read_registers, write_bits, write_registers
 
 if TYPE_CHECKING:
     from typing import Any
@@ -108,7 +108,9 @@ class Server:
     def _carried_out(self, announced: MessageLayout, values: dict[str, Any]) -> dict[str, Any]:
         """Carries out a request: the values of the response that are not computed. Raises Refusal."""
         engine, message = self.engine, announced.message
-        access = engine.layout.device.register_access(message)
+        access, bits = engine.layout.device.register_access(message), engine.layout.device.bit_access(message)
+        read, write = (read_registers, write_registers) if bits is None else (read_bits, write_bits)
+        access = access or bits
         if access is not None:
             judged = [_out_of_range(field, values) for field in announced.request.fields]
             wrong = next((name for name in judged if name), "")
@@ -119,10 +121,10 @@ class Server:
                 if access.operation == "read":
                     count = int(values[access.count]) if access.count else 1
                     if not reasons:
-                        return {access.values: read_registers(engine, access, values)}
-                    read_registers(engine, access, {**values, access.count: min(count, 1)})
+                        return {access.values: read(engine, access, values)}
+                    read(engine, access, {**values, access.count: min(count, 1)})
                 elif not reasons:
-                    write_registers(engine, access, values)
+                    write(engine, access, values)
                     return {}
             except Refusal as refusal:
                 reasons.append(refusal)
