@@ -9,6 +9,7 @@
 # make capabilities  verify every line of docs/capabilities.md about keys, of which the tests verify a share
 # make accept  rewrite the tests' expectations, with RULE=code those of one rule; read the difference before you commit it
 # make soak    kill builds at random moments, and strike faults at every operation on files, for some minutes
+# make soak-device  let 24 hours of random requests and faults pass for each simulated device
 # make dist    build the wheel and the sdist into dist/
 # make sbom    write dist/sbom.json, the bill of materials of what an installation holds, as CycloneDX
 # make bench   measure, and write docs/benchmarks.md
@@ -30,7 +31,7 @@ UV := uv==0.13.8
 
 SBOM := build/sbom
 
-.PHONY: build test test-fast test-night fuzz fuzz-specs plants plc-sizes capabilities accept soak dist sbom bench pins clean
+.PHONY: build test test-fast test-night fuzz fuzz-specs plants plc-sizes capabilities accept soak soak-device dist sbom bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -56,6 +57,9 @@ fuzz-specs: $(INSTALLED)
 soak: $(INSTALLED)
 	$(BIN)/python tests/interruptions.py 200 1
 	FAULT_STEP=1 $(BIN)/pytest tests/test_faults.py tests/test_interruptions.py
+
+soak-device: $(INSTALLED)
+	FIELDSPEC_SOAK_HOURS=24 $(BIN)/pytest tests/device/test_soak.py
 
 dist: $(INSTALLED)
 	rm -rf dist

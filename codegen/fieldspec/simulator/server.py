@@ -129,6 +129,8 @@ class Server:
             except Refusal as refusal:
                 reasons.append(refusal)
             raise min(reasons, key=self._exception_number)
+        if message.accesses is not None:
+            raise Refusal("unknown_code", "spaces of bits and bytes are not simulated")
         for field in announced.request.fields:
             if _out_of_range(field, values):
                 raise Refusal("value_invalid", f"{field.name} is out of range")
@@ -290,7 +292,12 @@ class Server:
         code = part.get("code", code)
         known = frames.link.message_with_code(code) if code is not None else None
         flagged = code is not None and code & record.flag
-        frame = frames.encode("response", known.name if known and not flagged else "", values, error=True, code=code)
+        try:
+            frame = frames.encode(
+                "response", known.name if known and not flagged else "", values, error=True, code=code
+            )
+        except CodecError as error:
+            return Answer(b"", f"{text}; no response can say so: {error}")
         return Answer(frame, text)
 
     def _exception(self, part: Part) -> int | None:
