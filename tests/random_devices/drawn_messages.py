@@ -24,9 +24,10 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
     numbers = 0
     for _ in range(draft.number(1, 3) if other_links else 0):
         numbers += draft.number(1, 9)
-        drawn.append(
-            draft.fact(number=numbers, links=list(other_links), request=telegram(draft), response=telegram(draft))
-        )
+        request = telegram(draft)
+        # Telegrams of one length are told apart by nothing in them.
+        response = request if draft.chance(25) else telegram(draft)
+        drawn.append(draft.fact(number=numbers, links=list(other_links), request=request, response=response))
     for message in drawn:
         if "broadcast" not in message and draft.chance(5):
             message["broadcast"] = True
