@@ -30,7 +30,9 @@ def test_every_frame_is_answered_or_ignored(layout: DeviceLayout) -> None:
             assert isinstance(answer.frame, bytes)
             frames = server.codecs[example.link]
             try:
-                whole = frames.joined_parts(frames.with_checksum("request", frames.parts(bytes(frame))))
+                whole = frames.joined_parts(
+                    "request", frames.with_checksum("request", frames.original_parts(bytes(frame), "request"))
+                )
             except ValueError:
                 continue
             assert isinstance(server.answer(example.link, whole, example.message).frame, bytes)

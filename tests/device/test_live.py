@@ -117,7 +117,8 @@ def test_a_dry_run_shows_the_frame_and_needs_no_device(capsys: pytest.CaptureFix
 
 @pytest.mark.parametrize("kind", ["no_answer", "wrong_checksum", "truncated", "garbage", "wrong_unit", "late_answer"])
 def test_a_read_survives_a_fault(tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], kind: str) -> None:
-    tc100.fault(kind, count=2)
+    details = {"count": 1, "seconds": 0.7} if kind == "late_answer" else {"count": 2}
+    tc100.fault(kind, **details)
     assert read_json(tc100, capsys, "actual_position")["encoder_position"]["words"] == [0, 5000]
 
 

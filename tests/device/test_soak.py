@@ -51,7 +51,7 @@ def random_request(unit: Unit, chance: random.Random, addresses: list[int]) -> b
     try:
         return unit.codec.encode("request", name, {**values, **unit.head})
     except (CodecError, TypeError, AttributeError, KeyError):
-        return unit.codec.joined_parts(chance.randbytes(6))
+        return unit.codec.joined_parts("request", chance.randbytes(6))
 
 
 @pytest.mark.parametrize(("device", "link", "message"), UNITS, ids=[f"{d}-{link}-{m}" for d, link, m in UNITS])

@@ -211,6 +211,11 @@ class FrameCodec:
             numbers[check.name] = _checksum(check, self._joined(direction, numbers, inner, _is_sent(shape, check)))
         return self._marked(self._joined(direction, numbers, inner, True))
 
+    def original_parts(self, frame: bytes, direction: str) -> bytes:
+        """The binary form of a frame, before its bytes were escaped. Raises CodecError."""
+        data, shape = self.parts(frame), self.link.frame(direction)
+        return data if shape.escape is None else self._original(shape, data)
+
     def with_checksum(self, direction: str, parts: bytes) -> bytes:
         """The binary form of a frame with the checksums that are right for its other parts."""
         shape = self.link.frame(direction)

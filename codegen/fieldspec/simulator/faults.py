@@ -147,7 +147,7 @@ class Faults:
         frames = server.codecs[link]
         shape = frames.link.response
         try:
-            parts = bytearray(frames.parts(frame))
+            parts = bytearray(frames.original_parts(frame, "response"))
         except CodecError:
             return frame
         if kind == "wrong_checksum" and shape.checksum is not None:

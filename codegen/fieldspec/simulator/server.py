@@ -56,7 +56,7 @@ class Server:
         frames = self.codecs[link]
         shape = frames.link.request
         try:
-            parts = frames.parts(frame)
+            parts = frames.original_parts(frame, "request")
             if len(parts) < shape.header_size + shape.trailer_size:
                 return Answer(b"", "too short")
             head = dict(frames.heads["request"].parse(parts[: shape.header_size]))
@@ -336,7 +336,7 @@ def _reason(frames: FrameCodec, frame: bytes, error: CodecError) -> str:
     """Why a request that cannot be decoded is refused."""
     shape = frames.link.request
     coded = shape.role("code")
-    parts = frames.parts(frame)
+    parts = frames.original_parts(frame, "request")
     code = int.from_bytes(parts[coded.offset : coded.offset + coded.size], "big") if coded is not None else None
     announced = frames.link.message_with_code(code) if code is not None else None
     selector = announced.request.selector if announced is not None else None
