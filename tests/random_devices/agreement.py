@@ -19,6 +19,7 @@ from random_devices.command_judge import Command
 from random_devices.devices import text_of
 from random_devices.draft import Spec
 from random_devices.explainer_judge import Explainer
+from random_devices.javascript_judge import JavaScript
 from random_devices.python_judge import Python
 from random_devices.queries import Answer, Query, queries
 from random_devices.reference_answers import Reference
@@ -46,6 +47,7 @@ class Judge:
 JUDGES = (
     Judge("python", 1, Python),
     Judge("access", 1, Access),
+    Judge("javascript", 3, JavaScript),
     Judge("explainer", 1, lambda layout, folder, number: Explainer(layout, folder)),
     Judge("tcc", 1, lambda layout, folder, number: C(layout, folder, ["tcc", "-std=c99", "-w"]), True),
     Judge("command", 5, Command),

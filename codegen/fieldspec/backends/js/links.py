@@ -19,6 +19,9 @@ from fieldspec.names import Name
 SHORT = {"crc16_modbus": "crc16", "lrc": "lrc", "sum8": "sum8"}
 """The functions of `checksums.js` by the names of the algorithms that have one of their own."""
 
+WIDE = 6
+"""The bytes of a number up to which it is not a bigint."""
+
 LONGEST = 0xFFFF
 """The bytes of a body that nothing bounds."""
 
@@ -106,7 +109,11 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
 
 
 def _header_type(frame: FrameLayout) -> str:
-    rows = [f"readonly {key}: number" for key, part in zip(_keys(frame.header), frame.header, strict=True) if key]
+    rows = [
+        f"readonly {key}: {'bigint' if part.size > WIDE else 'number'}"
+        for key, part in zip(_keys(frame.header), frame.header, strict=True)
+        if key
+    ]
     return f"{{ {'; '.join(rows)} }}" if rows else "Record<string, never>"
 
 
@@ -134,9 +141,9 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
             "size": part.size,
             "order": part.order or "big",
             "signed": bool(part.value and part.value.type.signed),
+            "wide": part.size > WIDE and part.role not in ("length", "code", "checksum"),
             "low": part.value.type.low if part.value else 0,
             "high": part.value.type.high if part.value else (1 << 8 * part.size) - 1,
-            "constant": part.constant,
             "reserved": part.reserved,
             "unitSize": part.unit_size,
             "base": part.base,
@@ -144,7 +151,9 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
             "stop": part.stop,
             "escaped": part.escaped,
         }
-        more = [f"ranges: {_intervals(part.value.ranges) if part.value else 'null'}"]
+        wide = row["wide"] and part.constant is not None
+        more = ["constant: null" if part.constant is None else f"constant: {part.constant}{'n' * wide}"]
+        more += [f"ranges: {_intervals(part.value.ranges) if part.value else 'null'}"]
         if part.role == "checksum":
             more += [f"algorithm: {checksum_function(part.algorithm, part.order)}", f"digits: {literal(part.digits)}"]
         lines.append(

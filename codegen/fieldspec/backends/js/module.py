@@ -21,7 +21,7 @@ from fieldspec.names import Name
 
 IMPORTS = {
     "checksums": ("crc16", "crcOf", "lrc", "sum8", "totalOf"),
-    "error": ("brokenList", "refusedNumber", "wrongNumber"),
+    "error": ("brokenList", "refusedMember", "refusedNumber", "wrongNumber"),
     "escapes": ("cobs", "inserting", "replacing"),
     "framer": ("codeFramer", "delimiterFramer", "escapeFramer", "lengthFramer"),
     "link": ("frames", "link", "message"),

@@ -31,7 +31,7 @@ HELPERS = _words(
     "allowed bitsOf booleanOf doubleBitsOf doubleOf"
     " brokenList cobs escapeFramer inserting replacing bytesOf checkSize codeFramer conversion delimiterFramer device"
     " floatOf frame frames knownKeys lengthFramer link listLength message noMessage numberOf parameter"
-    " parameterSet putBytes putText record refusedNumber register registerArray spans table textOf unit"
+    " parameterSet putBytes putText record refusedMember refusedNumber register registerArray spans table textOf unit"
     " wordsOf wrongNumber crc16 crcOf totalOf lrc sum8"
 )
 

@@ -8,6 +8,7 @@ from fieldspec.backends.js.naming import property_scope
 from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
 from fieldspec.backends.js.units import unit_of
 from fieldspec.backends.js.values import Slot
+from fieldspec.layout.record import Orders
 from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 from fieldspec.model.value import Value
 from fieldspec.names import Name
@@ -39,6 +40,7 @@ def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names) -> str
         "kind": _kind(row.value),
         "size": str(row.value.size),
         "signed": flag(row.value.type.signed),
+        "places": _places(row.value, names),
         "default": "" if default is None else literal(default) if isinstance(default, str) else str(default),
         "elements": "" if row.elements is None else str(row.elements),
         "units": unit_of(row.value, row.value.size),
@@ -62,6 +64,7 @@ def _subindex(row: Parameter, subindex: Subindex, names: Names) -> str:
             "indices": f"[{', '.join(f'[{low}, {high}]' for low, high in subindex.indices.intervals)}]",
             "size": str(subindex.value.size),
             "signed": flag(subindex.value.type.signed),
+            "places": _places(subindex.value, names),
             "kind": _kind(subindex.value),
             "read": read,
             "write": write,
@@ -70,13 +73,21 @@ def _subindex(row: Parameter, subindex: Subindex, names: Names) -> str:
 
 
 def _functions(name: str, value: Value, trigger: bool, names: Names) -> tuple[str, str]:
-    """The functions that read and write a value in its own bytes, the most significant one first."""
-    device = names.layout.device
-    answer = value.as_answer(trigger)
-    reading = Slot(name, answer, value.size, "big", False, device).read("number", "o", 0)
+    """The functions that read and write a value in its own bytes."""
+    reading = _slot(name, value.as_answer(trigger), names).read("number", "o", 0)
     body = f"{{ {' '.join(reading.lines)} return {reading.expression}; }}" if reading.lines else reading.expression
-    write = " ".join(Slot(name, value, value.size, "big", False, device).write("value", "o", 0))
+    write = " ".join(_slot(name, value, names).write("value", "o", 0))
     return f"(b, o) => {body}", f"(value, b, o) => {{ {write} }}"
+
+
+def _slot(name: str, value: Value, names: Names) -> Slot:
+    device = names.layout.device
+    return Slot(name, value, value.size, *Orders(device.byte_order, device.word_order).of(value), device)
+
+
+def _places(value: Value, names: Names) -> str:
+    """The places of the bytes of a value, the most significant one first."""
+    return str(list(_slot("", value, names).places))
 
 
 def _kind(value: Value) -> str:

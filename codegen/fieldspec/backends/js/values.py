@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.backends.js.text import literal
+from fieldspec.backends.js.text import flag, literal
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.value import Kind, Value, merged
@@ -185,7 +185,7 @@ class Slot:
             arguments = f"{name}, {variable}, {self._float_ranges()}"
             function = "doubleBitsOf" if self.size == 8 else "bitsOf"
             return [f"const {raw} = {function}({arguments});", *self.stored(raw, base, offset)]
-        return [self._refusal(variable), *self.stored(variable, base, offset)]
+        return [*self._refusals(variable), *self.stored(variable, base, offset)]
 
     def _float_ranges(self) -> str:
         """The ranges of a floating-point number, and the numbers beside them that stand for no value."""
@@ -194,25 +194,29 @@ class Slot:
         others = ", ".join("NaN" if sentinel.is_nan else str(sentinel.value) for sentinel in self.value.sentinels)
         return f"{intervals}, [{others}]"
 
-    def _refusal(self, variable: str) -> str:
-        """The statement that refuses a number that may not be sent."""
+    def _refusals(self, variable: str) -> Iterator[str]:
+        """The statements that refuse a number that may not be sent: for its constant, its enum, and then its range."""
         low, high, const = self.value.type.low, self.value.type.high, self.value.const
         if const is not None:
             wrong = throw_wrong_number("wrong_const", self.name, variable, literal(f"not {const}"), "null")
-            return f"if ({variable} !== {self.digits(const)}) {wrong}"
+            yield f"if ({variable} !== {self.digits(const)}) {wrong}"
+            return
+        name, known = literal(self.name), self.known
         tests = [self.whole(variable)]
+        if known is not None:
+            members = merged((number, number) for number in known)
+            test = self.test(variable, members)
+            test = f"{tests[0]} && ({test})" if test else tests[0]
+            arguments = f"{name}, {variable}, {literal(self.value.enum)}, {flag(self.wide)}"
+            yield f"if (!({test})) throw refusedMember({arguments});"
         if more := self.test(variable, self.sendable):
             tests.append(f"({more})" if " || " in more else more)
+        if known is not None and self.sendable == merged((number, number) for number in known):
+            return
         ranges = self.value.writable_ranges
-        arguments = [
-            literal(self.name),
-            variable,
-            self.digits(low),
-            self.digits(high),
-            literal(ranges.text() if ranges else f"{low}..{high}"),
-            *([literal(self.value.enum)] if self.known is not None else []),
-        ]
-        return f"if (!({' && '.join(tests)})) throw refusedNumber({', '.join(arguments)});"
+        allowed = literal(ranges.text() if ranges else f"{low}..{high}")
+        arguments = f"{name}, {variable}, {self.digits(low)}, {self.digits(high)}, {allowed}"
+        yield f"if (!({' && '.join(tests)})) throw refusedNumber({arguments});"
 
     def constant(self, number: int, base: str, offset: int) -> list[str]:
         """The statements that write a number that is known."""

@@ -26,21 +26,22 @@ export function wrongNumber(reason, name, number, expected, offset) {
   return new CodecError(reason, `${name} is ${number}, ${expected}`, offset);
 }
 
-/**
- * The error of a value that cannot be encoded as a whole number of a type from `low` to `high`. `enumName` is the
- * closed enum that does not list it, if any.
- */
-export function refusedNumber(name, value, low, high, allowed, enumName = "") {
+/** The error of a value that cannot be encoded as a whole number from `low` to `high`. */
+export function refusedNumber(name, value, low, high, allowed) {
+  const wrong = wrongType(name, value, typeof low === "bigint");
+  return wrong ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
+}
+
+/** The error of a value that a closed enum does not list; `wide` where its numbers are bigints. */
+export function refusedMember(name, value, enumName, wide) {
+  return wrongType(name, value, wide) ?? new CodecError("unknown_value", `${name} is ${value}, which ${enumName} does not list`);
+}
+
+/** The error of a value that is no whole number, or null. */
+function wrongType(name, value, wide) {
   if (value === undefined) return new CodecError("missing_value", `${name} is missing`);
-  const whole = typeof low === "bigint" ? typeof value === "bigint" : Number.isInteger(value);
-  if (!whole) {
-    const type = typeof low === "bigint" ? "a bigint" : "a whole number";
-    return new CodecError("wrong_type", `${name} is ${type}, not ${printed(value)}`);
-  }
-  if (enumName && value >= low && value <= high) {
-    return new CodecError("unknown_value", `${name} is ${value}, which ${enumName} does not list`);
-  }
-  return new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
+  if (wide ? typeof value === "bigint" : Number.isInteger(value)) return null;
+  return new CodecError("wrong_type", `${name} is ${wide ? "a bigint" : "a whole number"}, not ${printed(value)}`);
 }
 
 /** The error of a value that must be a list of `least` to `most` elements. */

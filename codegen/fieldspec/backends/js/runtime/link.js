@@ -83,8 +83,9 @@ function expectedException({ name, exception }) {
   return exception;
 }
 
-/** The number of a part of one to six bytes. */
-export function readPart(bytes, offset, { size, order, signed }) {
+/** The number of a part: a bigint where it has more than six bytes and users see it. */
+export function readPart(bytes, offset, { size, order, signed, wide }) {
+  if (wide) return readWide(bytes, offset, { size, order, signed });
   let number = 0;
   for (let place = 0; place < size; place++) {
     number = number * 256 + bytes[order === "big" ? offset + place : offset + size - 1 - place];
@@ -92,7 +93,19 @@ export function readPart(bytes, offset, { size, order, signed }) {
   return signed && number >= 2 ** (8 * size - 1) ? number - 2 ** (8 * size) : number;
 }
 
+function readWide(bytes, offset, { size, order, signed }) {
+  let number = 0n;
+  for (let at = 0; at < size; at++) number = (number << 8n) | BigInt(bytes[order === "big" ? offset + at : offset + size - 1 - at]);
+  return signed ? BigInt.asIntN(8 * size, number) : number;
+}
+
 function writePart(bytes, offset, { size, order }, number) {
+  if (typeof number === "bigint") {
+    for (let at = 0; at < size; at++) {
+      bytes[order === "big" ? offset + size - 1 - at : offset + at] = Number((number >> BigInt(8 * at)) & 255n);
+    }
+    return;
+  }
   let rest = number < 0 ? number + 2 ** (8 * size) : number;
   for (let place = size - 1; place >= 0; place--) {
     bytes[order === "big" ? offset + place : offset + size - 1 - place] = rest % 256;
@@ -287,12 +300,13 @@ function encoded(context, shape, header, code, record, value) {
   const { headerSize, trailerSize } = shape;
   const size = headerSize + (record.size === null ? record.least : record.size(value)) + trailerSize;
   const data = new Uint8Array(size);
+  // Of several reasons to refuse, one in the body comes first, as in the other codecs.
+  record.write(value, data, headerSize);
   for (const part of shape.parts) {
     if (part.role !== "length" && part.role !== "checksum") {
       writePart(data, place(part.offset, size), part, partValue(context, part, header, code));
     }
   }
-  record.write(value, data, headerSize);
   for (const part of shape.lengths) {
     const total = isOfSent(shape, part) ? sentParts(shape, data).length : size;
     const units = (total - part.base) / part.unitSize;
@@ -316,7 +330,8 @@ function partValue({ unitAddresses }, part, header, code) {
   const address = part.role === "unit_address" ? unitAddresses : null;
   if (address !== null && number === address.broadcast && number !== null) return number;
   const ranges = address?.ranges ?? part.ranges;
-  if (!Number.isInteger(number) || number < part.low || number > part.high || (ranges !== null && !within(ranges, number))) {
+  const whole = part.wide ? typeof number === "bigint" : Number.isInteger(number);
+  if (!whole || number < part.low || number > part.high || (ranges !== null && !within(ranges, number))) {
     throw refusedNumber(part.name, number, part.low, part.high, rangesText(ranges ?? [[part.low, part.high]]));
   }
   return number;

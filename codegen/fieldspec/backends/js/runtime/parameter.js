@@ -1,11 +1,11 @@
 import { CodecError, printed } from "./error.js";
 
 /**
- * A numbered parameter. `read(bytes, start)` and `write(value, bytes, start)` are its generated functions, for `size`
- * bytes with the most significant one first.
+ * A numbered parameter. `read(bytes, start)` and `write(value, bytes, start)` are its generated functions for `size`
+ * bytes; `places` are the places of these, the most significant one first.
  */
 export function parameter(name, number, base, access, read, write, more) {
-  const own = { name, size: more.size, signed: more.signed, kind: more.kind, read, write };
+  const own = { name, size: more.size, signed: more.signed, kind: more.kind, places: more.places, read, write };
   const subindices = more.subindices ?? [];
   const elementOf = (index) => subindices.find(({ indices }) => indices.some(([low, high]) => index >= low && index <= high)) ?? own;
   return Object.freeze({
@@ -59,7 +59,9 @@ function fromRaw(element, raw) {
     throw new CodecError("out_of_range", `${element.name} is ${number}, which ${element.size} bytes do not hold`);
   }
   const bytes = new Uint8Array(element.size);
-  for (let at = 0; at < element.size; at++) bytes[element.size - 1 - at] = Number((number >> BigInt(8 * at)) & 255n);
+  element.places.forEach((place, index) => {
+    bytes[place] = Number((number >> BigInt(8 * (element.size - 1 - index))) & 255n);
+  });
   return element.read(bytes, 0);
 }
 
@@ -68,7 +70,7 @@ function toRaw(element, value, unsigned) {
   element.write(value, bytes, 0);
   if (element.kind !== "integer" && element.kind !== "boolean") return value;
   let number = 0n;
-  for (const byte of bytes) number = number * 256n + BigInt(byte);
+  for (const place of element.places) number = number * 256n + BigInt(bytes[place]);
   if (element.signed && !unsigned) number = BigInt.asIntN(8 * element.size, number);
   return element.size > 6 ? number : Number(number);
 }

@@ -1,0 +1,96 @@
+// Answers queries about a generated module: node javascript_judge.mjs MODULE JOBS
+import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+
+const exports = await import(pathToFileURL(process.argv[2]));
+const jobs = JSON.parse(readFileSync(process.argv[3], "utf8"));
+const hex = (bytes) => Buffer.from(bytes).toString("hex");
+
+/** A value from the JSON of the judge, and back: bigints, bytes and numbers that JSON does not have. */
+function fromJson(value) {
+  if (Array.isArray(value)) return value.map(fromJson);
+  if (typeof value !== "object" || value === null) return value;
+  if ("$n" in value) return BigInt(value.$n);
+  if ("$b" in value) return new Uint8Array(Buffer.from(value.$b, "hex"));
+  if ("$f" in value) return Number(value.$f);
+  return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, fromJson(inner)]));
+}
+
+function toJson(value) {
+  if (typeof value === "bigint") return { $n: String(value) };
+  if (value instanceof Uint8Array) return { $b: hex(value) };
+  if (typeof value === "number" && (!Number.isFinite(value) || Object.is(value, -0))) {
+    return { $f: Object.is(value, -0) ? "-0.0" : String(value).replace("Infinity", "inf") };
+  }
+  if (Array.isArray(value)) return value.map(toJson);
+  if (typeof value === "object" && value !== null) {
+    return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, toJson(inner)]));
+  }
+  return value;
+}
+
+function find(name, key) {
+  const entry = Object.values(exports).find((value) => value?.name === name && value[key] !== undefined);
+  if (entry === undefined) throw new Error(`there is no ${name}`);
+  return entry;
+}
+
+function again(action) {
+  try {
+    return hex(action());
+  } catch (error) {
+    if (error.name !== "CodecError") throw error;
+    return `!${error.reason}`;
+  }
+}
+
+function frame({ path: [linkName, direction, messageName], data, encodes, header, values, error, code }) {
+  const link = find(linkName, "encodeRequest");
+  const message = link.messages.find((entry) => entry.name === messageName);
+  const encode = (parts, entry, content, isError, number) => {
+    if (isError) return link.encodeException(parts, number, content);
+    return direction === "request" ? link.encodeRequest(parts, entry, content) : link.encodeResponse(parts, entry, content);
+  };
+  if (encodes) return { again: hex(encode(fromJson(header), message, fromJson(values), error, code)) };
+  const bytes = new Uint8Array(Buffer.from(data, "hex"));
+  const value = direction === "request" ? link.decodeRequest(bytes, message) : link.decodeResponse(bytes, message);
+  const isError = value.kind === "exception";
+  const number = isError ? value.code : value.message.code;
+  return {
+    value: { ...toJson({ kind: value.kind, name: value.name, header: value.header, data: value.data }), code: coded(number) },
+    again: again(() => encode(value.header, value.message, value.data, isError, number)),
+  };
+}
+
+const coded = (number) => (number === null ? "None" : number);
+
+function alone(codec, { data, encodes, values }) {
+  if (encodes) return { again: hex(codec.encode(fromJson(values))) };
+  const value = codec.decode(new Uint8Array(Buffer.from(data, "hex")));
+  return { value: toJson(value), again: again(() => codec.encode(value)) };
+}
+
+function parameter([setName, name]) {
+  const set = Object.values(exports).find((value) => value?.setName === setName);
+  return Object.values(set.parameters).flat().find((entry) => entry.name === name || entry.name.startsWith(`${name}[`));
+}
+
+function registerOf(name) {
+  const entry = find(name, "address");
+  return entry.decode === undefined ? entry.at(entry.first) : entry;
+}
+
+function answer(job) {
+  try {
+    if (job.kind === "frame") return frame(job);
+    if (job.kind === "record") return alone(find(job.path[0], "least"), job);
+    if (job.kind === "register") return alone(registerOf(job.path[0]), job);
+    if (job.kind === "parameter") return alone(parameter(job.path), job);
+    return { error: [null, null] };
+  } catch (error) {
+    if (error.name !== "CodecError") throw new Error(`${JSON.stringify(job)}: ${error.stack}`);
+    return { error: [error.reason, error.offset] };
+  }
+}
+
+console.log(JSON.stringify(jobs.map(answer)));

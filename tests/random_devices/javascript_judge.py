@@ -1,0 +1,173 @@
+"""The generated JavaScript as a judge: one process of Node answers all queries about a device."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from external_tools import require_tool
+from fieldspec.backends.js.backend import shared
+from fieldspec.backends.js.links import WIDE
+from fieldspec.backends.js.members import members_of
+from fieldspec.backends.js.module import module_texts
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import RecordLayout
+from fieldspec.model.value import Kind, Value
+from fieldspec.names import Name
+from random_devices.queries import ABSENT_OFFSET, Answer, Query, flat, flat_value
+
+SCRIPT = Path(__file__).with_name("javascript_judge.mjs")
+
+
+class JavaScript:
+    """The answers of generated JavaScript."""
+
+    def __init__(self, layout: DeviceLayout, folder: Path, number: int) -> None:
+        self.layout, self.folder = layout, folder / f"javascript_{number}"
+        for path, text in {**shared(), "device/module.js": module_texts(layout)[0]}.items():
+            place = self.folder / path
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_text(text, "utf-8")
+
+    def answers(self, queries: list[Query]) -> list[Answer]:
+        """The answer to each query."""
+        jobs = [self._job(query) for query in queries]
+        (self.folder / "jobs.json").write_text(json.dumps(jobs), "utf-8")
+        command = [require_tool("node"), str(SCRIPT), str(self.folder / "device/module.js"), "jobs.json"]
+        run = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
+        if run.returncode:
+            raise RuntimeError(run.stderr)
+        return [self._answer(query, result) for query, result in zip(queries, json.loads(run.stdout), strict=True)]
+
+    def _job(self, query: Query) -> dict[str, Any]:
+        job: dict[str, Any] = {"kind": query.kind, "path": query.path, "data": query.data.hex(), "error": query.error}
+        job["encodes"] = query.values is not None
+        if query.values is None:
+            return job
+        if query.kind == "frame":
+            parts = self._parts(query)
+            names = {part.name for part in self.layout.links[query.path[0]].frame(query.path[1]).header}
+            job["header"] = {key: _number(query.values[name], size) for name, key, size in parts}
+            values = {name: value for name, value in query.values.items() if name not in names}
+            job["values"] = object_of(query.shape, values)
+            job["code"] = query.code
+        elif query.kind == "record":
+            job["values"] = object_of(query.shape, query.values)
+        else:
+            value, size = query.shape[0], query.shape[4]
+            job["values"] = _element(value, query.values[query.path[-1]], size)
+        return job
+
+    def _parts(self, query: Query) -> list[tuple[str, str, int]]:
+        """The name, the property and the size of each part of the header that users supply."""
+        frame = self.layout.links[query.path[0]].frame(query.path[1])
+        return [
+            (part.name, "unitAddress" if part.role == "unit_address" else Name.of(part.name).camel(), part.size)
+            for part in frame.header
+            if part.is_argument
+        ]
+
+    def _answer(self, query: Query, result: dict[str, Any]) -> Answer:
+        if "error" in result:
+            reason, offset = result["error"]
+            placed = query.kind in ("frame", "record")
+            return Answer(reason, (ABSENT_OFFSET if offset is None else offset) if placed else None)
+        if query.values is not None or query.kind == "subindex":
+            return Answer(again=result["again"])
+        values: str
+        if query.kind == "frame":
+            data = result["value"]
+            link = self.layout.links[query.path[0]]
+            exception = link.link.exception_response
+            if data["kind"] == "exception" and exception is not None:
+                record = self.layout.records[exception.record]
+            else:
+                record = self.layout.messages[data["name"]].data(query.path[1])
+            head = "".join(f"{_plain(data['header'][key])};" for _, key, _ in self._parts(query))
+            code = data["code"] if link.frame(query.path[1]).role("code") is not None else None
+            values = f"{head}|{int(data['kind'] == 'exception')}|{code}|"
+            values += flat(record, values_of(record, data["data"]))
+        elif query.kind == "record":
+            values = flat(query.shape, values_of(query.shape, result["value"]))
+        else:
+            values = flat_value(query.shape[0], _typed(query.shape[0], result["value"]))
+        return Answer(values=values, again=result["again"])
+
+
+def object_of(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The object of some values of a record, as JSON of the judge."""
+    keys = {member.field.name: member for member in members_of(record)}
+    chosen = record
+    if record.selector is not None and record.selector.name in values:
+        chosen = record.of_number(values[record.selector.name]) or record
+    result: dict[str, Any] = {}
+    for name, value in values.items():
+        field = chosen.named(name) or record.named(name)
+        member = keys.get(name)
+        if field is None or member is None or not member.key:
+            result[name] = value
+            continue
+
+        def element(item: Any, field: Any = field) -> Any:
+            if field.record is not None:
+                return object_of(field.record, item)
+            if field.value is None:
+                return item
+            return _element(field.value, item, field.size)
+
+        result[member.key] = [element(item) for item in value] if field.is_list else element(value)
+    return result
+
+
+def values_of(record: RecordLayout, data: Mapping[str, Any]) -> dict[str, Any]:
+    """The values of a record from the object that the judge prints."""
+    chosen = record
+    if record.selector is not None:
+        key = next(member.key for member in members_of(record) if member.field.name == record.selector.name)
+        chosen = record.of_number(_plain(data[key])) or record
+    result = {}
+    for member in members_of(chosen):
+        field = member.field
+        if not member.key:
+            continue
+
+        def element(item: Any, field: Any = field) -> Any:
+            return values_of(field.record, item) if field.record is not None else _typed(field.value, item)
+
+        item = data[member.key]
+        result[field.name] = [element(inner) for inner in item] if field.is_list else element(item)
+    return result
+
+
+def _element(value: Value, item: Any, size: int) -> Any:
+    kind = value.type.kind
+    if kind is Kind.BOOLEAN and item in (0, 1):
+        return bool(item)
+    if kind is Kind.BYTES and isinstance(item, bytes | bytearray):
+        return {"$b": bytes(item).hex()}
+    if kind is Kind.FLOAT and isinstance(item, float) and not math.isfinite(item):
+        return {"$f": "NaN" if math.isnan(item) else "Infinity" if item > 0 else "-Infinity"}
+    return _number(item, size)
+
+
+def _number(item: Any, size: int) -> Any:
+    if isinstance(item, int) and not isinstance(item, bool):
+        return {"$n": str(item)} if size > WIDE else item if abs(item) < 1 << 53 else {"$f": str(item)}
+    return item
+
+
+def _plain(item: Any) -> Any:
+    if isinstance(item, dict) and "$n" in item:
+        return int(item["$n"])
+    return item
+
+
+def _typed(value: Value, item: Any) -> Any:
+    item = _plain(item)
+    if isinstance(item, dict):
+        return bytes.fromhex(item["$b"]) if "$b" in item else float(item["$f"])
+    return float(item) if value.type.kind is Kind.FLOAT else item
