@@ -12,6 +12,7 @@ import typing
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from enum import Enum
+from fractions import Fraction
 from functools import cache
 from importlib import import_module
 from pathlib import Path
@@ -226,7 +227,7 @@ def ignored(holder: str, noun: type, attribute: str) -> bool:
 NEVER_ABSENT = {
     noun.__name__: [
         name
-        for name, hint in typing.get_type_hints(noun).items()
+        for name, hint in typing.get_type_hints(noun, localns={"Fraction": Fraction}).items()
         if dataclasses.is_dataclass(hint) and hint is not Primitive and hint is not Place
     ]
     for _, noun in positions()
@@ -243,7 +244,7 @@ CASES = [
 
 def noticed(holder: str, noun: type, attribute: str) -> set[str]:
     """The rules that notice another value of an attribute, wherever the class occurs."""
-    hint = typing.get_type_hints(noun)[attribute]
+    hint = typing.get_type_hints(noun, localns={"Fraction": Fraction})[attribute]
     rules: set[str] = set()
     for device, _, item, path in positions()[holder, noun]:
         for value in others(getattr(item, attribute), hint):

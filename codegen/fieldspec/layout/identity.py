@@ -218,6 +218,10 @@ def _words(device: Device) -> Iterator[Words]:
     for enum in device.enums.values():
         yield "enum", enum.name, enum.open, [(m.name, m.value, m.unavailable) for m in enum.members]
     for flags in device.flags.values():
-        bits = [(bit.name, bit.first, bit.last, bit.enum, bit.active, bit.reserved, bit.edge) for bit in flags.bits]
+        bits = [
+            (bit.name, bit.first, bit.last, bit.enum, bit.active, bit.reserved, bit.edge)
+            + ((bit.signed, str(bit.scale), str(bit.offset), bit.unit) if bit.is_number else ())
+            for bit in flags.bits
+        ]
         states = [(state.name, flags.masked(state)) for state in flags.states]
         yield "flags", flags.name, flags.type.name, bits, states

@@ -45,7 +45,7 @@ def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[in
     before = known.get((base, area.name))
     if before is None or before.area != area or before.meanings != meanings:
         words = csv_text(word_map.rows(device, base, area, KV))
-        before = AreaRows(area, meanings, words, csv_text(word_map.comment_rows(base, area, KV)))
+        before = AreaRows(area, meanings, words, csv_text(word_map.comment_rows(layout.device, base, area, KV)))
         known[base, area.name] = before
     return before
 
