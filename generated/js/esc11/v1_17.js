@@ -2299,25 +2299,31 @@ const framesOfSerial = /* @__PURE__ */ frames({
   hex: false,
   request: {
     header: [
-      { name: "length", role: "length", key: null, offset: 0, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
-      { name: "address", role: "unit_address", key: "unitAddress", offset: 1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
-      { name: "command", role: "code", key: null, offset: 2, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
+      { name: "length", role: "length", key: null, offset: 0, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
+      { name: "address", role: "unit_address", key: "unitAddress", offset: 1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
+      { name: "command", role: "code", key: null, offset: 2, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
     ],
     trailer: [
-      { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, ranges: null, algorithm: sum8, digits: "" },
+      { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, ranges: null, algorithm: sum8, digits: "" },
     ],
     checksums: [3],
+    escape: null,
+    escapeStart: 0,
+    escapeStop: null,
   },
   response: {
     header: [
-      { name: "length", role: "length", key: null, offset: 0, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
-      { name: "address", role: "unit_address", key: "unitAddress", offset: 1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
-      { name: "status", role: "plain", key: "status", offset: 2, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
+      { name: "length", role: "length", key: null, offset: 0, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
+      { name: "address", role: "unit_address", key: "unitAddress", offset: 1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
+      { name: "status", role: "plain", key: "status", offset: 2, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
     ],
     trailer: [
-      { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, ranges: null, algorithm: sum8, digits: "" },
+      { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, ranges: null, algorithm: sum8, digits: "" },
     ],
     checksums: [3],
+    escape: null,
+    escapeStart: 0,
+    escapeStop: null,
   },
   unitAddresses: { ranges: [[0, 15]], broadcast: null },
 });

@@ -2329,6 +2329,9 @@ const framesOfCyclic = /* @__PURE__ */ frames({
     trailer: [
     ],
     checksums: [],
+    escape: null,
+    escapeStart: 0,
+    escapeStop: null,
   },
   response: {
     header: [
@@ -2336,6 +2339,9 @@ const framesOfCyclic = /* @__PURE__ */ frames({
     trailer: [
     ],
     checksums: [],
+    escape: null,
+    escapeStart: 0,
+    escapeStop: null,
   },
   unitAddresses: null,
 });
@@ -2349,25 +2355,31 @@ const framesOfParameterChannel = /* @__PURE__ */ frames({
   hex: false,
   request: {
     header: [
-      { name: "request_reference", role: "plain", key: "requestReference", offset: 0, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: [[1, 255]] },
-      { name: "request_id", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
-      { name: "do_id", role: "plain", key: null, offset: 2, size: 1, order: "big", signed: false, low: 0, high: 255, constant: 0, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
-      { name: "parameter_count", role: "plain", key: null, offset: 3, size: 1, order: "big", signed: false, low: 0, high: 255, constant: 1, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
+      { name: "request_reference", role: "plain", key: "requestReference", offset: 0, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: [[1, 255]] },
+      { name: "request_id", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
+      { name: "do_id", role: "plain", key: null, offset: 2, size: 1, order: "big", signed: false, low: 0, high: 255, constant: 0, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
+      { name: "parameter_count", role: "plain", key: null, offset: 3, size: 1, order: "big", signed: false, low: 0, high: 255, constant: 1, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
     ],
     trailer: [
     ],
     checksums: [],
+    escape: null,
+    escapeStart: 0,
+    escapeStop: null,
   },
   response: {
     header: [
-      { name: "request_reference", role: "plain", key: "requestReference", offset: 0, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: [[1, 255]] },
-      { name: "response_id", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
-      { name: "do_id", role: "plain", key: null, offset: 2, size: 1, order: "big", signed: false, low: 0, high: 255, constant: 0, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
-      { name: "parameter_count", role: "plain", key: null, offset: 3, size: 1, order: "big", signed: false, low: 0, high: 255, constant: 1, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
+      { name: "request_reference", role: "plain", key: "requestReference", offset: 0, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: [[1, 255]] },
+      { name: "response_id", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
+      { name: "do_id", role: "plain", key: null, offset: 2, size: 1, order: "big", signed: false, low: 0, high: 255, constant: 0, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
+      { name: "parameter_count", role: "plain", key: null, offset: 3, size: 1, order: "big", signed: false, low: 0, high: 255, constant: 1, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
     ],
     trailer: [
     ],
     checksums: [],
+    escape: null,
+    escapeStart: 0,
+    escapeStop: null,
   },
   unitAddresses: null,
 });
