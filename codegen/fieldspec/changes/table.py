@@ -15,6 +15,7 @@ from fieldspec.changes.rules.addresses import (
     table_moved,
 )
 from fieldspec.changes.rules.enums import (
+    aliases_changed,
     enum_changed,
     member_added,
     member_removed,
@@ -76,6 +77,7 @@ _W, _S, _B, _D = Effect
 
 RULES: tuple[tuple[str, Rule, tuple[Effect, ...]], ...] = (
     ("access_changed", access_changed, (_B,)),
+    ("aliases_changed", aliases_changed, (_S, _D)),
     ("applicability_changed", applicability_changed, (_B,)),
     ("availability_changed", availability_changed, (_S, _B)),
     ("bit_moved", bit_moved, (_W, _D)),

@@ -7,7 +7,7 @@ another list are not checked.
 Example: alarms 0 to 15 and 17.
 
 Cure: Transcribe the missing row, or declare the hole: `gaps: "16: the list goes from 15 to 17"`. Write an
-erratum if the manual should have the row.
+erratum if the manual should have the row. If the numbers are spread on purpose, write `sparse: true` instead.
 """
 
 from __future__ import annotations
@@ -31,6 +31,9 @@ def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
         values = [member.value for member in enum.members]
         if not values or enum.derived:
             continue
+        if enum.sparse:
+            yield from _of_sparse(enum, values)
+            continue
         declared = _declared(enum)
         if declared is None:
             text = f"`{enum.gaps.partition(':')[0]}` is not a list of values"
@@ -50,6 +53,15 @@ def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
             yield from _holes(enum, span, values, declared)
 
 
+def _of_sparse(enum: Enum, values: list[int]) -> Iterator[Diagnostic]:
+    if enum.gaps:
+        text = f"{enum.name} is sparse, so it has no list of gaps"
+        yield finding("enum_contiguous", enum.place, "gaps", text, "remove `gaps`, or `sparse`")
+    elif not missing(Ranges(((min(values), max(values)),)), values):
+        text = f"{enum.name} has all values from {min(values)} to {max(values)}, so it is not sparse"
+        yield finding("enum_contiguous", enum.place, "sparse", text, "remove `sparse`")
+
+
 def _are_masks(values: list[int]) -> bool:
     """Whether each value but 0 has one bit, and there are enough of them to be no accident."""
     bits = [value for value in values if value]
@@ -65,7 +77,7 @@ def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[in
             enum.place,
             "gaps" if enum.gaps else "name",
             f"{enum.name} does not list {enumeration([interval(*hole) for hole in left])}",
-            "transcribe the missing members, or declare the values under `gaps` with a reason",
+            "transcribe the missing members, declare the values under `gaps` with a reason, or write `sparse: true`",
             label(behind.place, "value", f"the next value is {behind.value}"),
         )
 

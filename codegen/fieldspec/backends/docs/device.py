@@ -75,11 +75,11 @@ def _detection(detection: Detection) -> Line:
     texts = [number_text(detection), detection.doc]
     if detection.inferred:
         texts.append(f"Inferred: {detection.inferred}")
-    said = " ".join(text for text in texts if text)
+    remark = " ".join(text for text in texts if text)
     return (
         text_piece("The device tells its version in "),
         code(detection.fact, f"#{detection.fact}"),
-        text_piece(f". {said} " if said else ". "),
+        text_piece(f". {remark} " if remark else ". "),
         *cited(detection.sources),
     )
 
