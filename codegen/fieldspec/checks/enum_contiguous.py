@@ -32,7 +32,9 @@ def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
         if not values or enum.derived:
             continue
         if enum.sparse:
-            yield from _of_sparse(enum, values)
+            if enum.gaps:
+                text = f"{enum.name} is sparse, so it has no list of gaps"
+                yield finding("enum_contiguous", enum.place, "gaps", text, "remove `gaps`, or `sparse`")
             continue
         declared = _declared(enum)
         if declared is None:
@@ -51,15 +53,6 @@ def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
             continue
         if enum.kind == "enum" or span.high - span.low < _WIDEST_BLOCK or declared:
             yield from _holes(enum, span, values, declared)
-
-
-def _of_sparse(enum: Enum, values: list[int]) -> Iterator[Diagnostic]:
-    if enum.gaps:
-        text = f"{enum.name} is sparse, so it has no list of gaps"
-        yield finding("enum_contiguous", enum.place, "gaps", text, "remove `gaps`, or `sparse`")
-    elif not missing(Ranges(((min(values), max(values)),)), values):
-        text = f"{enum.name} has all values from {min(values)} to {max(values)}, so it is not sparse"
-        yield finding("enum_contiguous", enum.place, "sparse", text, "remove `sparse`")
 
 
 def _are_masks(values: list[int]) -> bool:
