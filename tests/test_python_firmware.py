@@ -101,6 +101,52 @@ def test_what_is_on_no_line_has_no_nearest_one(mill: ModuleType, firmware: str) 
         mill.for_firmware(firmware, nearest=True)
 
 
+DETECTIONS = {
+    "form: decimal, places: 2": [(280, "2.80"), (201, "2.1"), (7, "0.07"), (1212, "12.12"), (0xFFFF, "3.5")],
+    "form: hexadecimal, places: 2": [(0x280, "2.80"), (0x1212, "12.12"), (0xFFFF, "3.5")],
+    "form: bytes": [(0x0201, "2.1"), (0x0C0C, "12.12"), (0xFFFF, "3.5")],
+    "form: decimal": [(12, "12"), (0xFFFF, "3.5")],
+    "doc: Its form is not printed.": [(0xFFFF, "3.5"), ("v2.1", "2.1")],
+}
+
+
+def detecting(keys: str, number: int) -> ModuleType:
+    """The package of a device whose version is in a register."""
+    members = ", ".join(f'{{id: "{version}", source: L1}}' for version in ("0.07", "2.1", "2.80", "12", "12.12"))
+    head = MILL.partition("versions:")[0]
+    spec = f"""{head}versions:
+  - line: firmware
+    builds: true
+    detected_by: {{fact: registers/firmware, {keys}}}
+    members: [{members}, {{id: "3.5", detected_as: [0xFFFF], source: L1}}]
+registers:
+  - {{group: all, source: L1, rows: [{{name: firmware, at: 1, type: u16, access: ro}}]}}
+"""
+    device = read({"mill/device.yaml": spec.encode()}).devices["mill"]
+    texts = {**shared(), **files([layout_at(device, version) for version in device.versions()])}
+    folder = Path(tempfile.mkdtemp(prefix="fieldspec-detecting-"))
+    name = f"detecting_{number}"
+    write(folder, {path.replace("fieldspec_devices", name, 1): text for path, text in texts.items()})
+    sys.path.insert(0, str(folder))
+    return importlib.import_module(f"{name}.mill")
+
+
+@pytest.mark.parametrize("keys", DETECTIONS)
+def test_a_number_that_the_device_sends_chooses_the_version(keys: str) -> None:
+    package = detecting(keys, list(DETECTIONS).index(keys))
+    assert package.DETECTED_BY == "registers/firmware"
+    for value, version in DETECTIONS[keys]:
+        assert version == package.for_firmware(value).VERSION
+    for unknown in (-1, 999, 1 << 20):
+        with pytest.raises(LookupError, match="known are"):
+            package.for_firmware(unknown)
+
+
+def test_what_tells_the_version_is_a_name_of_the_package() -> None:
+    package()
+    assert importlib.import_module(f"{NAME}.esc11").DETECTED_BY == "messages/read_version/response/version"
+
+
 def test_the_exception_can_be_passed_between_processes() -> None:
     error = package().UnknownFirmwareError("9", ("1", "2"))
     again = pickle.loads(pickle.dumps(error))

@@ -29,9 +29,13 @@ def _enum(draft: Draft) -> Spec:
             draft.bounded(member, 10)
         if draft.chance(5) and at != numbers[0]:
             member["unavailable"] = True
+        if draft.chance(10):
+            member["aliases"] = [draft.name()]
         enum["members"].append(member)
     gaps = [f"{a + 1}..{b - 1}" for a, b in pairwise(numbers) if b > a + 1]
-    if gaps:
+    if gaps and draft.chance(20):
+        enum["sparse"] = True
+    elif gaps:
         enum["gaps"] = f"{', '.join(gaps)}: the manual leaves them out"
     members = {m["name"]: m["value"] for m in enum["members"] if not ({"since", "until", "unavailable"} & set(m))}
     everything = {m["name"]: m["value"] for m in enum["members"]}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from fieldspec.model.device import Detection
 from fieldspec.model.fact import Citation, Fact
 
 
@@ -43,3 +44,13 @@ def described(head: str, fact: Fact, *more: str) -> list[str]:
     doubt = "Nobody has compared it with the manual yet." if fact.unverified else ""
     caveats = (availability(fact), doubt, *notes, *inferred)
     return [sentence(first), sentence(fact.doc), *more, *caveats, cited(fact.sources)]
+
+
+def number_text(detection: Detection) -> str:
+    """How a number is read, as a sentence; empty where the manual does not print it."""
+    if detection.form == "bytes":
+        return "Each byte of the number is a number of the version."
+    if not detection.form:
+        return ""
+    point = f", with a point before the last {detection.places}" if detection.places else ""
+    return f"The {detection.form} digits of the number are the version{point}."

@@ -151,6 +151,8 @@ def _texts(model_class: type) -> Iterator[tuple[str, Text]]:
             yield from (("scale", _scale), ("sentinels", _sentinels))
     if model_class is Link:
         yield from _TEXTS_OF_LINKS.items()
+    if model_class is VersionLine:
+        yield "detected_by", _of("detected_by", "doc", "inferred", "sources")
 
 
 TEXTS: dict[type, dict[str, Text]] = {model_class: dict(_texts(model_class)) for model_class in CONSEQUENCES}

@@ -15,6 +15,7 @@ from fieldspec.changes.rules.addresses import (
     table_moved,
 )
 from fieldspec.changes.rules.enums import (
+    aliases_changed,
     enum_changed,
     member_added,
     member_removed,
@@ -43,6 +44,7 @@ from fieldspec.changes.rules.links import (
     building_changed,
     check_changed,
     code_changed,
+    detection_changed,
     error_reply_changed,
     framing_changed,
     role_changed,
@@ -75,6 +77,7 @@ _W, _S, _B, _D = Effect
 
 RULES: tuple[tuple[str, Rule, tuple[Effect, ...]], ...] = (
     ("access_changed", access_changed, (_B,)),
+    ("aliases_changed", aliases_changed, (_S, _D)),
     ("applicability_changed", applicability_changed, (_B,)),
     ("availability_changed", availability_changed, (_S, _B)),
     ("bit_moved", bit_moved, (_W, _D)),
@@ -88,6 +91,7 @@ RULES: tuple[tuple[str, Rule, tuple[Effect, ...]], ...] = (
     ("conversion_changed", conversion_changed, (_W,)),
     ("count_changed", count_changed, (_W, _S, _B)),
     ("default_changed", default_changed, (_W, _B)),
+    ("detection_changed", detection_changed, (_B,)),
     ("documentation_changed", documentation_changed, (_D,)),
     ("edge_changed", edge_changed, (_B,)),
     ("enum_changed", enum_changed, (_W, _S)),

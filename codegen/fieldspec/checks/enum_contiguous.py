@@ -7,7 +7,7 @@ another list are not checked.
 Example: alarms 0 to 15 and 17.
 
 Cure: Transcribe the missing row, or declare the hole: `gaps: "16: the list goes from 15 to 17"`. Write an
-erratum if the manual should have the row.
+erratum if the manual should have the row. If the numbers are spread on purpose, write `sparse: true` instead.
 """
 
 from __future__ import annotations
@@ -30,6 +30,11 @@ def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
     for enum in device.enums.values():
         values = [member.value for member in enum.members]
         if not values or enum.derived:
+            continue
+        if enum.sparse:
+            if enum.gaps:
+                text = f"{enum.name} is sparse, so it has no list of gaps"
+                yield finding("enum_contiguous", enum.place, "gaps", text, "remove `gaps`, or `sparse`")
             continue
         declared = _declared(enum)
         if declared is None:
@@ -65,7 +70,7 @@ def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[in
             enum.place,
             "gaps" if enum.gaps else "name",
             f"{enum.name} does not list {enumeration([interval(*hole) for hole in left])}",
-            "transcribe the missing members, or declare the values under `gaps` with a reason",
+            "transcribe the missing members, declare the values under `gaps` with a reason, or write `sparse: true`",
             label(behind.place, "value", f"the next value is {behind.value}"),
         )
 

@@ -25,6 +25,20 @@ def enum_names_unique(device: Device) -> Iterator[Diagnostic]:
         # What the members of another list are called is looked at there.
         for key in ("name",) if enum.derived else _KEYS:
             yield from _of_key(enum, key)
+        yield from _of_aliases(enum)
+
+
+def _of_aliases(enum: Enum) -> Iterator[Diagnostic]:
+    """Aliases that are also the name of a member, or an alias of another one."""
+    named = {member.name: member for member in enum.members}
+    for member in enum.members:
+        for alias in member.aliases:
+            other = named.setdefault(alias, member)
+            if other is not member or alias == member.name:
+                text = f"the alias `{alias}` of {member.name} is already a name of {other.name}"
+                there = label(other.place, "name", f"the value {other.value}")
+                help = "remove it from one of them"
+                yield finding("enum_names_unique", member.place, "aliases", text, help, there)
 
 
 def _of_key(enum: Enum, key: str) -> Iterator[Diagnostic]:

@@ -4,7 +4,8 @@ Why: if a value has two names, nobody can tell which one is meant.
 
 Example: 3 for homing and 3 for preset_position.
 
-Cure: Correct one of the values, and write an erratum if the manual prints it that way.
+Cure: Correct one of the values, and write an erratum if the manual prints it that way. If the value has two names,
+keep the member with the one to write, and list the other one under its `aliases`.
 """
 
 from __future__ import annotations
@@ -28,6 +29,6 @@ def enum_values_unique(device: Device) -> Iterator[Diagnostic]:
                     member.place,
                     "value",
                     f"{enum.name} has the value {member.value} twice, as {other.name} and as {member.name}",
-                    "correct one of the values",
+                    "correct one of the values, or list the second name under `aliases` of the first member",
                     label(other.place, "value", f"{other.name}"),
                 )

@@ -95,6 +95,9 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
     for limit in device.limits:
         yield from _check_names(limit.place, "sum_of", "limit", limit.sum_of, limits)
         yield from _named(limit.place, "within", "limit", limit.within, limits)
+    for line in device.lines:
+        if line.detected_by is not None:
+            yield from _named(line.detected_by.place, "fact", "fact", line.detected_by.fact, paths)
     for lookup in device.lookups:
         yield from _of_lookup(device, lookup)
     for example in device.examples.values():

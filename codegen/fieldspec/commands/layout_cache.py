@@ -135,8 +135,8 @@ class _Freezing:
             return ["span", self.files.setdefault(value.file.path, len(self.files)), value.start, value.end]
         if isinstance(value, Enum):
             return ["enum", self.class_number(kind), value.name]
-        if kind.__name__ == "Decimal":
-            return ["decimal", str(value)]
+        if kind.__name__ in ("Decimal", "Fraction"):
+            return [kind.__name__.lower(), str(value)]
         return [self.class_number(kind), self.line_number(value)]
 
     def class_number(self, cls: type) -> int:
@@ -246,6 +246,12 @@ def _decimal(text: str) -> object:
     return Decimal(text)
 
 
+def _fraction(text: str) -> object:
+    from fractions import Fraction
+
+    return Fraction(text)
+
+
 _VALUES: dict[str, Callable[[_Thawing, list[Any]], Any]] = {
     "tuple": lambda own, items: tuple(map(own.value, items)),
     "list": lambda own, items: [*map(own.value, items)],
@@ -255,4 +261,5 @@ _VALUES: dict[str, Callable[[_Thawing, list[Any]], Any]] = {
     "span": lambda own, items: Span(own.file(items[0]), items[1], items[2]),
     "enum": lambda own, items: own.cls(items[0])[items[1]],
     "decimal": lambda own, items: _decimal(items[0]),
+    "fraction": lambda own, items: _fraction(items[0]),
 }

@@ -88,9 +88,15 @@ def _examples(layout: DeviceLayout) -> Iterator[FactRow]:
 
 def _versions(device: Device) -> Iterator[FactRow]:
     for line in device.lines:
+        if line.detected_by is not None:
+            detection = line.detected_by
+            cells: FactRow = {"name": detection.fact, "label": line.title}
+            if detection.inferred:
+                cells.update(provenance=INFERRED, evidence=detection.inferred)
+            yield row("detection", f"versions/{line.name}/detected_by", detection.sources, **cells)
         for version in line.versions:
             path = f"versions/{line.name}/{version.id}"
-            cells: FactRow = {"name": version.id, "label": version.title}
+            cells = {"name": version.id, "label": version.title}
             if version.inferred:
                 cells.update(provenance=INFERRED, evidence=version.inferred)
             yield row("version", path, version.sources, **cells)

@@ -218,7 +218,7 @@ def _conversions(device: Device) -> Iterator[Words]:
 
 def _words(device: Device) -> Iterator[Words]:
     for enum in device.enums.values():
-        yield "enum", enum.name, enum.open, [(m.name, m.value, m.unavailable) for m in enum.members]
+        yield "enum", enum.name, enum.open, [(m.name, m.value, m.unavailable, *m.aliases) for m in enum.members]
     for flags in device.flags.values():
         bits = [
             (bit.name, bit.first, bit.last, bit.enum, bit.active, bit.reserved, bit.edge)

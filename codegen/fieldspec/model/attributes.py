@@ -140,7 +140,9 @@ MODEL_CLASSES: dict[type, ModelClass] = {
         (*_FACT, "at", "words", "span", "word_span", "signal"),
     ),
     Case: ModelClass("case", documentation=_FACT),
-    Enum: ModelClass("enum", (Content(Member, "members"),), (*_FACT, "kind", "title", "gaps", "printed_as", "derived")),
+    Enum: ModelClass(
+        "enum", (Content(Member, "members"),), (*_FACT, "kind", "title", "gaps", "sparse", "printed_as", "derived")
+    ),
     Member: ModelClass("member", documentation=(*_FACT, "number", "problem", "causes", "remedies")),
     Flags: ModelClass("word of flags", (Content(Bit, "bits"), Content(State, "states")), (*_FACT, "bit_0")),
     Bit: ModelClass("bit", documentation=(*_FACT, "zero", "one", "when", "scale_text")),

@@ -34,21 +34,41 @@ class Manual:
 
 
 @dataclass(frozen=True, slots=True)
-class Version:
-    """One version of a line."""
+class Detection:
+    """The value that tells the version of a device.
 
-    id: str
-    title: str
+    `fact` is the path of a register, of a parameter or of a field. `form` is how a number in it is read: `decimal`
+    or `hexadecimal` digits, of which `places` follow the point, or `bytes`; it is empty where the manual does not
+    print it.
+    """
+
+    place: Place
+    fact: str
+    form: str
+    places: int
     doc: str
     inferred: str
     sources: tuple[Citation, ...]
 
 
 @dataclass(frozen=True, slots=True)
+class Version:
+    """One version of a line. `detected_as` is what the detecting value of the line is in this version."""
+
+    id: str
+    title: str
+    doc: str
+    inferred: str
+    sources: tuple[Citation, ...]
+    detected_as: tuple[int | str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class VersionLine:
     """Versions that follow one another, the oldest first. Outputs are written for the versions of the built line.
 
-    `like` is the line whose bounds apply to this one too, or empty; `inferred` is the reason.
+    `like` is the line whose bounds apply to this one too, or empty; `inferred` is the reason. `detected_by` is
+    the value that tells which of the versions a device has, or None.
     """
 
     name: str
@@ -57,6 +77,7 @@ class VersionLine:
     like: str
     inferred: str
     versions: tuple[Version, ...]
+    detected_by: Detection | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +113,12 @@ class Device:
     errata: tuple[Erratum, ...]
     accepts: tuple[Acceptance, ...]
     stated_changes: tuple[StatedChange, ...]
+
+    @property
+    def detection(self) -> Detection | None:
+        """The value that tells which of the versions with outputs a device has; None where no line states it."""
+        lines = (line.detected_by for line in self.lines if line.builds or line.like)
+        return next((detection for detection in lines if detection is not None), None)
 
     def registers(self) -> Iterator[Register]:
         """All registers in the order of the spec."""

@@ -23,7 +23,7 @@ class Cause:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Member(Fact):
-    """One value, or one code. `number` is a second number that the manual gives it."""
+    """One value, or one code. `number` is a second number that the manual gives it. `aliases` are its other names."""
 
     value: int
     number: int | None
@@ -31,6 +31,7 @@ class Member(Fact):
     problem: str
     causes: tuple[Cause, ...]
     remedies: tuple[str, ...]
+    aliases: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -38,7 +39,8 @@ class Enum(Fact):
     """Values by name. An open enum passes on values that it does not list; a closed one refuses them.
 
     `printed_as` is the form of its members' printed names, empty where they have none. `derived` names the word of
-    flags, or the enum, that its members follow from; empty where they are listed.
+    flags, or the enum, that its members follow from; empty where they are listed. A `sparse` enum has no list of the
+    values that are missing between its members.
     """
 
     kind: str
@@ -48,14 +50,15 @@ class Enum(Fact):
     printed_as: str
     derived: str
     members: tuple[Member, ...]
+    sparse: bool = False
 
     def member(self, value: int) -> Member | None:
         """The member with a value, None if there is none."""
         return next((member for member in self.members if member.value == value), None)
 
     def named(self, name: str) -> Member | None:
-        """The member with a name, None if there is none."""
-        return next((member for member in self.members if member.name == name), None)
+        """The member with a name, or with an alias; None if there is none."""
+        return next((member for member in self.members if name in (member.name, *member.aliases)), None)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -22,6 +22,7 @@ CONSTRUCTS = {
     "text_lists": "lists of texts",
     "closed_enums": "closed enums",
     "open_enums": "open enums",
+    "aliases": "values of enums with several names",
     "flags": "words of flags",
     "bit_fields": "fields of several bits",
     "bit_numbers": "fields of several bits with a sign or a scale",
@@ -82,6 +83,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
             "are numbers with constants; the functions refuse numbers that are not listed"
         )
     capabilities["open_enums"] = lossy("are numbers with constants, because a variable of an enum holds nothing else")
+    capabilities["aliases"] = lossy("have the name to write; the others are in its comment")
     capabilities["floats"] = lossy("infinity and NaN are refused, because comparing them differs between controllers")
     capabilities["wide_floats"] = refused("the functions do not convert their bits: plc_reals_fit")
     capabilities["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")

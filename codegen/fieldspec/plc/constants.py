@@ -12,7 +12,7 @@ from fieldspec.model.registers import Parameter, ParameterSet
 from fieldspec.model.value import Kind, Value
 from fieldspec.plc.enums import available
 from fieldspec.plc.routines.expressions import BITS, LREAL, SIGNED, UINT, UNSIGNED, Elementary
-from fieldspec.plc.routines.remarks import cited, count_of, printed
+from fieldspec.plc.routines.remarks import cited, count_of, member_remark, printed
 from fieldspec.plc.routines.world import narrowest
 
 
@@ -171,7 +171,7 @@ def _codes(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
         if members:
             kind = narrowest(min(0, *(member.value for member in members)), max(member.value for member in members))
             for member in members:
-                comment = cited(printed(member), member)
+                comment = member_remark(member)
                 yield Draft(f"{enum.name}_{member.name}", kind, member.value, comment, member)
 
 

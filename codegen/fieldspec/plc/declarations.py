@@ -27,7 +27,7 @@ from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.routines.records import choice_type, field_type, is_user_field
 from fieldspec.plc.routines.register_range import answer_name, answer_type, register_type
 from fieldspec.plc.routines.registers import registers_of
-from fieldspec.plc.routines.remarks import cited, printed
+from fieldspec.plc.routines.remarks import cited, member_remark, printed
 from fieldspec.plc.routines.routine import BASE, STATUSES, Status
 from fieldspec.plc.routines.world import Names, World
 from fieldspec.plc.structs import Struct, StructMember, fixed
@@ -139,8 +139,7 @@ class _Declaring:
             self._enums[enum.name] = EnumType(name, base)
             self._enum_members[enum.name] = named
             declared_members = (
-                EnumMember(named[member.name], member.value, cited(printed(member), member), member)
-                for member in present
+                EnumMember(named[member.name], member.value, member_remark(member), member) for member in present
             )
             yield EnumDeclaration(name, base, cited(enum.title or printed(enum), enum), tuple(declared_members), enum)
 

@@ -243,6 +243,7 @@ def _set_details(parameter_set: ParameterSet) -> Details:
 def _code(item: CodeRow) -> Details:
     member = item.member
     yield "value", f"{member.value} (0x{member.value:X})" if item.enum.printed_as else str(member.value)
+    yield "aliases", ", ".join(member.aliases)
     yield "number", "" if member.number is None else str(member.number)
     yield "of", item.enum.title or item.enum.name
     yield "problem", member.problem

@@ -86,7 +86,8 @@ def member_table(enum: Enum) -> Table:
     """The members of an enum, or the rows of a table of codes."""
     rows = []
     for member in enum.members:
-        name = member.name + (" (not available)" if member.unavailable else "")
+        also = f", also {', '.join(member.aliases)}" if member.aliases else ""
+        name = member.name + also + (" (not available)" if member.unavailable else "")
         label = " ".join(text for text in (member.printed_name, member.label) if text)
         number = "" if member.number is None else str(member.number)
         rows.append((str(member.value), number, name, label, member.problem or member.doc))

@@ -25,6 +25,26 @@ class UnknownFirmwareError(LookupError):
         return type(self), (self.firmware, self.known)
 
 
+def version_in(lines: tuple[Line, ...], value: str | int, form: str, places: int, named: dict[str | int, str]) -> str:
+    """The version that a value of the device tells: `2.21` of 221 in the form `decimal` with two places.
+
+    `named` has the versions that single values tell. For the form `bytes`, `places` is the size of the number in bytes.
+    Raises UnknownFirmwareError.
+    """
+    key = value.strip(" \t\r\n\0") if isinstance(value, str) else value
+    if key in named:
+        return named[key]
+    if isinstance(key, str):
+        return key
+    if form == "bytes" and 0 <= key < 1 << 8 * places:
+        return ".".join(map(str, key.to_bytes(places, "big")))
+    if form in ("decimal", "hexadecimal") and key >= 0:
+        digits = f"{key:d}" if form == "decimal" else f"{key:X}"
+        digits = digits.rjust(places + 1, "0")
+        return f"{digits[:-places]}.{digits[-places:]}" if places else digits
+    raise UnknownFirmwareError(str(value), tuple(version for line in lines for version, _ in line))
+
+
 def module_of(package: str, lines: tuple[Line, ...], firmware: str, nearest: bool) -> ModuleType:
     """The module of a firmware; `lines` have the versions, the oldest first, each with the name of its module.
 

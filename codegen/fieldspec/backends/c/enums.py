@@ -100,11 +100,12 @@ def _enumeration(naming: Naming, enum: Enum, members: list[Member]) -> list[Decl
     printed_in_hexadecimal = "x}" in enum.printed_as.lower()
     enumerators = tuple(
         Enumerator(
-            naming.macro("enum", enum.name, member.name),
+            naming.macro("enum", enum.name, name),
             hexadecimal_digits(member.value) if printed_in_hexadecimal and member.value >= 0 else integer(member.value),
-            _remark(member),
+            remark,
         )
         for member in members
+        for name, remark in _names(member)
     )
     return [Enumeration(naming.type("enum", enum.name), enumerators, naming.own_macro("enum_16"))]
 
@@ -117,13 +118,19 @@ def _macros(naming: Naming, enum: Enum, members: list[Member]) -> list[Declarati
         Typedef(kind, naming.type("enum", enum.name)),
         *(
             Define(
-                naming.macro("enum", enum.name, member.name),
+                naming.macro("enum", enum.name, name),
                 integer(member.value, size) if signed else hexadecimal(member.value, size),
-                _remark(member),
+                remark,
             )
             for member in members
+            for name, remark in _names(member)
         ),
     ]
+
+
+def _names(member: Member) -> list[tuple[str, str]]:
+    """The names of a member, the one to write first, each with its remark."""
+    return [(member.name, _remark(member)), *((alias, f"An alias of {member.name}.") for alias in member.aliases)]
 
 
 def _remark(member: Member) -> str:

@@ -15,12 +15,14 @@ from fieldspec.backends.docs.document import (
     TableRow,
     cell,
     code,
+    joined,
     label,
     styled,
     table,
     text_piece,
 )
-from fieldspec.model.device import Device, Version, VersionLine
+from fieldspec.backends.fact_texts import number_text
+from fieldspec.model.device import Detection, Device, Version, VersionLine
 
 VERSIONS = (TableColumn("Version"), TableColumn("What it is"), TableColumn("Source"))
 
@@ -32,7 +34,10 @@ def identity(context: Context) -> Section:
     if device.doc:
         blocks.append(Paragraph((text_piece(device.doc),)))
     blocks.append(Facts(tuple(_facts(context))))
-    blocks += [_versions(line, device.version) for line in device.lines]
+    for line in device.lines:
+        blocks.append(_versions(line, device.version))
+        if line.detected_by is not None:
+            blocks.append(Paragraph(_detection(line.detected_by)))
     return Section("device", (text_piece("Device and manual"),), tuple(blocks))
 
 
@@ -65,9 +70,26 @@ def _versions(line: VersionLine, present: str) -> DocumentTable:
     return table(caption, VERSIONS, [_version(version, present) for version in line.versions])
 
 
+def _detection(detection: Detection) -> Line:
+    """What tells the version, how a number is read, and where the manual states it."""
+    texts = [number_text(detection), detection.doc]
+    if detection.inferred:
+        texts.append(f"Inferred: {detection.inferred}")
+    remark = " ".join(text for text in texts if text)
+    return (
+        text_piece("The device tells its version in "),
+        code(detection.fact, f"#{detection.fact}"),
+        text_piece(f". {remark} " if remark else ". "),
+        *cited(detection.sources),
+    )
+
+
 def _version(version: Version, present: str) -> TableRow:
     here: Line = (text_piece(" "), styled("this page", "badge")) if version.id == present else ()
     doc: list[Line] = [(text_piece(text),) for text in (version.title, version.doc) if text]
     if version.inferred:
         doc.append((styled("inferred: ", "strong"), text_piece(version.inferred)))
+    if version.detected_as:
+        values = joined((code(str(item)),) for item in version.detected_as)
+        doc.append((text_piece("Detected as "), *values))
     return TableRow((cell((code(version.id), *here)), cell(*doc), cell(cited(version.sources))))

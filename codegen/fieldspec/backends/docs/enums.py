@@ -76,6 +76,8 @@ def _facts(context: Context, enum: Enum) -> list[tuple[str, tuple[Line, ...]]]:
     facts: list[tuple[str, tuple[Line, ...]]] = [("Name", ((code(enum.name),),)), ("Others", ((text_piece(other),),))]
     if enum.gaps:
         facts.append(("Left out", ((text_piece(enum.gaps),),)))
+    if enum.sparse:
+        facts.append(("Left out", ((text_piece("all values that are not listed"),),)))
     if users := context.users(enum.place.path):
         facts.append(("Used by", (users,)))
     if enum.sources:
@@ -90,8 +92,12 @@ def _number(member: Member) -> tuple[Line, ...]:
     return (code(str(member.value)),), (styled(f"0x{member.value:02X}", "quiet"),)
 
 
-def _gone(member: Member) -> list[Line]:
-    return [(styled("not available", "badge"),)] if member.unavailable else []
+def _remarks(member: Member) -> list[Line]:
+    """Whether the device has it, and its other names."""
+    lines: list[Line] = [(styled("not available", "badge"),)] if member.unavailable else []
+    if member.aliases:
+        lines.append((text_piece("Also "), *joined((code(alias),) for alias in member.aliases)))
+    return lines
 
 
 def _value(context: Context, member: Member, marks: Inferences) -> TableRow:
@@ -99,7 +105,7 @@ def _value(context: Context, member: Member, marks: Inferences) -> TableRow:
         (
             cell(*_number(member)),
             names(member, member.name, mark=marks.all_marks(member.inferred)),
-            cell(*_gone(member), *context.about(member)),
+            cell(*_remarks(member), *context.about(member)),
             sources(member),
         ),
         member.place.path,
@@ -115,7 +121,7 @@ def _code(context: Context, member: Member, marks: Inferences) -> TableRow:
             cell(*_number(member)),
             names(member, member.name, mark=marks.all_marks(member.inferred)),
             cell("" if member.number is None else str(member.number)),
-            cell(*problem, *_gone(member), *context.about(member)),
+            cell(*problem, *_remarks(member), *context.about(member)),
             cell(items=causes),
             sources(member),
         ),

@@ -19,7 +19,11 @@ def declare_enum(enum: Enum, name: str) -> Declaration:
     scope = property_scope()
     members = [(scope.take(Name.of(member.name).pascal()), member) for member in enum.members if not member.unavailable]
     code = [f"export const {name} = /* @__PURE__ */ Object.freeze({{"]
+    aliases = [
+        (scope.take(Name.of(alias).pascal()), key, member) for key, member in members for alias in member.aliases
+    ]
     code += [f"  {key}: {member.value}," for key, member in members]
+    code += [f"  {alias}: {member.value}," for alias, _, member in aliases]
     code += ["});", ""]
     others = "Other values are passed on as numbers." if enum.open else "Other values are refused."
     types = comment(described(enum.title or Name.of(enum.name).title(), enum, others))
@@ -33,6 +37,9 @@ def declare_enum(enum: Enum, name: str) -> Declaration:
             described(Name.of(member.name).title(), member, sentence(member.problem), *causes, *remedies), 2
         )
         types.append(f"  readonly {key}: {member.value};")
+    for alias, key, member in aliases:
+        types += comment([f"An alias of {key}."], 2)
+        types.append(f"  readonly {alias}: {member.value};")
     types.append("};")
     if members:
         types += [f"export type {name} = (typeof {name})[keyof typeof {name}];", ""]

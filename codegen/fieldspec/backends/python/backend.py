@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Container, Sequence
 
 from fieldspec.backends.fact_texts import sentence
+from fieldspec.backends.python.detection import detection_view
 from fieldspec.backends.python.device import device_view
 from fieldspec.backends.python.imports import imports_view
 from fieldspec.backends.python.naming import Scope, module_name, package_name
@@ -70,6 +71,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         newest=modules[device.version],
         latest=literal(device.version),
         versions=[(literal(version), literal(module)) for version, module in modules.items()],
+        detection=detection_view(versions[-1]),
         lines=[[(literal(version), literal(modules[version])) for version in line] for line in _lines(device, modules)],
     )
     return texts

@@ -51,8 +51,8 @@ class MemberView:
 class EnumView:
     """An IntEnum. The names of its tables have a `prefix`; `table` is the one from its values to its members, if any.
 
-    `printed_names` and `numbers` are the lines of the dicts with these by the values of members, empty where the enum
-    has none.
+    `aliases` are other names of members, with their values. `printed_names` and `numbers` are the lines of the dicts
+    with these by the values of members, empty where the enum has none.
     """
 
     name: str
@@ -62,6 +62,7 @@ class EnumView:
     open: bool
     doc: list[str]
     members: list[MemberView]
+    aliases: list[MemberView] = field(default_factory=list)
     printed_names: list[str] = field(default_factory=list)
     numbers: list[str] = field(default_factory=list)
 
@@ -122,6 +123,7 @@ def enum_view(enum: Enum, scope: Scope) -> EnumView:
     upper = taken.upper()
     left_out = [f"{m.value} ({m.name})" for m in enum.members if m.unavailable]
     missing = f"Not available: {', '.join(left_out)}." if left_out else ""
+    named = {m.name: members.take(Name.of(m.name).upper()) for m in available}
     return EnumView(
         name=name,
         prefix=f"_{upper}",
@@ -129,8 +131,11 @@ def enum_view(enum: Enum, scope: Scope) -> EnumView:
         title=enum.name,
         open=enum.open,
         doc=docstring(described(enum.title or taken.title(), enum, f"{kind}{others} {missing}".strip()), 4),
-        members=[
-            MemberView(members.take(Name.of(m.name).upper()), str(m.value), docstring(_member(m), 4)) for m in available
+        members=[MemberView(named[m.name], str(m.value), docstring(_member(m), 4)) for m in available],
+        aliases=[
+            MemberView(members.take(Name.of(alias).upper()), named[m.name], docstring([f"See {named[m.name]}."], 4))
+            for m in available
+            for alias in m.aliases
         ],
         printed_names=item_lines(f"_{upper}_PRINTED_NAMES: dict[int, str] = {{", printed, "}", 0) if printed else [],
         numbers=filled(f"_{upper}_NUMBERS: dict[int, int] = {{", numbers, "}", 0) if numbers else [],

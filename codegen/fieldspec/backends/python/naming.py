@@ -28,7 +28,7 @@ SHARED = _words(
     " Subindex Table"
 )
 MODULE = _words(
-    "DEVICE IDENTITY LATEST REGISTERS TABLES TYPE_CHECKING VERSION VERSIONS annotations for_firmware latest"
+    "DETECTED_BY DEVICE IDENTITY LATEST REGISTERS TABLES TYPE_CHECKING VERSION VERSIONS annotations for_firmware latest"
     " read_request read_requests read_value register_at write_request write_requests"
 )
 RECORD = _words("decode encode self")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.changes.attributes import ALL, PYTHON
+from fieldspec.changes.attributes import ALL, PYTHON, C
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparison import Comparison, Pair, ValuePair
 from fieldspec.changes.descriptions import around, change, difference_text, kind, named, path, span
@@ -123,6 +123,26 @@ def member_renumbered(comparison: Comparison) -> Iterator[Change]:
         if old != new:
             text = f"{named(pair.containers[1])}: {named(pair.new)} is {new}, and was {old}"
             yield change("member_renumbered", Effect.WIRE, pair, "value", text, old, new)
+
+
+def aliases_changed(comparison: Comparison) -> Iterator[Change]:
+    """A member of an enum has other aliases.
+
+    Why: programs that use a name that is gone no longer compile. A new alias changes nothing for them.
+
+    Example: `aliases: [red]` that a member loses.
+
+    Cure: Keep the alias, or tell users the name to write.
+    """
+
+    for pair in comparison.of(Member):
+        old, new = ", ".join(pair.old.aliases), ", ".join(pair.new.aliases)
+        if old != new:
+            lost = not set(pair.old.aliases) <= {pair.new.name, *pair.new.aliases}
+            effect = Effect.SOURCE if lost else Effect.DOCS
+            what = f"{named(pair.containers[1])}: {named(pair.new)}"
+            text = f"{what}: {difference_text('what else it is called', old or None, new or None)}"
+            yield change("aliases_changed", effect, pair, "aliases", text, old, new, (PYTHON, C) if lost else ())
 
 
 def openness_changed(comparison: Comparison) -> Iterator[Change]:

@@ -9,7 +9,7 @@ from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparison import Comparison, Pair
 from fieldspec.changes.descriptions import change, difference_text, named
 from fieldspec.changes.evidence import hexadecimal
-from fieldspec.model.device import Device, VersionLine
+from fieldspec.model.device import Detection, Device, Version, VersionLine
 from fieldspec.model.link import ExceptionResponse, Link, Part, Serial
 from fieldspec.model.record import Field, Measure, Message
 from fieldspec.model.value import ParameterPart
@@ -340,3 +340,31 @@ def building_changed(comparison: Comparison) -> Iterator[Change]:
         if old != new:
             text = f"the versions of {named(pair.new)} {'have' if new else 'no longer have'} outputs of their own"
             yield change("building_changed", Effect.SOURCE, pair, "builds", text, old, new, (PYTHON, C))
+
+
+def detection_changed(comparison: Comparison) -> Iterator[Change]:
+    """Another value tells the version of the device, or tells it in another way.
+
+    Why: a program that reads the version chooses the code of that version by it.
+
+    Example: `places: 2` instead of `places: 1`.
+
+    Cure: Regenerate the code, and compare the value with that of a real device.
+    """
+
+    for pair in comparison.of(VersionLine):
+        old, new = (_detection_text(side.detected_by) for side in (pair.old, pair.new))
+        if old != new:
+            text = f"{named(pair.new)}: {difference_text('what tells the version', old or None, new or None)}"
+            yield change("detection_changed", Effect.BEHAVIOUR, pair, "detected_by", text, old, new, (PYTHON,))
+    for version in comparison.of(Version):
+        old, new = (", ".join(map(str, side.detected_as)) for side in (version.old, version.new))
+        if old != new:
+            text = f"{version.new.id}: {difference_text('what tells it', old or None, new or None)}"
+            yield change("detection_changed", Effect.BEHAVIOUR, version, "detected_as", text, old, new, (PYTHON,))
+
+
+def _detection_text(detection: Detection | None) -> str:
+    if detection is None:
+        return ""
+    return " ".join(filter(None, (detection.fact, detection.form, str(detection.places or ""))))

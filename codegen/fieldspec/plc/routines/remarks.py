@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from fieldspec.model.enums import Member
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 from fieldspec.names import Name
@@ -18,6 +19,12 @@ def source(fact: Fact) -> str:
 def printed(fact: Fact) -> str:
     """What the manual calls a fact: its name in print, and its label."""
     return " ".join(text for text in (fact.printed_name, fact.label) if text)
+
+
+def member_remark(member: Member) -> str:
+    """What the manual calls a member, its aliases, and where it is stated."""
+    aliases = f"also {', '.join(member.aliases)}" if member.aliases else ""
+    return cited(" ".join(text for text in (printed(member), aliases) if text), member)
 
 
 def cited(text: str, fact: Fact) -> str:

@@ -103,6 +103,12 @@ class Entry:
         items = node.items if isinstance(node, Sequence) else ()
         return tuple(item.value for item in items if isinstance(item, Scalar) and isinstance(item.value, int))
 
+    def scalars(self, key: str) -> tuple[int | str, ...]:
+        """A list of whole numbers and texts."""
+        node = self.get(key)
+        items = node.items if isinstance(node, Sequence) else ()
+        return tuple(item.value for item in items if isinstance(item, Scalar) and isinstance(item.value, int | str))
+
     def reasons(self, key: str) -> dict[str, str]:
         """A mapping of texts: the defaults, overridden by the entry's own keys."""
         reasons: dict[str, str] = {}

@@ -7,7 +7,7 @@ from typing import TypeVar, cast
 
 from fieldspec.caches import ByIdentity
 from fieldspec.diagnostics import Diagnostic, Label
-from fieldspec.model.device import Device, Manual, Version, VersionLine
+from fieldspec.model.device import Detection, Device, Manual, Version, VersionLine
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.reading.building import enums, links, records, registers, tasks, texts, values
 from fieldspec.reading.building.context import Entry, Reused, reused_items
@@ -129,7 +129,14 @@ def _manual(head: Entry) -> Manual:
 
 def _line(entry: Entry) -> VersionLine:
     members = tuple(
-        Version(inner.text("id"), inner.text("title"), inner.text("doc"), inner.text("inferred"), inner.sources)
+        Version(
+            inner.text("id"),
+            inner.text("title"),
+            inner.text("doc"),
+            inner.text("inferred"),
+            inner.sources,
+            inner.scalars("detected_as"),
+        )
         for inner in entry.entries("members", "id")
     )
     return VersionLine(
@@ -139,4 +146,19 @@ def _line(entry: Entry) -> VersionLine:
         entry.text("like"),
         entry.text("inferred"),
         members,
+        _detection(entry.entry("detected_by")),
+    )
+
+
+def _detection(entry: Entry | None) -> Detection | None:
+    if entry is None:
+        return None
+    return Detection(
+        entry.place(),
+        entry.text("fact"),
+        entry.text("form"),
+        entry.integer("places") or 0,
+        entry.text("doc"),
+        entry.text("inferred"),
+        entry.sources,
     )

@@ -23,6 +23,7 @@ def enum(entry: Entry) -> Enum:
         gaps=entry.text("gaps"),
         printed_as=entry.text("printed_as"),
         derived=(derived.text("flags") or derived.text("enum")) if derived else "",
+        sparse=entry.flag("sparse"),
         members=tuple(_member(inner) for inner in entry.named("members", entry.path)),
     )
 
@@ -38,6 +39,7 @@ def _member(entry: Entry) -> Member:
             Cause(inner.text("cause"), inner.texts("remedies"), inner.sources) for inner in entry.entries("causes")
         ),
         remedies=entry.texts("remedies"),
+        aliases=entry.texts("aliases"),
     )
 
 

@@ -35,6 +35,8 @@ _LINES = (
         ("1.17", "v1_17"),
     ),
 )
+DETECTED_BY = "messages/read_version/response/version"
+"""The value of the device that tells its version."""
 
 
 def for_firmware(firmware: str, *, nearest: bool = False) -> _ModuleType:
@@ -44,6 +46,8 @@ def for_firmware(firmware: str, *, nearest: bool = False) -> _ModuleType:
     version `before-2.0` of a spec is all firmware below 2.0. With `nearest`, a version that the spec does not list
     gets the module of the newest version below it on its line; the caller answers for that choice.
 
+    The device tells its version in `messages/read_version/response/version`.
+
     Raises `UnknownFirmwareError`, which lists the known versions, for every other firmware. Nothing is guessed.
     """
     from .._firmware import module_of  # few programs need it
@@ -51,5 +55,5 @@ def for_firmware(firmware: str, *, nearest: bool = False) -> _ModuleType:
     return module_of(__name__, _LINES, firmware, nearest)
 
 
-__all__ = ["LATEST", "VERSIONS", "for_firmware", "latest"]
+__all__ = ["DETECTED_BY", "LATEST", "VERSIONS", "for_firmware", "latest"]
 __all__ += latest.__all__
