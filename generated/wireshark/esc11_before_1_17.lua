@@ -4603,11 +4603,15 @@ protocol.init = reset
 
 local in_ranges = values.is_within
 
--- `1-16,20` as ranges; nil for a text without numbers, which means every number.
+-- `1-16,20` or `0x8001` as ranges; nil for a text without numbers, which means every number.
 function streams.ranges(text)
     local ranges = {}
-    for first, last in tostring(text):gmatch("(%d+)%s*%-?%s*(%d*)") do
-        ranges[#ranges + 1] = { tonumber(first), tonumber(last) or tonumber(first) }
+    for item in tostring(text):gsub("%s*%-%s*", "-"):gmatch("[^,%s]+") do
+        local first, last = item:match("^(%w+)%-?(%w*)$")
+        first = first and tonumber(first)
+        if first then
+            ranges[#ranges + 1] = { first, tonumber(last) or first }
+        end
     end
     return #ranges > 0 and ranges or nil
 end
@@ -4794,7 +4798,7 @@ end
 -- that the person has not chosen. Returns the bytes that were taken.
 function streams.dissect(link, tvb, pinfo, root, options)
     local session = session_of(link, pinfo)
-    local hint = not options.is_line and direction_by_ports(pinfo, options.ports) or nil
+    local hint = options.direction or not options.is_line and direction_by_ports(pinfo, options.ports) or nil
     local bytes, at, texts = tvb:raw(), 0, {}
     while at < #bytes do
         local rest = bytes:sub(at + 1)
@@ -4941,12 +4945,66 @@ local function attach(carrier)
     end
 end
 
+local PROFINET, FRAME_ID, STATUS = 0x8892, 2, 4
+
+-- Process data in cyclic frames of PROFINET: the dissector of Wireshark shows the frame, and this one the process data
+-- of those frames whose numbers a person has entered.
+local function add_process_data(link)
+    local proto = Proto(device.id .. "_" .. link.name .. "_pn", device.title .. ", process data of PROFINET")
+    local prefix = link.name .. "_pn_"
+    local prefs, table_of, previous = protocol.prefs, DissectorTable.get("ethertype"), nil
+    local text = "Numbers of the cyclic frames, such as 0x8001. Empty for none."
+    prefs[prefix .. "request"] = Pref.string(link.name .. ": PROFINET frame IDs to the device", "", text)
+    prefs[prefix .. "response"] = Pref.string(link.name .. ": PROFINET frame IDs from the device", "", text)
+    text = "Bytes before the process data in a frame: other submodules, and the status of their data."
+    prefs[prefix .. "offset"] = Pref.uint(link.name .. ": PROFINET offset", 0, text)
+    local function show(direction, tvb, pinfo, root)
+        local message = device.messages[link.messages[prefs[link.name .. "_message"]]]
+        local start = FRAME_ID + prefs[prefix .. "offset"]
+        local room = tvb:len() - STATUS - start
+        local size = math.min(device.records[message[direction]].size or room, room)
+        if size > 0 then
+            streams.dissect(link, tvb(start, size):tvb(), pinfo, root, { direction = direction, message = message })
+        end
+    end
+    proto.dissector = function(tvb, pinfo, root)
+        if previous then
+            previous:call(tvb, pinfo, root)
+        end
+        local number = tvb:len() >= FRAME_ID and tvb(0, FRAME_ID):uint()
+        for _, direction in ipairs({ "request", "response" }) do
+            local ranges = streams.ranges(prefs[prefix .. direction])
+            if number and ranges and values.is_within(number, ranges) then
+                show(direction, tvb, pinfo, root)
+            end
+        end
+        return tvb:len()
+    end
+    local is_attached = false
+    carriers[#carriers + 1] = {
+        attach = function()
+            local is_wanted = streams.ranges(prefs[prefix .. "request"]) or streams.ranges(prefs[prefix .. "response"])
+            if is_wanted and not is_attached then
+                previous = table_of:get_dissector(PROFINET)
+                table_of:add(PROFINET, proto)
+            elseif is_attached and not is_wanted then
+                table_of:remove(PROFINET, proto)
+                if previous then
+                    table_of:add(PROFINET, previous)
+                end
+            end
+            is_attached = is_wanted ~= nil
+        end,
+    }
+end
+
 for _, link in ipairs(device.link_order) do
     link = device.links[link]
     if not link.is_coded then
         local text = "The message that the packets carry, as their bytes do not tell it."
         protocol.prefs[link.name .. "_message"] =
             Pref.enum(link.name .. ": message", 1, text, message_choices(link), false)
+        add_process_data(link)
     end
     if link.is_framed then
         add_carrier(link, "tcp", "TCP ports", "Ports of the device or its gateway, such as 4001 or 4001-4004. Empty for none.")
@@ -4969,7 +5027,7 @@ end
 
 local function attach_all()
     for _, carrier in ipairs(carriers) do
-        attach(carrier)
+        (carrier.attach or attach)(carrier)
     end
 end
 protocol.prefs_changed = attach_all
