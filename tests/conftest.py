@@ -14,6 +14,7 @@ SLOW = (
     "audit/test_audit_page.py",
     "audit/test_detection.py",
     "c_output",
+    "device",
     "docs_output",
     "js_output",
     "plc_memory",

@@ -81,6 +81,8 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
             stations,
             list(link_layout.messages),
         )
+        if link.escape is not None:
+            yield "escape", link.escape
         for frame in (link_layout.request, link_layout.response):
             for part in frame.parts:
                 role = _HASHED_ROLES.get(part.role, part.role)

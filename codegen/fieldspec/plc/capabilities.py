@@ -32,7 +32,7 @@ CONSTRUCTS = {
     "bits": "registers of single bits",
     "tables": "tables of records in registers",
     "frames": "frames: head, length, check, refusals",
-    "other_frames": "frames with several checksums, or with other ones than CRC-16/MODBUS, LRC and the sum of 8 bits",
+    "other_frames": "frames with escapes, several checksums, or others than CRC-16/MODBUS, LRC and the sum of 8 bits",
     "telegrams": "process data of telegrams, as values",
     "aligned_images": "process data whose words begin at even bytes, as a struct laid over the bytes",
     "images": "process data whose words begin at odd bytes, as a struct laid over the bytes",

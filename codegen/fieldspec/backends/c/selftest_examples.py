@@ -40,7 +40,8 @@ from fieldspec.backends.c.sample_values import form_of_values, record_value
 from fieldspec.backends.c.statements import If, Statement, Variable, Variables, assign, call
 from fieldspec.backends.c.values import status_type
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.escapes import EscapeError
+from fieldspec.layout.frame import LinkLayout, original_parts
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.values import body_of, raw_values
 from fieldspec.model.device import Device
@@ -140,6 +141,12 @@ def _frame_code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
     if link.link.encoding == "hex_ascii":
         pairs = [data[at : at + 2] for at in range(0, len(data), 2)]
         data = bytes(int(pair, 16) for pair in pairs if all(digit in b"0123456789ABCDEFabcdef" for digit in pair))
+    shape = link.frame(example.direction)
+    if shape.escape is not None:
+        try:
+            data = original_parts(shape, data)
+        except EscapeError:
+            return None, False
     if part is None or len(data) < part.offset + part.size:
         return None, False
     number = int.from_bytes(data[part.offset : part.offset + part.size], "big" if part.order == "big" else "little")

@@ -131,7 +131,7 @@ def _strips(example: Example, print_of: Printed, explanation: Explanation) -> It
         yield Strip(
             "computed, not printed" if example.origin == "computed" else "frame", _marked_differences(right, right)
         )
-    if any(row.characters for row in explanation.rows):
+    if any(row.characters and len(row.characters) == row.length for row in explanation.rows):
         characters = example.frame.decode("latin-1")
         if print_of.characters and print_of.characters != characters:
             yield Strip("characters as printed", (code(_characters(print_of.characters)),))

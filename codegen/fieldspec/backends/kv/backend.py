@@ -69,7 +69,7 @@ _NOT_EXACT = {
     "wide_lists": lossy("are words; no instruction of the KV takes them"),
     "bits": refused("are in no word; the bytes of their messages are in the map"),
     "choices": lossy("stand once for each type, with the values that decide it"),
-    "other_frames": lossy("are words to fill in and to compare; nothing sums and compares them"),
+    "other_frames": lossy("are words to fill in and to compare; nothing escapes, sums and compares them"),
     "frames": lossy("are words to fill in and to compare; nothing sums and compares them"),
     "orders": lossy("are said for each value; the ladder turns words and bytes"),
     "scales": lossy(_TABLE),
