@@ -20,6 +20,7 @@ SLOW = (
     "plc_memory",
     "plc_output",
     "random_devices",
+    "wireshark_output",
     "test_add_a_device.py",
     "test_audit_of_manuals.py",
     "test_build.py",

@@ -1,0 +1,139 @@
+"""Links as data of the dissector: the parts of their frames, their messages, and the checksums."""
+
+from __future__ import annotations
+
+from fieldspec.backends.wireshark.filters import Filters, description, title_of
+from fieldspec.backends.wireshark.text import Data, line_text
+from fieldspec.backends.wireshark.values import errata_data, intervals, value_data
+from fieldspec.layout.checksums import reflected
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.model.checksums import checksum_named
+from fieldspec.names import Name
+
+LONGEST = 0xFFFF
+"""The bytes of a body that nothing bounds."""
+
+_HALF = 0xFFFFFFFF
+
+
+def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[str, Data]:
+    """A link with its frames in both directions."""
+    own = link.link
+    addresses, exception = own.unit_addresses, own.exception_response
+    is_coded = link.request.role("code") is not None
+    messages = [name for name, message in link.messages.items() if not is_coded or message.message.code is not None]
+    shapes = {direction: _shape(filters, layout, link, direction) for direction in ("request", "response")}
+    return {
+        "name": link.name,
+        "title": line_text(own.title) or Name.of(link.name).title(),
+        "start": own.start,
+        "stop": own.end,
+        "hex": own.encoding == "hex_ascii",
+        "is_coded": is_coded,
+        "is_framed": any(shape["is_framed"] for shape in shapes.values()),
+        "is_numbered": any(part.part.same_as for part in link.response.header),
+        "messages": messages,
+        "exception": None if exception is None else {"flag": exception.flag, "record": exception.record},
+        "units": None
+        if addresses is None
+        else {"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast},
+        **shapes,
+    }
+
+
+def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: str) -> dict[str, Data]:
+    frame, own = link.frame(direction), link.link
+    bodies = [message.data(direction) for message in link.messages.values()]
+    if own.exception_response is not None:
+        bodies.append(layout.records[own.exception_response.record])
+    around, width = frame.header_size + frame.trailer_size, 2 if own.encoding == "hex_ascii" else 1
+    marks = len(own.start) + len(own.end)
+    most = max((record.most if record.most is not None else LONGEST for record in bodies), default=0)
+    is_delimited = own.encoding == "hex_ascii" and bool(own.end)
+    return {
+        "parts": [_part(filters, layout, link, direction, part) for part in frame.parts],
+        "header": frame.header_size,
+        "trailer": frame.trailer_size,
+        "shortest": marks + width * (around + min((record.least for record in bodies), default=0)),
+        "longest": marks + width * (around + most),
+        "is_framed": is_delimited or _tells_length(frame),
+    }
+
+
+def _tells_length(frame: FrameLayout) -> bool:
+    return frame.role("length") is not None or frame.role("code") is not None
+
+
+def _part(
+    filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: str, part: PartLayout
+) -> dict[str, Data]:
+    own = part.part
+    names = (f"{link.name}.{part.name}", f"{link.name}.{direction}.{part.name}")
+    data: dict[str, Data] = {
+        "name": part.name,
+        "title": title_of(own),
+        "role": part.role,
+        "offset": part.offset,
+        "size": part.size,
+        "order": part.order,
+        "constant": part.constant,
+        "reserved": part.reserved,
+        "same_as": own.same_as or None,
+        "errata": errata_data(layout.device, own),
+    }
+    if part.role == "checksum":
+        kind = "STRING" if part.digits else "BYTES"
+        filter_name = filters.take(names, {"title": title_of(own), "text": description(own), "type": kind})
+        return {
+            **data,
+            "filter": filter_name,
+            "start": part.start,
+            "stop": part.stop,
+            "digits": part.digits or None,
+            "algorithm": checksum_data(part.algorithm, part.order),
+        }
+    assert part.value is not None
+    if part.role == "length":
+        data |= {"unit_size": part.unit_size, "base": part.base}
+    return {
+        **data,
+        "filter": filters.of_value(names, own, part.value),
+        "quantity": filters.of_quantity(names, own, part.value),
+        "bits": filters.of_bits((part.value.flags, *names), part.value),
+        "value": value_data(part.value, part.order, False),
+    }
+
+
+def checksum_data(algorithm: str, order: str) -> dict[str, Data]:
+    """An algorithm with its numbers as pairs of the upper and the lower 32 bits.
+
+    A polynomial, and the initial value of a CRC, are as the register has them: reflected, or at the highest bits of 64.
+    """
+    kind = checksum_named(algorithm)
+    data: dict[str, Data] = {"method": kind.method, "width": kind.width}
+    if kind.method == "crc":
+
+        def aligned(number: int) -> list[int]:
+            return _pair(reflected(number, kind.width) if kind.reflect_in else number << 64 - kind.width)
+
+        return {
+            **data,
+            "polynomial": aligned(kind.polynomial),
+            "initial": aligned(kind.initial),
+            "final": _pair(kind.final_xor),
+            "reflect_in": kind.reflect_in,
+            "reflect_out": kind.reflect_out,
+        }
+    return {
+        **data,
+        "initial": _pair(kind.initial),
+        "mask": _pair(kind.mask),
+        "complement": kind.complement or None,
+        "unit_size": kind.unit_size,
+        "order": order,
+    }
+
+
+def _pair(number: int) -> list[int]:
+    return [number >> 32 & _HALF, number & _HALF]

@@ -1,0 +1,169 @@
+"""Records and messages as data of the dissector."""
+
+from __future__ import annotations
+
+from fieldspec.backends.wireshark.filters import Filters, description, title_of
+from fieldspec.backends.wireshark.text import Data, line_text
+from fieldspec.backends.wireshark.values import errata_data, value_data
+from fieldspec.explain.body import references_text
+from fieldspec.explain.row import errata_of_message
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.record import Message
+from fieldspec.model.value import Value
+from fieldspec.names import Name
+
+DIRECTIONS = ("request", "response")
+
+
+def value_entry(
+    filters: Filters, layout: DeviceLayout, names: tuple[str, ...], field: FieldLayout, value: Value
+) -> dict[str, Data]:
+    """The filter names and the data of a field that has a value."""
+    return {
+        "filter": filters.of_value(names, field.field, value),
+        "quantity": filters.of_quantity(names, field.field, value),
+        "bits": filters.of_bits((value.flags, *names), value),
+        "value": value_data(value, field.order, field.swapped),
+        "percent": _percent(layout, field),
+    }
+
+
+def field_data(
+    filters: Filters, layout: DeviceLayout, names: tuple[str, ...], field: FieldLayout, message: Message | None
+) -> dict[str, Data]:
+    """A field of a record. `names` are proposals for its filter name; `message` is that of a request or response."""
+    own = field.field
+    data: dict[str, Data] = {
+        "name": field.name,
+        "title": title_of(own),
+        "offset": field.offset,
+        "size": field.size,
+        "count": field.count,
+        "repeats": [own.repeat.low, own.repeat.high] if own.repeat is not None else None,
+        "is_list": field.is_list,
+        "reserved": own.reserved,
+        "same_as": own.same_as or None,
+        "errata": errata_data(layout.device, own),
+    }
+    if own.measures is not None:
+        data["measures"] = {"of": own.measures.of, "field": own.measures.field}
+    if field.record is not None:
+        row: dict[str, Data] = {"title": title_of(own), "text": description(own), "type": "NONE"}
+        return {**data, "record": field.record.name, "filter": filters.take(names, row)}
+    assert field.value is not None
+    part = field.value.parameter
+    if part is not None:
+        index = _index_field(message, part.number) if message is not None else None
+        data["parameter"] = {"set": part.set, "part": part.part, "number": part.number or None, "index": index}
+    return {**data, **value_entry(filters, layout, names, field, field.value)}
+
+
+def record_data(
+    filters: Filters,
+    layout: DeviceLayout,
+    record: RecordLayout,
+    prefixes: tuple[str, ...],
+    message: Message | None = None,
+) -> dict[str, Data]:
+    """A record. The filter names of its fields are below one of `prefixes`."""
+
+    def names(word: str) -> tuple[str, ...]:
+        return tuple(f"{prefix}.{word}" for prefix in prefixes)
+
+    fields = [
+        field_data(filters, layout, names(field.name), field, message) for field in record.fields if not field.cases
+    ]
+    data: dict[str, Data] = {
+        "fields": fields,
+        "size": record.size,
+        "least": record.least,
+        "most": record.most,
+        "extent": _extent(record),
+        "last": record.fields[-1].name if record.fields else None,
+    }
+    if record.selector is not None:
+        cases: dict[str, Data] = {}
+        choice = record.fields[-1]
+        for number, chosen in record.chosen.items():
+            case = next(case for case in choice.cases if number in case.numbers)
+            cases[str(number)] = field_data(filters, layout, names(case.name), chosen.fields[-1], message)
+        data |= {"by": record.fields.index(record.selector) + 1, "cases": cases}
+    return data
+
+
+def message_data(layout: DeviceLayout, message: MessageLayout) -> dict[str, Data]:
+    """A message; its records are those of `record_key`."""
+    own = message.message
+    access = own.accesses
+    data: dict[str, Data] = {
+        "name": message.name,
+        "title": line_text(own.title) or Name.of(message.name).title(),
+        "code": own.code,
+        "errata": list(errata_of_message(layout.device, own)) or None,
+        **{direction: record_key(message, direction) for direction in DIRECTIONS},
+    }
+    words, bits = layout.device.register_access(own), layout.device.bit_access(own)
+    if access is not None and (words or bits):
+        data["access"] = {
+            "operation": access.operation,
+            "start": access.start,
+            "count": access.count or None,
+            "values": access.values or None,
+            "space": layout.device.space_name(access.space),
+            "is_bits": bits is not None,
+            "set": access.set,
+            "clear": access.clear,
+        }
+    return data
+
+
+def record_key(message: MessageLayout, direction: str) -> str:
+    """The name of the record of a message in one direction; no record of a spec has a blank in its name."""
+    return f"{message.name} {direction}"
+
+
+def _percent(layout: DeviceLayout, field: FieldLayout) -> Data:
+    """The conversions of the signal that a field carries, as scales of percent."""
+    if not field.field.signal:
+        return None
+    rows: list[Data] = [
+        {
+            "factor": (-100 if conversion.complement else 100),
+            "shift": 100 * conversion.full_scale if conversion.complement else 0,
+            "divisor": conversion.full_scale,
+            "places": 0,
+            "of": line_text(references_text(layout.device, conversion)),
+        }
+        for conversion in layout.device.conversions.values()
+        if field.field.signal in conversion.signals
+    ]
+    return rows or None
+
+
+def _index_field(message: Message | None, number: str) -> str | None:
+    """The name of the field with the index of the first element of a parameter; None if the message has none."""
+    for field in (*message.request.fields, *message.response.fields) if message is not None else ():
+        part = field.value.parameter if field.value else None
+        if part is not None and (part.part, part.number) == ("subindex", number):
+            return field.name
+    return None
+
+
+def _extent(record: RecordLayout) -> Data:
+    """How a record whose size varies tells its size: the number of a field that measures the last one."""
+    if record.size is not None or not record.fields or record.fields[-1].cases:
+        return None
+    tail = record.fields[-1]
+    for field in record.fields:
+        measures = field.field.measures
+        if measures is not None and measures.field == tail.name and field.value is not None and field.size <= 4:
+            extent: dict[str, Data] = {
+                "offset": field.offset,
+                "value": value_data(field.value, field.order, field.swapped),
+                "fixed": tail.offset,
+                "unit": 1 if measures.of == "bytes" else tail.size,
+            }
+            return extent
+    return None

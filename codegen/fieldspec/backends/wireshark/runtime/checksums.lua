@@ -1,0 +1,116 @@
+-- Checksums: CRCs, sums and xors of up to 64 bits, as pairs of the upper and the lower 32 bits.
+
+local checksums = {}
+
+local FULL = 2 ^ 32
+
+local function right(high, low)
+    return numbers.rshift(high, 1), numbers.rshift(low, 1) + numbers.band(high, 1) * 2 ^ 31
+end
+
+local function left(high, low)
+    return numbers.lshift(high, 1) + numbers.rshift(low, 31), numbers.lshift(low, 1)
+end
+
+-- The same bits in the opposite order, of a number of `width` bits.
+local function reflected(high, low, width)
+    local to_high, to_low = 0, 0
+    for _ = 1, width do
+        local lowest = numbers.band(low, 1)
+        high, low = right(high, low)
+        to_high, to_low = left(to_high, to_low)
+        to_low = to_low + lowest
+    end
+    return to_high, to_low
+end
+
+-- A CRC bit by bit. The register of one that is reflected begins at its lowest bit, else at the highest of 64.
+local function crc(kind, bytes)
+    local high, low = kind.initial[1], kind.initial[2]
+    for at = 1, #bytes do
+        local byte = bytes:byte(at)
+        if kind.reflect_in then
+            low = numbers.bxor(low, byte)
+        else
+            high = numbers.bxor(high, numbers.lshift(byte, 24))
+        end
+        for _ = 1, 8 do
+            local out
+            if kind.reflect_in then
+                out = numbers.band(low, 1)
+                high, low = right(high, low)
+            else
+                out = numbers.rshift(high, 31)
+                high, low = left(high, low)
+            end
+            if out == 1 then
+                high, low = numbers.bxor(high, kind.polynomial[1]), numbers.bxor(low, kind.polynomial[2])
+            end
+        end
+    end
+    if not kind.reflect_in then
+        for _ = 1, 64 - kind.width do
+            high, low = right(high, low)
+        end
+    end
+    if kind.reflect_in ~= kind.reflect_out then
+        high, low = reflected(high, low, kind.width)
+    end
+    return numbers.bxor(high, kind.final[1]), numbers.bxor(low, kind.final[2])
+end
+
+-- A sum or an xor over numbers of `unit_size` bytes; the last one is filled up with zeros behind its bytes.
+local function total(kind, bytes)
+    local high, low = kind.initial[1], kind.initial[2]
+    bytes = bytes .. ("\0"):rep(-#bytes % kind.unit_size)
+    for at = 1, #bytes, kind.unit_size do
+        local unit = bytes:sub(at, at + kind.unit_size - 1)
+        unit = ("\0"):rep(8 - #unit) .. (kind.order == "little" and unit:reverse() or unit)
+        local more_high, more_low = numbers.unsigned(unit:sub(1, 4)), numbers.unsigned(unit:sub(5))
+        if kind.method == "sum" then
+            local sum = low + more_low
+            high, low = (high + more_high + math.floor(sum / FULL)) % FULL, sum % FULL
+        else
+            high, low = numbers.bxor(high, more_high), numbers.bxor(low, more_low)
+        end
+    end
+    if kind.complement then
+        high, low = FULL - 1 - high, FULL - 1 - low
+        if kind.complement == "twos" then
+            local sum = low + 1
+            high, low = (high + math.floor(sum / FULL)) % FULL, sum % FULL
+        end
+    end
+    return numbers.band(high, kind.mask[1]), numbers.band(low, kind.mask[2])
+end
+
+-- The bytes of a checksum part over some bytes, as they are sent.
+function checksums.bytes(part, bytes)
+    local kind = part.algorithm
+    local high, low
+    if kind.method == "crc" then
+        high, low = crc(kind, bytes)
+    else
+        high, low = total(kind, bytes)
+    end
+    local digits = string.format("%08x", high) .. string.format("%08x", low)
+    if part.digits then
+        local text = digits
+        if part.digits == "decimal" then
+            text = ("0"):rep(part.size) .. tostring(UInt64.new(low, high))
+        elseif part.digits == "upper_hex" then
+            text = digits:upper()
+        end
+        return text:sub(-part.size)
+    end
+    local number = digits:gsub("%x%x", function(pair) return string.char(tonumber(pair, 16)) end)
+    number = number:sub(-part.size)
+    return part.order == "little" and number:reverse() or number
+end
+
+-- The bytes that a checksum covers: a slice of all parts; negative bounds count from the end.
+function checksums.covered(part, parts)
+    local first = part.start >= 0 and part.start or #parts + part.start
+    local last = part.stop == nil and #parts or part.stop >= 0 and part.stop or #parts + part.stop
+    return parts:sub(first + 1, last)
+end

@@ -1,0 +1,134 @@
+-- The body of a frame, field by field.
+
+local records = {}
+
+-- How many elements a field has in `room` bytes: as many as fit where their number is free.
+local function count_of(field, room)
+    if not field.repeats then
+        return field.count or 1
+    end
+    return math.min(math.max(math.floor(room / field.size), field.repeats[1]), field.repeats[2])
+end
+
+-- The fields of a record, with the last one as the selecting field decides it; nil, and that field, where it does not.
+local function fields_of(record, body)
+    if not record.by then
+        return record.fields
+    end
+    local by = record.fields[record.by]
+    local bytes = body:sub(by.offset + 1, by.offset + by.size)
+    local number = #bytes == by.size and numbers.text(numbers.of(bytes, by.value))
+    local list = {}
+    for index, field in ipairs(record.fields) do
+        list[index] = field
+    end
+    list[#list + 1] = number and record.cases[number] or nil
+    return list, not (number and record.cases[number])
+end
+
+local show_record
+
+local function show_value(context, tree, field, at, index, top)
+    local bytes = context.bytes:sub(at + 1, at + field.size)
+    local entry, options = field, { index = field.is_list and "[" .. index .. "]" or "" }
+    local range = context:range(at, field.size)
+    local described = parameters.entry(context, field, index, bytes, top)
+    if described then
+        entry, bytes, options = described.entry, described.bytes, described.options
+    end
+    local item, number, reason = values.show(tree, entry, range, bytes, options)
+    if described and described.entry ~= field then
+        local own = field.value.kind ~= "bytes" and numbers.of(context.bytes:sub(at + 1, at + field.size), field.value)
+        number = own
+        local inner = item:add(fields[field.filter], range, own)
+        inner:set_text("On the wire, " .. field.title .. ": " .. numbers.text(own))
+    end
+    parameters.name(context, item, field, number)
+    for _, conversion in ipairs(field.percent or {}) do
+        local text = numbers.quotient(number, conversion)
+        item:append_text(", " .. (text or "?") .. " % of " .. conversion.of)
+    end
+    if top and field.same_as and context.asked and not reason then
+        local expected = context.asked[field.same_as]
+        if expected ~= nil and expected ~= number then
+            local text = field.name .. " is " .. numbers.text(number) .. ", but the request has " .. numbers.text(expected)
+            values.report(item, "mismatch", text)
+        end
+    end
+    return item, number
+end
+
+-- Adds the items of one element. Returns the item and, of a value, its number.
+local function show_element(context, tree, field, at, index, top)
+    if field.record then
+        local item = tree:add(fields[field.filter], context:range(at, field.size))
+        item:set_text(field.title .. (field.is_list and "[" .. index .. "]" or ""))
+        values.cite(item, field.errata)
+        show_record(context, item, device.records[field.record].fields, at)
+        return item, nil
+    end
+    return show_value(context, tree, field, at, index, top)
+end
+
+show_record = function(context, tree, list, at)
+    for _, field in ipairs(list) do
+        for index = 0, (field.count or 1) - 1 do
+            show_element(context, tree, field, at + field.offset + index * field.size, index, false)
+        end
+    end
+end
+
+local function report_rest(context, tree, at, stop, reason, text)
+    local item = tree:add(fields[device.common.undecoded], context:range(at, stop - at))
+    values.report(item, reason, text)
+end
+
+local function show_body(context, tree, record, list, open, start, stop)
+    local body = context.bytes:sub(start + 1, stop)
+    local at = start
+    for _, field in ipairs(list) do
+        local count = count_of(field, #body - field.offset)
+        local present = field.size > 0 and math.max(0, math.min(count, math.floor((stop - at) / field.size))) or 0
+        context.places[field.name] = { at = at, size = present * field.size, count = present }
+        for index = 0, present - 1 do
+            local item, number = show_element(context, tree, field, at + index * field.size, index, true)
+            if not field.is_list then
+                context.values[field.name] = number
+                context.items[field.name] = item
+            end
+        end
+        at = at + present * field.size
+        if present < count then
+            report_rest(context, tree, at, stop, "incomplete", "bytes are missing for " .. field.name)
+            return
+        end
+    end
+    if open then
+        if #body < record.least then
+            report_rest(context, tree, at, stop, "incomplete", "bytes are missing for " .. record.last)
+        else
+            local by = record.fields[record.by].name
+            report_rest(context, tree, at, stop, "unknown_value", by .. " does not decide the type of " .. record.last)
+        end
+    elseif at < stop then
+        report_rest(context, tree, at, stop, "wrong_length", (stop - at) .. " bytes too many")
+    end
+end
+
+-- Adds the items of a body, the bytes from `start` to `stop`. The numbers of its fields go to `context.values`, and
+-- the places of lists to `context.places`.
+function records.show(context, tree, record, start, stop)
+    local list, open = fields_of(record, context.bytes:sub(start + 1, stop))
+    show_body(context, tree, record, list, open, start, stop)
+    for _, field in ipairs(list) do
+        local measured = field.measures and context.places[field.measures.field]
+        local number = context.values[field.name]
+        if measured and number then
+            local expected = field.measures.of == "bytes" and measured.size or measured.count
+            if number ~= expected then
+                local text = field.name .. " is " .. numbers.text(number) .. ": should be " .. numbers.text(expected)
+                values.report(context.items[field.name], "wrong_measure", text)
+            end
+        end
+    end
+end

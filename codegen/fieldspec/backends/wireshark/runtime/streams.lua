@@ -1,0 +1,251 @@
+-- From packets to frames: directions, requests and the responses to them, ports and link types, Decode As.
+
+local sessions, results
+local streams = { limit = 64 }
+
+-- Wireshark calls this when it opens a capture.
+local function reset()
+    sessions, results = {}, {}
+end
+reset()
+protocol.init = reset
+
+local in_ranges = values.is_within
+
+-- `1-16,20` or `0x8001` as ranges; nil for a text without numbers, which means every number.
+function streams.ranges(text)
+    local ranges = {}
+    for item in tostring(text):gsub("%s*%-%s*", "-"):gmatch("[^,%s]+") do
+        local first, last = item:match("^(%w+)%-?(%w*)$")
+        first = first and tonumber(first)
+        if first then
+            ranges[#ranges + 1] = { first, tonumber(last) or first }
+        end
+    end
+    return #ranges > 0 and ranges or nil
+end
+
+-- The direction that the ports of a packet tell, nil where they do not. `ports` are those of the device.
+local function direction_by_ports(pinfo, ports)
+    if pinfo.src_port == pinfo.dst_port then
+        return nil
+    end
+    local to, from = ports and in_ranges(pinfo.dst_port, ports), ports and in_ranges(pinfo.src_port, ports)
+    if to ~= from then
+        return to and "request" or "response"
+    end
+    if pinfo.match_uint == pinfo.dst_port then
+        return "request"
+    end
+    return pinfo.match_uint == pinfo.src_port and "response" or nil
+end
+
+-- The requests of a line that wait for a response, the oldest first.
+local function session_of(link, pinfo)
+    local from = tostring(pinfo.src) .. " " .. pinfo.src_port
+    local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
+    if to < from then
+        from, to = to, from
+    end
+    local key = link.name .. " " .. from .. " " .. to
+    sessions[key] = sessions[key] or {}
+    return sessions[key]
+end
+
+-- Whether a response answers a request: the same unit, code and other parts that it repeats, as far as they have them.
+local function answers(link, request, response)
+    if request.unit ~= response.unit then
+        return false
+    end
+    if response.is_coded and request.message ~= response.message then
+        return false
+    end
+    for name, number in pairs(response.repeated) do
+        if request.values[name] ~= number then
+            return false
+        end
+    end
+    return true
+end
+
+-- What the head of a frame tells about its place in a conversation.
+local function head_of(link, direction, bytes, asked, message)
+    local head = { values = {}, repeated = {} }
+    local shape = link[direction]
+    local parts = bytes:sub(#link.start + 1)
+    if link.hex then
+        parts = parts:gsub("%X.*$", "")
+        parts = parts:sub(1, #parts - #parts % 2):gsub("..", function(pair) return string.char(tonumber(pair, 16)) end)
+    end
+    head.message = message
+    for _, part in ipairs(shape.parts) do
+        if part.offset >= 0 and part.value and #parts >= part.offset + part.size then
+            local number = numbers.of(parts:sub(part.offset + 1, part.offset + part.size), part.value)
+            head.values[part.name] = number
+            if part.role == "unit_address" then
+                head.unit = number
+            elseif part.role == "code" then
+                head.is_coded = true
+                head.message = frames.message_of(link, direction, number)
+            elseif part.same_as then
+                head.repeated[part.same_as] = number
+            end
+        end
+    end
+    return head
+end
+
+local function open_request(link, session, head)
+    for index, request in ipairs(session) do
+        if answers(link, request, head) then
+            return request, index
+        end
+    end
+    return nil, nil
+end
+
+-- The direction, the length and the open request of the first frame in some bytes. The length is nil where nothing
+-- tells; the last result is true where more bytes will tell.
+local function recognized(link, bytes, hint, session, message)
+    local choices = hint and { hint } or { "response", "request" }
+    local waits = false
+    local fallback
+    for _, direction in ipairs(choices) do
+        local head = head_of(link, direction, bytes, nil, message)
+        local asked, index
+        if direction == "response" then
+            asked, index = open_request(link, session, head)
+        end
+        local length, more = frames.length(link, direction, bytes, asked, message)
+        waits = waits or more or length and length > #bytes
+        local choice = { direction = direction, length = length, asked = asked, index = index, head = head }
+        choice.more = more or length and length > #bytes
+        local whole = bytes:sub(1, length or #bytes)
+        -- Without a hint, a response must answer a request: an echo of the device looks like a request.
+        local is_likely = hint or direction == "request" or asked
+        if is_likely and not choice.more and frames.fits(link, direction, whole, asked, message) then
+            return choice
+        end
+        if not fallback or asked then
+            fallback = fallback and fallback.asked and fallback or choice
+        end
+    end
+    if not hint then
+        local head = head_of(link, "response", bytes, nil, message)
+        local length = frames.length(link, "response", bytes, nil, message)
+        if frames.fits(link, "response", bytes:sub(1, length or #bytes), nil, message) then
+            return { direction = "response", length = length, head = head }
+        end
+        if not fallback.asked then
+            local request_head = head_of(link, "request", bytes, nil, message)
+            local request_length, more = frames.length(link, "request", bytes, nil, message)
+            fallback = { direction = "request", length = request_length, head = request_head }
+            fallback.more = more or request_length and request_length > #bytes
+        end
+    end
+    return fallback
+end
+
+-- Notes a frame in the conversation, at the first visit of its packet.
+local function remember(link, session, choice, pinfo)
+    local note = { direction = choice.direction, length = choice.length, frame = pinfo.number, time = pinfo.abs_ts }
+    if choice.direction == "request" then
+        if not link.is_numbered then
+            for index = #session, 1, -1 do
+                if session[index].unit == choice.head.unit then
+                    table.remove(session, index)
+                end
+            end
+        elseif #session >= streams.limit then
+            table.remove(session, 1)
+        end
+        note.unit, note.values, note.message = choice.head.unit, choice.head.values, choice.head.message
+        session[#session + 1] = note
+    elseif choice.asked then
+        note.asked = choice.asked
+        choice.asked.answered_in = pinfo.number
+        table.remove(session, choice.index)
+    end
+    return note
+end
+
+local function show_pairing(tree, note)
+    local common = device.common
+    if note.direction == "request" and note.answered_in then
+        tree:add(fields[common.response_in], note.answered_in):set_generated()
+    elseif note.asked then
+        tree:add(fields[common.request_in], note.asked.frame):set_generated()
+        local span = note.time - note.asked.time
+        local seconds = math.floor(span)
+        tree:add(fields[common.time], NSTime.new(seconds, math.floor((span - seconds) * 1e9 + 0.5))):set_generated()
+    end
+end
+
+-- Adds one frame to the tree and to the columns.
+local function show_frame(link, note, tvb, pinfo, root, message)
+    local tree = root:add(protocol, tvb())
+    tree:append_text(", " .. link.title)
+    tree:add(fields[device.common.direction], note.direction):set_generated()
+    local context = frames.show(link, note.direction, tvb, tree, note.asked, message)
+    if note.direction == "request" and not context.is_broken then
+        -- The response needs the values of the whole request.
+        note.values, note.message = context.values, context.message
+    end
+    local name = context.message and context.message.name
+    if name then
+        tree:add(fields[device.common.message], name):set_generated()
+        values.cite(tree, context.message.errata)
+    end
+    show_pairing(tree, note)
+    local text = (name or "unknown message") .. (context.is_refusal and " refused" or "") .. " " .. note.direction
+    tree:append_text(": " .. text)
+    pinfo.cols.protocol = device.id:upper()
+    return text
+end
+
+-- Dissects a packet, which has whole frames, or with `is_stream` a piece of a stream. `other` dissects frames of units
+-- that the person has not chosen. Returns the bytes that were taken.
+function streams.dissect(link, tvb, pinfo, root, options)
+    local session = session_of(link, pinfo)
+    local hint = options.direction or not options.is_line and direction_by_ports(pinfo, options.ports) or nil
+    local bytes, at, texts = tvb:raw(), 0, {}
+    while at < #bytes do
+        local rest = bytes:sub(at + 1)
+        local key = pinfo.number .. " " .. link.name .. " " .. at .. " " .. rest
+        local note = results[key]
+        if not note then
+            local choice = recognized(link, rest, hint, session, options.message)
+            if choice.more and options.is_stream then
+                pinfo.desegment_offset, pinfo.desegment_len = at, DESEGMENT_ONE_MORE_SEGMENT
+                if choice.length then
+                    pinfo.desegment_len = choice.length - #rest
+                end
+                break
+            end
+            local unit = choice.head.unit
+            if options.units and unit and not in_ranges(unit, options.units) then
+                note = { is_other = true, length = choice.length }
+            else
+                note = remember(link, session, choice, pinfo)
+            end
+            results[key] = note
+        end
+        local length = math.min(note.length or #rest, #rest)
+        if length < 1 then
+            length = #rest
+        end
+        local piece = tvb(at, length):tvb()
+        if note.is_other then
+            if options.other then
+                options.other:call(piece, pinfo, root)
+            end
+        else
+            texts[#texts + 1] = show_frame(link, note, piece, pinfo, root, options.message)
+        end
+        at = at + length
+    end
+    if #texts > 0 then
+        pinfo.cols.info = table.concat(texts, "; ")
+    end
+    return #bytes
+end

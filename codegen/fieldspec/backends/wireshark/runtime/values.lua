@@ -1,0 +1,236 @@
+-- Items of the tree: one value with its name, its quantity, its bits, and what is wrong with it.
+
+local protocol = Proto(device.id, device.title)
+local fields, names_of = {}, {}
+
+local experts = {
+    exception = { "Exception response", expert.group.RESPONSE_CODE, expert.severity.NOTE },
+    forbidden = { "Access that the register does not allow", expert.group.PROTOCOL, expert.severity.WARN },
+    incomplete = { "Bytes are missing", expert.group.MALFORMED, expert.severity.ERROR },
+    misprint = { "The manual departs from what is right", expert.group.COMMENTS_GROUP, expert.severity.COMMENT },
+    mismatch = { "The response does not fit its request", expert.group.SEQUENCE, expert.severity.WARN },
+    not_hex = { "No hexadecimal digits", expert.group.MALFORMED, expert.severity.ERROR },
+    out_of_range = { "Value out of its range", expert.group.PROTOCOL, expert.severity.WARN },
+    unknown_code = { "Unknown code", expert.group.UNDECODED, expert.severity.WARN },
+    unknown_value = { "Unknown value", expert.group.PROTOCOL, expert.severity.WARN },
+    unlisted = { "The manual lists nothing here", expert.group.UNDECODED, expert.severity.NOTE },
+    wrong_check = { "Wrong checksum", expert.group.CHECKSUM, expert.severity.ERROR },
+    wrong_const = { "Wrong constant", expert.group.PROTOCOL, expert.severity.WARN },
+    wrong_length = { "Wrong length", expert.group.MALFORMED, expert.severity.ERROR },
+    wrong_mark = { "Wrong delimiter", expert.group.MALFORMED, expert.severity.ERROR },
+    wrong_measure = { "Wrong size of a list", expert.group.PROTOCOL, expert.severity.WARN },
+}
+
+-- Declares everything that a filter can name. Wireshark takes the list once.
+local function declare_fields()
+    local list, infos = {}, {}
+    for name, enum in pairs(device.enums) do
+        names_of[name] = enum.names
+    end
+    for _, row in ipairs(device.fields) do
+        local names = row.names and (type(row.names) == "string" and names_of[row.names] or row.names)
+        local display = row.base and base[row.base] or base.NONE
+        if row.type == "FRAMENUM" then
+            names = frametype[row.names]
+        end
+        local field = ProtoField.new(row.title, row.filter, ftypes[row.type], names, display, nil, row.text)
+        fields[row.filter] = field
+        list[#list + 1] = field
+    end
+    protocol.fields = list
+    for reason, row in pairs(experts) do
+        local info = ProtoExpert.new(device.id .. ".expert." .. reason, row[1], row[2], row[3])
+        experts[reason] = info
+        infos[#infos + 1] = info
+    end
+    protocol.experts = infos
+end
+
+local values = {}
+
+-- Adds a finding to an item.
+function values.report(item, reason, text)
+    item:add_proto_expert_info(experts[reason], text)
+end
+
+-- Adds the errata of a fact to its item.
+function values.cite(item, errata)
+    for _, id in ipairs(errata or {}) do
+        values.report(item, "misprint", id .. ": " .. device.errata[id])
+    end
+end
+
+local function is_within(number, ranges, value)
+    for _, range in ipairs(ranges) do
+        if number >= numbers.bound(range[1], value) and number <= numbers.bound(range[2], value) then
+            return true
+        end
+    end
+    return false
+end
+
+local function ranges_text(ranges)
+    local parts = {}
+    for _, range in ipairs(ranges) do
+        parts[#parts + 1] = range[1] == range[2] and tostring(range[1]) or range[1] .. ".." .. range[2]
+    end
+    return table.concat(parts, ", ")
+end
+
+-- The quantity of a count with its unit, and as a number; nil where the value has neither scale nor unit.
+function values.quantity(number, value)
+    local unit = value.unit and " " .. value.unit or ""
+    if value.kind == "float" then
+        return value.unit and numbers.text(number) .. unit or nil, nil
+    end
+    if not value.scale then
+        return value.unit and numbers.text(number) .. unit or nil, nil
+    end
+    local count = type(number) == "number" and number or number:tonumber()
+    local approximate = (count * value.scale.factor + value.scale.shift) / value.scale.divisor
+    local exact = numbers.quotient(count, value.scale)
+    return (exact or "about " .. string.format("%.15g", approximate)) .. unit, approximate
+end
+
+-- The name of a number, the reason for which a codec refuses it or people should look at it, and the details.
+local function judged(value, number, ranges)
+    local key = numbers.text(number)
+    if value.kind == "boolean" and key ~= "0" and key ~= "1" then
+        return nil, "unknown_value", "should be 0 or 1"
+    end
+    if value.const and number ~= numbers.bound(value.const, value) then
+        return nil, "wrong_const", "should be " .. numbers.text(numbers.bound(value.const, value))
+    end
+    if value.special then
+        local name = value.special[key]
+        if name then
+            return name
+        end
+    end
+    local enum = value.enum and device.enums[value.enum]
+    local name = enum and enum.names[tonumber(key)]
+    if enum and not enum.open and (not name or enum.unavailable[tonumber(key)]) then
+        return name, "unknown_value", "the closed enum " .. value.enum .. " does not permit it"
+    end
+    if ranges and not is_within(number, ranges, value) then
+        return name, "out_of_range", "should be " .. ranges_text(ranges) .. (value.scale and " counts" or "")
+    end
+    return name
+end
+
+values.is_within = is_within
+
+-- The reason for which a value is refused, nil where there is none.
+function values.reason(value, number, ranges)
+    local _, reason = judged(value, number, ranges)
+    return reason
+end
+
+-- The number of a field of bits, as Wireshark takes it.
+local function bits_number(ordered, bit)
+    if bit.width > 32 then
+        local low = numbers.bits(ordered, bit.first, 32)
+        local high = numbers.bits(ordered, bit.first + 32, bit.width - 32)
+        if bit.signed and high >= 2 ^ (bit.width - 33) then
+            high = high + 2 ^ 32 - 2 ^ (bit.width - 32)
+        end
+        return (bit.signed and Int64 or UInt64).new(low, high)
+    end
+    local number = numbers.bits(ordered, bit.first, bit.width)
+    if bit.signed and number >= 2 ^ (bit.width - 1) then
+        number = number - 2 ^ bit.width
+    end
+    return number
+end
+
+-- The items of the bits of a word.
+local function show_bits(item, range, word, prefix, ordered)
+    for _, bit in ipairs(device.words[word]) do
+        local number = bits_number(ordered, bit)
+        local field = fields[prefix .. "." .. bit.name]
+        local inner
+        if bit.width == 1 then
+            inner = item:add(field, range, number == 1)
+        else
+            inner = item:add(field, range, number)
+        end
+        local last = bit.first + bit.width - 1
+        local head = bit.width == 1 and "Bit " .. bit.first or "Bits " .. bit.first .. ".." .. last
+        local digits = numbers.text(number)
+        local text = bit.enum and device.enums[bit.enum].names[tonumber(digits)]
+        if not text and bit.width == 1 then
+            text = number == 1 and bit.one or number == 0 and bit.zero or nil
+        end
+        text = text or values.quantity(number, bit)
+        inner:set_text(head .. ", " .. bit.title .. ": " .. (text and text .. " (" .. digits .. ")" or digits))
+        values.cite(inner, bit.errata)
+    end
+end
+
+-- Adds the item of a value. `entry` has its filter name, title and value; `range` are its bytes in the packet and
+-- `bytes` those of the value. `options.ranges` take the place of the ranges of the value; `options.lenient` is set for
+-- answers that need not be what was written, and `options.reason` takes the place of the reason of a finding. Returns the item, the number, and the reason of a finding.
+function values.show(tree, entry, range, bytes, options)
+    options = options or {}
+    local value, field, title = entry.value, fields[entry.filter], entry.title .. (options.index or "")
+    local item
+    if value.kind == "bytes" then
+        item = tree:add(field, range)
+        values.cite(item, entry.errata)
+        return item, nil, nil
+    end
+    if value.kind == "text" then
+        local text = bytes:gsub("\0+$", "")
+        local is_ascii = not text:find("[\128-\255]")
+        text = text:gsub("[^\32-\126]", function(char) return string.format("\\x%02x", char:byte()) end)
+        item = tree:add(field, range, text)
+        item:set_text(title .. ": " .. text)
+        if not is_ascii and not entry.reserved then
+            values.report(item, "unknown_value", "the text is not ASCII")
+        end
+        values.cite(item, entry.errata)
+        return item, text, nil
+    end
+    local number = numbers.of(bytes, value)
+    item = tree:add(field, range, number)
+    local digits = numbers.text(number)
+    if value.word then
+        digits = string.format("0x%0" .. 2 * #bytes .. "x", numbers.unsigned(numbers.significant(bytes, value)))
+    end
+    if entry.reserved then
+        item:set_text(title .. ": " .. digits .. " (reserved)")
+        values.cite(item, entry.errata)
+        return item, number, nil
+    end
+    local name, reason, detail = judged(value, number, options.ranges or value.ranges)
+    local quantity, approximate
+    if not (value.special and value.special[numbers.text(number)]) then
+        quantity, approximate = values.quantity(number, value)
+    end
+    local meaning = name or quantity
+    item:set_text(title .. ": " .. (meaning and meaning .. " (" .. digits .. ")" or digits))
+    local enum = value.enum and device.enums[value.enum]
+    if enum and name then
+        local text = enum.texts[numbers.text(number)]
+        if text then
+            item:append_text(", " .. text)
+        end
+        values.cite(item, enum.errata[numbers.text(number)])
+    end
+    if approximate and entry.quantity then
+        local inner = item:add(fields[entry.quantity], range, approximate)
+        inner:set_text("Quantity: " .. quantity)
+        inner:set_generated()
+    end
+    if value.word then
+        show_bits(item, range, value.word, entry.bits, numbers.significant(bytes, value))
+    end
+    if reason and options.reason then
+        reason = options.reason
+    end
+    if reason and not options.lenient then
+        values.report(item, reason, entry.name .. (options.index or "") .. " is " .. digits .. ": " .. detail)
+    end
+    values.cite(item, entry.errata)
+    return item, number, not options.lenient and reason or nil
+end
