@@ -162,15 +162,13 @@
     });
   }
 
-  // A region that scrolls can be reached by the keyboard.
-  function observe(block) {
-    if (block.scrollWidth > block.clientWidth) {
-      const caption = block.querySelector("caption");
-      caption.id = caption.id || `caption-${serial += 1}`;
-      block.tabIndex = 0;
-      block.setAttribute("role", "region");
-      block.setAttribute("aria-labelledby", caption.id);
-    }
+  // What scrolls can be reached by the keyboard.
+  function reach(block) {
+    const caption = block.querySelector("caption");
+    caption.id = caption.id || `caption-${serial += 1}`;
+    block.tabIndex = 0;
+    block.setAttribute("role", "group");
+    block.setAttribute("aria-labelledby", caption.id);
   }
 
   // A table gets its tools when it comes near the screen: most of a long page is never seen.
@@ -181,11 +179,13 @@
         near.unobserve(target);
         const table = target.querySelector("table:not(.bits)");
         if (table) { equip(target, table); }
-        observe(target);
       }
     }
   }, { rootMargin: "400px" });
   blocks.forEach((block) => near.observe(block));
+  const reachAll = () => blocks.filter((block) => block.scrollWidth > block.clientWidth).forEach(reach);
+  window.addEventListener("resize", reachAll);
+  reachAll();
 
   // A link to a row that a filter hides ends the filter.
   window.addEventListener("hashchange", () => {

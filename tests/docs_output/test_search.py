@@ -18,7 +18,7 @@ from fieldspec.backends.docs.search_index import NAME, parsed
 SOON = 100
 """Milliseconds from the last key to the results."""
 
-FOUND = [
+FACTS = [
     # an address, in hexadecimal, as the manual prints it, in decimal, and by its digits alone
     ("tc100/2.0.html", "0x201E", "#registers/motion_command"),
     ("tc100/2.0.html", "201Eh", "#registers/motion_command"),
@@ -76,7 +76,7 @@ def search(browser: webdriver.Chrome, page: Path, text: str) -> list[str]:
     return links(browser)
 
 
-@pytest.mark.parametrize(("path", "text", "link"), FOUND)
+@pytest.mark.parametrize(("path", "text", "link"), FACTS)
 def test_a_fact_is_the_first_result_of_its_names_and_numbers(
     browser: webdriver.Chrome, folder: Path, path: str, text: str, link: str
 ) -> None:

@@ -38,7 +38,7 @@ def table_html(section: str, table: SectionTable, links: Mapping[str, str]) -> I
     headings = "".join([f'<th scope="col">{escaped(clean(_heading(table, at)))}</th>' for at in full])
     standing = '<th scope="col"><span class="said">standing</span></th>' if marked else ""
     broad = ' class="broad"' if column_widths else ""
-    yield f'<div class="scroll" role="region" aria-labelledby="{anchor}-title" tabindex="0">\n'
+    yield f'<div class="scroll" role="group" aria-labelledby="{anchor}-title" tabindex="0">\n'
     yield f'<table id="{anchor}"{broad}>\n<caption id="{anchor}-title">{title}</caption>\n'
     yield f"<colgroup>{widths}</colgroup>\n" if column_widths else ""
     yield f"<thead><tr>{standing}{headings}</tr></thead>\n<tbody>\n"

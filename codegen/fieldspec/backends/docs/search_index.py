@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os.path
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
@@ -67,7 +66,7 @@ def index_file(layouts: Sequence[DeviceLayout], pages: Mapping[str, Document]) -
     every = (1 << len(layouts)) - 1
     groups: dict[tuple[str, str, str], list[list[object]]] = {}
     for entry in sorted(versions, key=lambda entry: _order(entry.kind)):
-        start = os.path.dirname(entry.anchor)
+        start = entry.anchor.rpartition("/")[0]
         group = groups.setdefault((entry.kind, entry.section, start), [])
         group.append(_row(entry, versions[entry] if versions[entry] != every else 0))
     data = {
@@ -106,7 +105,7 @@ def _order(kind: str) -> int:
 
 def _row(entry: Entry, versions: int) -> list[object]:
     """An entry of the file, without what is empty at its end."""
-    end = os.path.basename(entry.anchor)
+    end = entry.anchor.rpartition("/")[2]
     row: list[object] = [
         0 if end == entry.names[0] else end,
         "\n".join(entry.names),
@@ -130,10 +129,12 @@ def _entries(document: Document, table_keys: Mapping[str, str]) -> Iterator[Entr
 def _of_section(kind: str, section: Section, table_keys: Mapping[str, str]) -> Iterator[Entry]:
     terms = {term: _texts(lines) for block in section.blocks if isinstance(block, Facts) for term, lines in block.rows}
     title = _text(section.title)
-    names = dict.fromkeys([*terms.get(_NAME_TERM, ()), *_pieces(section.title)])
     keys = [word for term in _NUMBER_TERMS for text in terms.get(term, ()) for word in text.split() if word[0] != "("]
-    paragraphs = [_text(block.line) for block in section.blocks if isinstance(block, Paragraph) and not block.style]
-    yield Entry(kind, title, section.anchor, tuple(names), tuple(dict.fromkeys(keys)), " ".join(paragraphs))
+    titles = [piece for piece in _pieces(section.title) if piece not in keys]
+    names = dict.fromkeys([*terms.get(_NAME_TERM, ()), *titles])
+    lines = [block.line for block in section.blocks if isinstance(block, Paragraph) and not block.style]
+    paragraphs = [_text(line) for line in lines if line[0].text not in _LEADS]
+    yield Entry(kind, title, section.anchor, tuple(names) or (title,), tuple(dict.fromkeys(keys)), " ".join(paragraphs))
     for block in section.blocks:
         if isinstance(block, DocumentTable):
             for row in block.rows:
