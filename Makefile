@@ -4,9 +4,12 @@
 # make test-night  all tests with other random inputs each time, and twenty times as many of them
 # make fuzz    fuzz the C headers of all devices at the same time, for a minute each
 # make fuzz-specs   compare all codecs on random devices for a minute, or SECONDS=600; what they disagree on becomes a case
-# make plants  run the examples of docs/plc.md for a million random scans each, against simulated devices
+# make plants  run the examples of docs/plc.md and the blocks for a million random scans each, against simulated devices
+# make plc-sizes  write docs/plc-sizes.md: code and data of the function blocks on a Cortex-M3
+# make capabilities  verify every line of docs/capabilities.md about keys, of which the tests verify a share
 # make accept  rewrite the tests' expectations, with RULE=code those of one rule; read the difference before you commit it
 # make soak    kill builds at random moments, and strike faults at every operation on files, for some minutes
+# make soak-device  let 24 hours of random requests and faults pass for each simulated device
 # make dist    build the wheel and the sdist into dist/
 # make sbom    write dist/sbom.json, the bill of materials of what an installation holds, as CycloneDX
 # make bench   measure, and write docs/benchmarks.md
@@ -28,7 +31,7 @@ UV := uv==0.13.8
 
 SBOM := build/sbom
 
-.PHONY: build test test-fast test-night fuzz fuzz-specs plants accept soak dist sbom bench pins clean
+.PHONY: build test test-fast test-night fuzz fuzz-specs plants plc-sizes capabilities accept soak soak-device dist sbom bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -55,6 +58,9 @@ soak: $(INSTALLED)
 	$(BIN)/python tests/interruptions.py 200 1
 	FAULT_STEP=1 $(BIN)/pytest tests/test_faults.py tests/test_interruptions.py
 
+soak-device: $(INSTALLED)
+	FIELDSPEC_SOAK_HOURS=24 $(BIN)/pytest tests/device/test_soak.py
+
 dist: $(INSTALLED)
 	rm -rf dist
 	$(BIN)/python -m hatchling build -d dist
@@ -69,8 +75,15 @@ sbom: dist
 	$(SBOM)/tool/$(notdir $(BIN))/cyclonedx-py environment --output-reproducible --pyproject pyproject.toml \
 	  --output-file dist/sbom.json $(SBOM)/environment
 
+capabilities: $(INSTALLED)
+	FIELDSPEC_CAPABILITIES=all $(BIN)/pytest -n 3 tests/test_capabilities.py
+
 plants: $(INSTALLED)
-	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py -k whatever_happens
+	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py tests/plc_output/test_device_blocks.py -k whatever_happens
+
+# Needs matiec, gcc-arm-none-eabi and libnewlib-arm-none-eabi.
+plc-sizes: $(INSTALLED)
+	$(BIN)/python benchmarks/plc_size.py
 
 accept: $(INSTALLED)
 	$(BIN)/pytest --accept $(if $(RULE),tests/test_cases.py tests/test_changes.py tests/test_rules.py -k "$(RULE) or page_of_")

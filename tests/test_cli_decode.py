@@ -74,13 +74,26 @@ def test_every_good_example_is_explained_with_exit_code_0(run: CommandLine, exam
     assert data["wrong"] is False
 
 
-@pytest.mark.parametrize("example", [e for e in EXAMPLES.values() if e.refused], ids=lambda e: e.id)
+OF_FRAMES = ("unknown_code", "wrong_check", "wrong_length", "incomplete")
+"""Refusals that show without the link and the message."""
+
+
+@pytest.mark.parametrize("example", [e for e in EXAMPLES.values() if e.refused in OF_FRAMES], ids=lambda e: e.id)
 def test_every_example_that_is_refused_is_explained_with_exit_code_1(run: CommandLine, example: Example) -> None:
     result = run("decode", "widget", example.frame.hex(), "--direction", example.direction)
     assert result.code == 1
     assert "this is not a valid frame of widget" in result.out
     assert any(line.startswith("wrong: ") for line in result.lines)
     assert example.refused in decoded(run, example.frame.hex(), "--direction", example.direction)["reasons"]
+
+
+@pytest.mark.parametrize(
+    "example", [e for e in EXAMPLES.values() if e.refused and e.refused not in OF_FRAMES], ids=lambda e: e.id
+)
+def test_what_is_refused_in_a_message_is_explained_for_that_message(run: CommandLine, example: Example) -> None:
+    options = ["--link", example.link, "--direction", example.direction, "--message", example.message]
+    assert run("decode", "widget", example.frame.hex(), *options).code == 1
+    assert example.refused in decoded(run, example.frame.hex(), *options)["reasons"]
 
 
 def test_the_table_has_every_byte_in_aligned_columns(run: CommandLine) -> None:

@@ -51,7 +51,8 @@ def sent(explanation: Explanation) -> bytes:
     data = b""
     for row in explanation.rows:
         assert row.offset == len(data)
-        data += row.characters.encode("latin-1") or row.raw
+        characters = row.characters.encode("latin-1") or row.raw
+        data += characters if len(characters) == row.length else bytes.fromhex(row.characters)
         assert row.offset + row.length == len(data)
     return data
 

@@ -18,6 +18,7 @@ from fieldspec.backends.kv.backend import files
 from fieldspec.backends.kv.dialect import KV
 from fieldspec.backends.vectors.backend import vector
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import original_parts
 from fieldspec.layout.record import FieldLayout
 from fieldspec.reference.records import value_construct
 from layouts import SPECS, TEST_SPECS, layout_at, layouts, newest
@@ -72,7 +73,7 @@ def test_the_bits_of_the_map_hold_the_values_of_every_example(layout: DeviceLayo
     assert isinstance(values, dict)
     marks = len(link.link.start), len(example.frame) - len(link.link.end)
     unit = 1 if link.frame(example.direction).checksum else 2
-    words = memory(example.frame[slice(*marks)], unit)
+    words = memory(original_parts(link.frame(example.direction), example.frame[slice(*marks)]), unit)
     ends = (f"{example.message} {example.direction}", f"{example.message} on {link.name} {example.direction}")
     compared = 0
     for row in rows_of(layout):

@@ -17,6 +17,7 @@ from pymodbus.pdu.device import ModbusDeviceIdentification
 from pymodbus.server import ModbusSerialServer, ModbusTcpServer
 from pymodbus.simulator import DataType, SimData, SimDevice
 
+from fieldspec.testing import simulation
 from layouts import TEST_SPECS, layouts, newest
 from python_package import codec_error, link_of, module_of
 from serial_lines import SECONDS, Line, serial_line
@@ -361,3 +362,18 @@ def test_the_examples_of_the_specification_of_modbus_are_encoded_and_decoded(
         assert getattr(link, f"encode_{direction}")(0x11, message, transaction=0x1501) == frame
         decoded = getattr(link, f"decode_{direction}")(frame)
         assert (decoded.station, decoded.transaction, decoded.message) == (0x11, 0x1501, message)
+
+
+def test_a_simulated_station_serves_its_bits_to_a_client_of_pymodbus() -> None:
+    with simulation("station", folder=str(TEST_SPECS), ports={"tcp": "tcp://127.0.0.1:0"}) as station:
+        host, _, port = station.places["tcp"].removeprefix("tcp://").rpartition(":")
+        client = ModbusTcpClient(host, port=int(port), timeout=SECONDS)
+        assert client.connect()
+        try:
+            assert not client.write_coils(0, [True, False, True], device_id=1).isError()
+            assert not client.write_coil(8, True, device_id=1).isError()
+            assert not client.write_coil(0, False, device_id=1).isError()
+            assert client.read_coils(0, count=9, device_id=1).bits[:9] == [False, False, True] + [False] * 5 + [True]
+            assert client.write_coil(0x0B, True, device_id=1).isError()
+        finally:
+            client.close()

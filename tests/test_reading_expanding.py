@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+from fractions import Fraction
+
 import pytest
 
 from fieldspec.model.device import Device
+from fieldspec.model.value import Ranges
 from spec_files import DEVICE, codes, gadget, pointed_at, project, unmarked
 
 BLOCK = """
@@ -156,8 +160,17 @@ def test_a_fraction_is_an_exact_scale(scale: str, exact: str) -> None:
     assert f"{value.scale:f}" == exact
 
 
-@pytest.mark.parametrize("scale", ["1/3", "1/0", "1/7^50"])
-def test_a_fraction_that_is_no_exact_decimal_is_a_finding(scale: str) -> None:
+def test_a_fraction_that_is_no_decimal_is_an_exact_scale() -> None:
+    text = "records: [{name: a, fields: [{name: b, type: u8, scale: 100/255, unit: '%', unit_range: 0..80}]}]\n"
+    value = device(text).records["a"].fields[0].value
+    assert value is not None
+    assert (value.scale, value.scale_number, value.ranges) == (Fraction(20, 51), "100/255", Ranges(((0, 204),)))
+    assert (value.from_unit(Decimal(20)), value.from_unit(Decimal(50))) == (51, None)
+    assert f"{value.in_unit(128):.8f}" == "50.19607843"
+
+
+@pytest.mark.parametrize("scale", ["1/0", "1/7^50"])
+def test_a_fraction_of_more_digits_than_outputs_have_is_a_finding(scale: str) -> None:
     findings = gadget(f"records: [{{name: a, fields: [{{name: b, type: i32, scale: {scale}}}]}}]\n").at("1")[1]
     assert codes(findings) == ["wrong_form"]
 

@@ -92,7 +92,7 @@ def simulation(
     )
     with running:
         first = next(iter(layout.links))
-        for link, place in (ports or {first: usual_place(layout.links[first].link)}).items():
+        for link, place in (ports or {first: usual_place(layout.links[first])}).items():
             running.serve(link, place, settings_of(layout.links[link].link))
         yield SimulatedDevice(running)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.backends.c.backend import header
+from fieldspec.backends.c.delimiters import is_wrapped
 from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.naming import Naming
 from fieldspec.layout.device import DeviceLayout
@@ -81,7 +82,7 @@ def source(layout: DeviceLayout) -> str:
             + f" if (status == 0) second = (int){encode}({argument}again, sizeof again, &length); }}"
         )
     for link in layout.links.values():
-        wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
+        wrapped = is_wrapped(link)
         for direction in ("request", "response"):
             frame = naming.type("link", link.name, direction, "frame")
             call = naming.function("link", link.name, direction, "open")

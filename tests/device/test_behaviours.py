@@ -162,7 +162,7 @@ def test_what_the_device_does_not_permit_is_refused(
 def test_too_many_words_are_refused_but_a_wrong_address_comes_first(tc100: Unit) -> None:
     for address, number in ((0x0900, 3), (0x1002, 2)):
         parts = bytes([1, 3]) + address.to_bytes(2, "big") + (61).to_bytes(2, "big") + b"\0\0"
-        frame = tc100.codec.joined_parts(tc100.codec.with_checksum("request", parts))
+        frame = tc100.codec.joined_parts("request", tc100.codec.with_checksum("request", parts))
         answer = tc100.server.answer("rtu", frame)
         assert tc100.codec.decode(answer.frame, "response").values == {"exception_code": number}
 

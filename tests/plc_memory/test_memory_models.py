@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import original_parts
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind
@@ -44,6 +45,7 @@ def body(layout: DeviceLayout, example: Example) -> bytes:
     if link.link.encoding == "hex_ascii":
         data = bytes.fromhex(data.decode("ascii"))
     shape = link.frame(example.direction)
+    data = original_parts(shape, data)
     return data[shape.header_size : len(data) - shape.trailer_size]
 
 

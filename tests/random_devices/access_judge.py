@@ -56,7 +56,7 @@ class Access(Python):
         return [
             layout.message
             for layout in self.layout.messages.values()
-            if (access := device.register_access(layout.message)) is not None
+            if (access := device.register_access(layout.message) or device.bit_access(layout.message)) is not None
             and access.operation == operation
             and device.space_name(access.space) == space
         ]
@@ -90,6 +90,8 @@ class Access(Python):
             return
         if value.const is not None:
             number: Any = value.const
+        elif value.type.name == "bit":
+            number = True
         elif value.type.kind is Kind.INTEGER and not value.enum and not value.flags:
             number = value.writable_ranges.low if value.writable_ranges else 1
         else:

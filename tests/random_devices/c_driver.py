@@ -52,6 +52,17 @@ static void show_float(float number)
     }
 }
 
+static void show_double(double number)
+{
+    uint64_t bits;
+    memcpy(&bits, &number, 8);
+    if (number != number) {
+        printf("nan;");
+    } else {
+        printf("%016llx;", (unsigned long long)bits);
+    }
+}
+
 FUNCTIONS
 
 int main(void)
@@ -249,10 +260,11 @@ def _declared(value: Value) -> str:
     if value.type.kind is Kind.BYTES:
         return f"uint8_t content[{value.size}];"
     if value.type.kind is Kind.FLOAT:
-        return "float content = 0;"
+        return f"{'float' if value.size == 4 else 'double'} content = 0;"
     if value.type.kind is Kind.BOOLEAN:
         return "bool content = 0;"
-    return f"{'' if value.type.signed else 'u'}int{8 * value.size}_t content = 0;"
+    bits = next(bits for bits in (8, 16, 32, 64) if bits >= 8 * value.size)
+    return f"{'' if value.type.signed else 'u'}int{bits}_t content = 0;"
 
 
 def _literal(value: Value) -> str:
@@ -269,7 +281,7 @@ def _show_value(value: Value, place: str) -> str:
     if kind is Kind.BYTES:
         return f'show({place}, {value.size}); printf(";");'
     if kind is Kind.FLOAT:
-        return f"show_float({place});"
+        return f"show_{'float' if value.size == 4 else 'double'}({place});"
     if not value.type.signed and kind is Kind.INTEGER:
         return f'printf("%llu;", (unsigned long long){place});'
     return f'printf("%lld;", (long long){place});'

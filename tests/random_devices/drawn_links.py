@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from fieldspec.schema import schema
 from random_devices.draft import Draft, Spec, bounds, range_text
 from random_devices.drawn_values import value
 
-ALGORITHMS = ("sum8", "crc16_modbus", "lrc")
+USUAL_CHECKSUMS = ("sum8", "crc16_modbus", "lrc")
+ALGORITHMS = tuple(schema()["$defs"]["algorithm"]["enum"])
 UNSIGNED = ("u8", "u16", "u32")
 
 
@@ -40,8 +42,10 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
     """The parts of one direction: those before the body in any order, the body, those behind it."""
     before: list[Spec] = []
     behind: list[Spec] = []
+    kind = code.get("type") or f"u{draft.code_bits}"
+    if coded and draft.chance(25):
+        return _usual(draft, kind)
     if coded:
-        kind = code.get("type") or f"u{draft.code_bits}"
         before.append(_part(draft, "code", type=kind))
     if draft.chance(45):
         before.append(_part(draft, "unit_address", type=draft.pick(("u8", "u8", "u16"))))
@@ -52,8 +56,8 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
     if counts:
         before.append(_part(draft, "length", type=draft.pick(("u16", "u8", "u32"))))
     if draft.chance(70):
-        checksum = _part(draft, "checksum", algorithm=draft.pick(ALGORITHMS))
-        (before if draft.chance(15) else behind).append(checksum)
+        for _ in range(draft.pick((1, 1, 1, 1, 2))):
+            (before if draft.chance(15) else behind).append(_checksum(draft))
     line_of_parts = [*_shuffled(draft, before), _part(draft, "body"), *_shuffled(draft, behind)]
     names = [part["name"] for part in line_of_parts]
     middle = next(at for at, part in enumerate(line_of_parts) if part["role"] == "body")
@@ -62,14 +66,50 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
             part["counts"] = _counts(draft, names, middle)
         if part["role"] == "checksum" and (draft.chance(40) or at < middle):
             part["covers"] = _covers(draft, names, at)
-        if part["role"] == "checksum" and part["algorithm"] == "crc16_modbus" and draft.chance(30):
-            part["byte_order"] = draft.pick(("big", "little"))
     return [{key: v for key, v in part.items() if (key, v) != ("role", "plain")} for part in line_of_parts]
+
+
+def _usual(draft: Draft, kind: str) -> list[Spec]:
+    """What most protocols have, for which outputs have code of their own: an address, a code, the body, a CRC."""
+    head = [_part(draft, "unit_address", type="u8"), _part(draft, "code", type=kind)]
+    if draft.chance(60):
+        low, high = bounds("u8")
+        head.insert(draft.number(0, 2), {**_part(draft, "plain", type="u8"), "const": draft.edge(low, high)})
+    return [*head, _part(draft, "body"), _part(draft, "checksum", algorithm="crc16_modbus")]
 
 
 def _part(draft: Draft, role: str, **keys: object) -> Spec:
     fact = draft.fact()
     return {**fact, "name": f"{role[:4]}_part_{draft.names}", "role": role, **keys}
+
+
+def _checksum(draft: Draft) -> Spec:
+    """A checksum by its name, or by its parameters, as bytes or as characters."""
+    part = _part(draft, "checksum")
+    if draft.chance(80):
+        part["algorithm"] = draft.pick(USUAL_CHECKSUMS if draft.chance(60) else ALGORITHMS)
+    elif draft.chance(60):
+        width = draft.pick((8, 16, 32, 12, 5, 64))
+        parameters: Spec = {"width": width, "polynomial": draft.number(1, (1 << width) - 1) | 1}
+        for key in ("initial", "final_xor"):
+            if draft.chance(50):
+                parameters[key] = draft.number(0, (1 << width) - 1)
+        for key in ("reflect_in", "reflect_out"):
+            if draft.chance(50):
+                parameters[key] = True
+        part["checksum"] = parameters
+    else:
+        method, width = draft.pick(("sum", "xor")), draft.pick((8, 16, 32))
+        part["checksum"] = {"method": method, "width": width}
+        if draft.chance(50):
+            part["checksum"]["complement"] = draft.pick(("ones", "twos"))
+        if draft.chance(30):
+            part["checksum"]["unit_size"] = draft.pick((1, 2, 4))
+    if draft.chance(15):
+        part["digits"] = draft.pick(("upper_hex", "lower_hex", "decimal"))
+    elif part.get("algorithm") not in ("sum8", "lrc", "xor8") and draft.chance(40):
+        part["byte_order"] = draft.pick(("big", "little"))
+    return part
 
 
 def _argument(draft: Draft) -> Spec:

@@ -24,9 +24,10 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
     numbers = 0
     for _ in range(draft.number(1, 3) if other_links else 0):
         numbers += draft.number(1, 9)
-        drawn.append(
-            draft.fact(number=numbers, links=list(other_links), request=telegram(draft), response=telegram(draft))
-        )
+        request = telegram(draft)
+        # Telegrams of one length are told apart by nothing in them.
+        response = request if draft.chance(25) else telegram(draft)
+        drawn.append(draft.fact(number=numbers, links=list(other_links), request=request, response=response))
     for message in drawn:
         if "broadcast" not in message and draft.chance(5):
             message["broadcast"] = True
@@ -64,7 +65,34 @@ def _accesses(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
             if links:
                 message["links"] = list(links)
             drawn.append(message)
+    for space in [space["name"] for space in draft.spec.get("spaces", []) if space.get("unit") == "bit"]:
+        for operation in ("read", "write"):
+            message = _bit_access(draft, operation, space)
+            message["code"] = _code(draft, codes)
+            if links:
+                message["links"] = list(links)
+            drawn.append(message)
     return drawn
+
+
+def _bit_access(draft: Draft, operation: str, space: str) -> Spec:
+    """A message that carries packed bits, or a single one as a number."""
+    address = draft.fact(type="u16")
+    access: Spec = {"operation": operation, "space": space, "start": address["name"]}
+    if draft.chance(40):
+        numbers = draft.pick(((1, 0), (0xFF00, 0), (2, 3), (0, 1)))
+        bit = draft.fact(type="u16", range=f"{numbers[0]}, {numbers[1]}")
+        access |= {"values": bit["name"], "set": numbers[0]} | ({"clear": numbers[1]} if numbers[1] else {})
+        asked, answered = ([address], [bit]) if operation == "read" else ([address, bit], [])
+        return draft.fact(request=asked, response=answered, accesses=access)
+    most = draft.number(1, 30)
+    count = draft.fact(type="u16", range=f"1..{8 * most}")
+    bits = draft.fact(type="u8", repeat=f"1..{most}")
+    size = draft.fact(type="u8", measures={"bytes": bits["name"]})
+    sized = [size, bits] if draft.chance(60) else [bits]
+    access |= {"count": count["name"], "values": bits["name"]}
+    asked, answered = ([address, count], sized) if operation == "read" else ([address, count, *sized], [])
+    return draft.fact(request=asked, response=answered, accesses=access)
 
 
 def _access(draft: Draft, operation: str, space: str, most: int) -> Spec:

@@ -53,9 +53,11 @@ def fixed_field(draft: Draft, place: str = "field") -> tuple[Spec, int]:
 
 def body(draft: Draft, place: str = "field") -> list[Spec]:
     """The fields of a request or a response."""
-    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted"))
+    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted", "short"))
     if form == "empty":
         return []
+    if form == "short":
+        return [_short_field(draft) for _ in range(draft.number(1, 3))]
     fields = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0 if form != "fixed" else 1, 4))]
     if form == "repeat":
         return [*fields, _repeated(draft, fields)]
@@ -66,6 +68,14 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
     if form == "counted":
         return _counting(draft, fields)
     return fields
+
+
+def _short_field(draft: Draft) -> Spec:
+    """A number or a constant of one or two bytes, for which outputs have code of their own."""
+    keys: Spec = {"type": draft.pick(("u8", "u16"))}
+    if draft.chance(25):
+        keys["const"] = draft.number(0, 255)
+    return draft.fact(**keys)
 
 
 def _limits(draft: Draft) -> str:
@@ -121,7 +131,8 @@ def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
         cases.append(draft.fact(when=left[:width], **value(draft, "case")))
         left = left[width:]
     last: Spec = draft.fact(choice={"by": selector["name"], "cases": cases})
-    if draft.chance(50):
+    # How often a constant is repeated is not a value of C's self-test.
+    if draft.chance(50) and not any("const" in case for case in cases):
         last["repeat"] = _limits(draft)
     before = _inserted(draft, fields, selector)
     if "repeat" in last and draft.chance(50):

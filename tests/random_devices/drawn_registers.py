@@ -27,7 +27,36 @@ def register_groups(draft: Draft) -> list[Spec]:
     """Groups of registers in ascending order, with gaps that are declared."""
     words = [space["name"] for space in draft.spec.get("spaces", []) if space.get("unit", "word") == "word"]
     free = dict.fromkeys(words or [""], draft.number(0, 0x2000))
-    return [_group(draft, free) for _ in range(draft.number(0, 3))]
+    bits = [space["name"] for space in draft.spec.get("spaces", []) if space.get("unit") == "bit"]
+    return [
+        *(_group(draft, free) for _ in range(draft.number(0, 3))),
+        *(_bit_group(draft, space) for space in bits if draft.chance(80)),
+    ]
+
+
+def _bit_group(draft: Draft, space: str) -> Spec:
+    """A group of single bits and of arrays of bits, in a space of bits."""
+    group: Spec = {"group": draft.name(), "source": draft.source(), "space": space, "rows": []}
+    at = draft.number(0, 0x2000)
+    gaps = []
+    for _ in range(draft.number(1, 5)):
+        row = {"at": at, **draft.fact(type="bit"), "access": draft.pick(ACCESSES)}
+        if draft.chance(20):
+            row["default"] = draft.number(0, 1)
+        if draft.chance(10) and row["access"] != "ro":
+            row["trigger"] = True
+        at += 1
+        if draft.chance(40):
+            row["count"] = draft.number(2, 20)
+            row["stride"] = draft.pick((1, 1, 3))
+            at += (row["count"] - 1) * row["stride"]
+        group["rows"].append(row)
+        if draft.chance(15):
+            gaps.append({"at": f"{at}..{at + 2}", "reason": "The manual leaves them out."})
+            at += 3
+    if gaps and at > 0:
+        group["gaps"] = gaps
+    return group
 
 
 def _group(draft: Draft, free: dict[str, int]) -> Spec:

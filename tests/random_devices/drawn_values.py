@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from random_devices.draft import INTEGERS, SIZES, Draft, Spec, bounds, number, range_text
+from random_devices.draft import INTEGERS, ODD_INTEGERS, SIZES, Draft, Spec, bounds, number, range_text
 
 SCALES = ("0.01", "0.1", "0.5", "10", "0.001", "100/2^14", "1/1000", "1/8")
 UNITS = ("mm", "rpm", "%", "ms", "V", "pulse", "°C")
@@ -26,7 +26,7 @@ def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:
         keys["length"] = draft.number(1, 9)
         if place in ("register", "table"):
             keys["length"] += keys["length"] % 2
-    elif kind == "f32":
+    elif kind in ("f32", "f64"):
         _float(draft, keys, place)
     elif not kind.startswith("bool"):
         _integer(draft, keys, place)
@@ -47,6 +47,8 @@ def _types(draft: Draft, place: str) -> tuple[str, ...]:
     wide = place in ("register", "table")
     if place in ("parameter", "subindex", "case"):
         return tuple(k for k in (*INTEGERS, "f32", "bool8", "bool16") if place == "case" or SIZES[k] > 1)
+    if place == "field" and draft.chance(12):
+        return (*ODD_INTEGERS, "f64")
     usual = tuple(kind for kind in INTEGERS if not wide or SIZES[kind] > 1)
     return usual if draft.chance(70) else ("f32", "bool16", "text", "bytes", *(() if wide else ("bool8",)))
 
@@ -130,6 +132,6 @@ def _float(draft: Draft, keys: Spec, place: str) -> None:
     if draft.chance(40):
         low = draft.number(-1000, 1000)
         keys["range"] = range_text([(low, low + draft.number(1, 5000))])
-    if draft.chance(30) and place != "part":
+    if draft.chance(30) and place != "part" and keys["type"] == "f32":
         nan = {"bits": draft.pick((0x7FC00000,) * 9 + (0x7FA00001, 0xFFFFFFFF)), "name": "not_measured"}
         keys["sentinels"] = [nan] if draft.chance(60) else [{"value": draft.pick((9999, -1)), "name": "overflow"}]

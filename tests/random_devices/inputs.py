@@ -8,7 +8,7 @@ import struct
 from typing import Any
 
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import CHECKSUMS, FrameLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Kind, Value
 
@@ -97,7 +97,7 @@ def _float(value: Value, dice: random.Random) -> float:
         number = dice.choice((float(first), float(last), dice.uniform(first, last), dice.uniform(first, last)))
     else:
         number = dice.choice((0.0, -1.5, 3.4e38, 1e-45, float("inf"), dice.uniform(-1e6, 1e6), 301.0, -0.0))
-    return float(struct.unpack(">f", struct.pack(">f", number))[0])
+    return float(struct.unpack(">f", struct.pack(">f", number))[0]) if value.size == 4 else number
 
 
 def header_values(layout: DeviceLayout, link: str, frame: FrameLayout, dice: random.Random) -> dict[str, Any]:
@@ -165,18 +165,19 @@ def spoiled(frame: bytes, dice: random.Random) -> bytes:
     return bytes(data)
 
 
-def sealed(layout: DeviceLayout, link: str, frame: FrameLayout, data: bytes) -> bytes:
-    """Bytes of all parts as a frame with the right constants, length and checksum, so that the rest is decoded."""
+def sealed(layout: DeviceLayout, link: str, frame: FrameLayout, data: bytes, dice: random.Random) -> bytes:
+    """Bytes of all parts as a frame with the right length, checksum and mostly constants: the rest is decoded."""
     parts = bytearray(data)
     if len(parts) >= frame.header_size + frame.trailer_size:
-        length, checksum = frame.role("length"), frame.checksum
-        for part in frame.constants:
+        length = frame.role("length")
+        for part in frame.constants if dice.random() < 0.7 else ():
             _put_part(parts, part, (part.constant or 0) & ((1 << 8 * part.size) - 1))
         number = length.number(len(parts)) if length is not None else None
         if length is not None and number is not None:
             _put_part(parts, length, number)
-        if checksum is not None:
-            _put_part(parts, checksum, CHECKSUMS[checksum.algorithm](bytes(parts[checksum.start : checksum.stop])))
+        for checksum in frame.checksums:
+            at = checksum.at(len(parts))
+            parts[at : at + checksum.size] = checksum.checksum(bytes(parts))
     marks = layout.links[link].link
     inner = bytes(parts).hex().upper().encode() if marks.encoding == "hex_ascii" else bytes(parts)
     return marks.start + inner + marks.end

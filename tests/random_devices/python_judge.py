@@ -52,13 +52,41 @@ class Python:
     def answer(self, query: Query) -> Answer:
         """The answer to one query."""
         try:
+            if query.kind == "frame" and query.values is not None:
+                return self._encoded(query)
             if query.kind == "frame":
-                return self._encoded(query) if query.values is not None else self._frame(query)
+                return self._frame(query)
             if query.kind == "record":
                 return self._record(query)
             return self._value(query)
         except self.error as error:
+            if query.kind == "frame" and query.values is None:
+                self._assert_refused(query)
             return refused(error)
+
+    def _assert_refused(self, query: Query) -> None:
+        """A response that is refused is refused as the answer to every request, too; that has code of its own."""
+        link, direction, message = query.path
+        if direction == "request" or message:
+            return
+        for layout_message in self.layout.links[link].messages.values():
+            request = record_class(self.module, layout_message.request)
+            try:
+                link_of(self.module, link).decode_response(query.data, request)
+            except self.error:
+                continue
+            raise AssertionError(f"{query.data.hex(' ')} is refused, but not as the answer to {layout_message.name}")
+
+    def _assert_answer(self, query: Query, content: Any) -> None:
+        """A response is the same as the answer to its request."""
+        link, direction, message = query.path
+        if direction == "request" or message:
+            return
+        messages = self.layout.links[link].messages.values()
+        own = next(m for m in messages if record_class(self.module, m.response) is type(content))
+        answer = link_of(self.module, link).decode_response(query.data, record_class(self.module, own.request))
+        same = answer.message == content or repr(answer.message) == repr(content)
+        assert same, f"{query.data.hex(' ')} is {answer.message} as the answer to {own.name}, not {content}"
 
     def _message(self, record: RecordLayout, values: dict[str, Any]) -> Any:
         return built(self.module, self.layout, record, values)
@@ -113,6 +141,8 @@ class Python:
         record = (
             self.layout.records[error.record] if refusal and error is not None else self._record_of(direction, content)
         )
+        if not refusal:
+            self._assert_answer(query, content)
         code = None
         if shape.role("code") is not None:
             code = decoded.code if refusal else type(content).CODE

@@ -111,7 +111,7 @@ def flat_value(value: Value, raw: Any) -> str:
     """A value as a text, with a semicolon behind it."""
     kind = value.type.kind
     if kind is Kind.FLOAT:
-        return "nan;" if math.isnan(raw) else struct.pack(">f", raw).hex() + ";"
+        return "nan;" if math.isnan(raw) else struct.pack(">f" if value.size == 4 else ">d", raw).hex() + ";"
     if kind is Kind.TEXT:
         return raw.partition("\0")[0].encode("ascii").hex() + ";"
     if kind is Kind.BYTES:
@@ -190,7 +190,7 @@ def _frame_queries(
         head_bytes = parts[: shape.header_size].ljust(shape.header_size, b"\0")
         tail = dice.randbytes(shape.trailer_size)
         parts = bytearray(head_bytes + body + tail)
-    yield Query("frame", (link, direction, asked), sealed(layout, link, shape, bytes(parts)))
+    yield Query("frame", (link, direction, asked), sealed(layout, link, shape, bytes(parts), dice))
 
 
 def record_queries(layout: DeviceLayout, dice: random.Random, count: int) -> Iterator[Query]:
@@ -217,9 +217,14 @@ def value_queries(layout: DeviceLayout, dice: random.Random, count: int) -> Iter
 
 
 def shapes(layout: DeviceLayout) -> Iterator[tuple[str, tuple[str, ...], Any]]:
-    """What has an address or a number: its kind, its path, and its value with the order, triggering and size."""
+    """What has an address or a number: its kind, its path, and its value with the order, triggering and size.
+
+    A single bit has no bytes of its own.
+    """
     for register in layout.registers:
         value = register.register.value
+        if value.type.name == "bit":
+            continue
         yield (
             "register",
             (register.name,),

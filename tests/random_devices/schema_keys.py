@@ -14,6 +14,8 @@ DOCUMENTATION = "It is documentation: no byte depends on it, and the tests of th
 COMPARED = "It is compared with another fact by a check, which has its own cases."
 HANDLING = "It says how to handle a value and is in no codec."
 PROTOCOL = "It needs a second file, which the tests of reading and of versions cover."
+SIMULATED = "It is what a simulator does, and is in no codec."
+SINGLE_BITS = "Random devices have no registers of single bits; the tests of spaces of bits cover them."
 ANYWHERE = {
     "allow": "It permits a finding; one place is enough.",
     "inferred": DOCUMENTATION,
@@ -42,6 +44,10 @@ ANYWHERE = {
 }
 """Keys that many facts may have."""
 MAPPINGS = {
+    "behaviour": SIMULATED,
+    "behaviour_action": SIMULATED,
+    "behaviour_value": SIMULATED,
+    "declared_unit": "A unit of a spec differs from a built-in one in words alone.",
     "claim": COMPARED,
     "standard": DOCUMENTATION,
     "report": DOCUMENTATION,
@@ -89,6 +95,8 @@ KEYS = {
         **dict.fromkeys(("lookups", "limits", "notes", "tasks"), DOCUMENTATION),
         **dict.fromkeys(("errata", "reviews", "audit", "accepts"), "It is about the manual or about changes of specs."),
         "examples": MAPPINGS["example"],
+        "behaviour": SIMULATED,
+        "units": MAPPINGS["declared_unit"],
     }.items()
 } | {
     ("link.unit_addresses", "rule"): DOCUMENTATION,
@@ -102,6 +110,8 @@ KEYS = {
     ("enum", "derived"): "Its members are those of another list; the tests of glider-x cover it.",
     ("flags", "range"): COMPARED,
     ("bit", "when"): DOCUMENTATION,
+    ("bit", "signed"): "It says what the bits of a field mean; judges compare the word as a whole.",
+    ("flags", "bit_0"): "It says what the bits of a word mean; judges compare the word as a whole.",
     ("record", "same_as"): COMPARED,
     ("field", "at"): COMPARED,
     ("field", "words"): COMPARED,
@@ -125,6 +135,9 @@ KEYS = {
     ("parameter_set", "type"): "It is a default of rows, which state their own.",
     ("parameter_set", "defaults"): "These are defaults of rows, which state their own; groups of registers have them.",
     ("message", "group"): DOCUMENTATION,
+    ("message.accesses", "set"): SINGLE_BITS,
+    ("message.accesses", "clear"): SINGLE_BITS,
+    ("part", "same_as"): "A program compares the two parts; codecs read both alike.",
     ("message", "supplements"): "It says beside which messages one is sent.",
     ("message", "data_words"): COMPARED,
     ("message", "frame_length"): COMPARED,

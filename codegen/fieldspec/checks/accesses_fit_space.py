@@ -26,7 +26,7 @@ _CODE = "accesses_fit_space"
 def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
         access = message.accesses
-        if access is None:
+        if access is None or access.space not in ("", *device.spaces):
             continue
         holder = message.response if access.operation == "read" else message.request
         field, space = holder.named(access.values), device.space(access.space)

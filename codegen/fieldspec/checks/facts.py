@@ -61,7 +61,7 @@ def lists(device: Device) -> Iterator[Sequence[Fact]]:
     for layer in layers(device):
         yield layer.fields
     for flags in device.flags.values():
-        yield flags.bits
+        yield flags.bits if flags.bit_0 == "least" else flags.bits[::-1]
         yield flags.states
     for parameter_set in device.parameters.values():
         yield parameter_set.parameters

@@ -38,6 +38,7 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
         for direction in ("request", "response"):
             yield from _of_parts(device, link, direction, link.parts(direction))
         yield from _messages_distinct(device, link)
+        yield from _escapable(link)
         if link.exception_response is not None and not any(part.role == "code" for part in link.response):
             text = f"the link {link.name} marks exception responses in the code, but its responses have no code"
             yield finding(
@@ -149,3 +150,32 @@ def _computable(link: Link, direction: str) -> Iterator[Diagnostic]:
         text = f"the checksums {name} and {other.name} cover each other, so none can be computed first"
         help = "let one of them end before the other under `covers`"
         yield finding(_CODE, part.place, "covers", text, help, label(other.place, "covers", other.name))
+
+
+def _escapable(link: Link) -> Iterator[Diagnostic]:
+    """Whether the escape of a link applies to parts that it has, the body among them, and hides the end mark."""
+    escape = link.escape
+    if escape is None:
+        return
+    if link.encoding != "binary":
+        text = f"the link {link.name} escapes bytes, but sends characters"
+        yield finding(_CODE, link.place, "escape", text, "remove `escape`, or state `encoding: binary`")
+    for direction in ("request", "response"):
+        parts = link.parts(direction)
+        names = [part.name for part in parts]
+        for name in (escape.first, escape.last):
+            if name and name not in names:
+                text = f"the {direction} of {link.name} has no part {name}"
+                yield finding(_CODE, link.place, "escape", text, near(name, names))
+        first, last = link.escaped_span(direction) or (0, len(parts) - 1)
+        if not any(part.role == "body" for part in parts[first : last + 1]):
+            text = f"the body of the {direction} of {link.name} is not escaped"
+            yield finding(_CODE, link.place, "escape", text, "name the first and the last part around the body")
+    whole = not escape.first and not escape.last
+    bounded = {"replace": bool(link.end) and (link.end[0] in {byte for byte, _, _ in escape.pairs})}
+    bounded |= {"cobs": link.end[:1] == b"\0", "insert": True}
+    if whole and link.end and not bounded[escape.method]:
+        mark = link.end.hex(" ").upper()
+        text = f"the end mark {mark} of {link.name} may occur within a frame, because the escape does not change it"
+        help = "escape the first byte of the mark, or name the escaped parts by `from` and `to`"
+        yield finding(_CODE, link.place, "escape", text, help)

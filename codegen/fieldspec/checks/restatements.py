@@ -150,7 +150,7 @@ def _value(device: Device, value: Value) -> dict[str, object]:
     return {
         "type": value.type.name,
         "length": value.size,
-        "scale": value.scale,
+        "scale": value.scale_number,
         "unit": value.unit or None,
         "range": _merged(value.ranges),
         "unit_range": _in_unit(value),

@@ -38,6 +38,7 @@ def units_known(device: Device) -> Iterator[Diagnostic]:
     known = {*declared, *standard_units()}
     stated: list[tuple[Fact, str]] = [(fact, value.unit) for fact, value in values(device)]
     stated += [(limit, limit.unit) for limit in device.limits]
+    stated += [(bit, bit.unit) for word in device.flags.values() for bit in word.bits]
     for fact, unit in stated:
         if unit and unit not in known:
             standard = standard_unit(unit)

@@ -32,3 +32,34 @@ def add_simulate(simulate: argparse.ArgumentParser) -> None:
     simulate.add_argument(
         "--assumptions", action="store_true", help="list what the simulator assumes, and serve nothing"
     )
+
+
+def add_live(live: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `live`."""
+    live.add_argument("device", metavar="DEVICE[@VERSION]")
+    live.add_argument(
+        "verb_of_device",
+        metavar="VERB",
+        choices=("read", "write", "watch", "dump", "scan"),
+        help="one of %(choices)s",
+    )
+    names = "names or roles to read or watch, NAME=VALUE to write, the FILE of a dump, ranges to scan"
+    live.add_argument("arguments", nargs="*", metavar="ARGUMENT", help=names)
+    where = "a serial port, socket://HOST:PORT, tcp://HOST:PORT or udp://HOST:PORT"
+    live.add_argument("--port", metavar="WHERE", help=where)
+    live.add_argument("--link", metavar="NAME", help="the link (default: the first)")
+    live.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
+    live.add_argument("--baud", type=int, metavar="NUMBER", help="the baud rate (default: as delivered)")
+    live.add_argument("--parity", choices=("none", "even", "odd"), help="the parity (default: as delivered)")
+    live.add_argument(
+        "--timeout", type=float, default=1.0, metavar="SECONDS", help="how long a response may take (default: 1)"
+    )
+    live.add_argument(
+        "--retries", type=int, default=2, metavar="NUMBER", help="how often a read is sent again (default: 2)"
+    )
+    live.add_argument("--every", type=float, default=0.5, metavar="SECONDS", help="watch: the time between reads")
+    live.add_argument("--count", type=int, default=0, metavar="NUMBER", help="watch: end after so many reads")
+    live.add_argument("--dry-run", action="store_true", help="write: print the frames and send nothing")
+    live.add_argument("--yes", action="store_true", help="write: do not ask about what starts something or is stored")
+    live.add_argument("--trace", action="store_true", help="print all frames to standard error")
+    live.add_argument("--format", choices=("text", "json"), default="text")

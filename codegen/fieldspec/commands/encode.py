@@ -260,7 +260,10 @@ _BITS = {"true": 1, "false": 0, "on": 1, "off": 0}
 
 
 def carried_bits(access: RegisterAccess, text: str) -> object:
-    """What a message carries for `on, off, true`; the text itself where it has something else."""
+    """What a message carries for `on, off, true`; the text itself where it has something else.
+
+    Raises UsageError.
+    """
     bits = [_BITS.get(item.strip().lower()) for item in text.split(",")]
     if None in bits:
         return text

@@ -14,6 +14,7 @@ from fieldspec.commands import regular_file, spec_files, specs
 from fieldspec.commands.spec_files import INSTALLED
 from fieldspec.commands.storage import write
 from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.model.address_space import BIT, WORD
 from fieldspec.reading.findings import LARGEST_FILE, MAIN, PROTOCOLS, VERSIONS
 from fieldspec.reading.nodes import Mapping, Scalar, identity, mappings
 from fieldspec.reading.project import DeviceSpec, read
@@ -150,6 +151,36 @@ def _overlays(path: Path) -> Iterator[str]:
             more = f", {needed}: [{{name: {identity(inner)}}}]" if inner is not None else ""
             order = ", word_order: big" if section == "links" else ""
             yield f"  - {{name: {identity(item)}, source: 1 L1{order}{more}}}"
+    yield from _spaces(list(mappings(tree.values.get("messages"))))
+
+
+def _spaces(messages: list[Mapping]) -> Iterator[str]:
+    """A line for each address space that messages of a protocol access; none where they name none."""
+    units: dict[str, str] = {}
+    for message in messages:
+        access = message.values.get("accesses")
+        if isinstance(access, Mapping):
+            name = _text(access, "space")
+            units = {name: _unit(message, access), **units} if not name else {**units, name: _unit(message, access)}
+    if any(units):
+        yield "spaces:"
+        for name, unit in units.items():
+            more = ", unit: bit" if unit == BIT else ""
+            yield f"  - {{name: {name or 'registers'}, first_number: 0{more}, source: 1 L1}}"
+
+
+def _unit(message: Mapping, access: Mapping) -> str:
+    """The unit of what a message carries: bits are packed into bytes, or one of them is a number with a meaning."""
+    fields = message.values.get("response" if _text(access, "operation") == "read" else "request")
+    names = (field for field in mappings(fields) if _text(field, "name") == _text(access, "values"))
+    values = next(names, None)
+    packed = values is not None and "repeat" in values.values and _text(values, "type") == "u8"
+    return BIT if packed or "set" in access.values else WORD
+
+
+def _text(mapping: Mapping, key: str) -> str:
+    scalar = mapping.values.get(key)
+    return scalar.text if isinstance(scalar, Scalar) else ""
 
 
 def _fits(text: str, form: str, what: str) -> None:

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Serves a device until it is interrupted."""
+    """Serves a device until it is interrupted. Raises UsageError."""
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
     behaviour = behaviour_of(spec.tree_at(version))
@@ -86,7 +86,7 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
         # One serial line at a time, as on the device; what is no serial line has no other to disturb.
         serial = next((link for link in links if link.link.serial is not None), None)
         for link in [serial] if serial is not None else links:
-            yield link.name, usual_place(link.link)
+            yield link.name, usual_place(link)
         return
     for port in ports:
         name, mark, place = port.partition("=")

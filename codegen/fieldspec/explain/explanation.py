@@ -26,6 +26,7 @@ from fieldspec.explain.row import (
 )
 from fieldspec.explain.values import DecodedValue, Meaning, decode_value, whole
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.escapes import EscapeError, original_places
 from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.values import Raw
@@ -129,6 +130,10 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
 def _of_length(link: LinkLayout, direction: str, frame: bytes) -> list[str]:
     """The messages whose body can be as long as that of the frame."""
     length = len(unwrapped(link.link, frame).data)
+    escape = link.frame(direction).escape
+    if escape is not None:
+        bounds = ((name, lengths(link, direction, name)) for name in link.messages)
+        return [name for name, (_, most) in bounds if most is None or length <= escape.most(most)]
     bounds = ((name, lengths(link, direction, name)) for name in link.messages)
     return [name for name, (least, most) in bounds if least <= length and (most is None or length <= most)]
 
@@ -151,7 +156,9 @@ class _Frame:
         self.asked = asked
         self.wrapped = unwrapped(self.link, frame)
         self.spot = Spot(frame, len(self.wrapped.start), 2 if self.link.encoding == "hex_ascii" else 1)
-        self.data, self.surplus = self._without_surplus(self.wrapped.data)
+        self.unreadable: int | None = None
+        self.sent_data, self.surplus = self._without_surplus(self.wrapped.data)
+        self.data = self._original(self.sent_data) if self.shape.escape is not None else self.sent_data
         self.named = message or (asked.message if asked else "")
         self.sent = layout.links[link].messages
         self.message: MessageLayout | None = self.sent.get(self.named)
@@ -160,6 +167,8 @@ class _Frame:
 
     def explanation(self) -> Explanation:
         """The whole explanation. The header comes first, as its code tells what the body is."""
+        if self.unreadable is not None:
+            return self._unreadable(self.unreadable)
         rows = [*start_rows(self.wrapped), *self._head()]
         registers: tuple[ExplanationRow, ...] = ()
         if len(self.data) >= self.shape.header_size:
@@ -176,9 +185,57 @@ class _Frame:
             self.link.name, self.direction, name, self.error, self.frame, tuple(rows), registers, self.values, errata
         )
 
+    def _original(self, sent: bytes) -> bytes:
+        """The bytes of the parts before they were escaped; finds out where they are in the frame."""
+        shape = self.shape
+        assert shape.escape is not None
+        if len(sent) < shape.header_size + shape.trailer_size:
+            return sent
+        start, stop = shape.escape_start, len(sent) + (shape.escape_stop or 0)
+        try:
+            originals = original_places(shape.escape, sent[start:stop])
+        except EscapeError as error:
+            self.unreadable = start + error.offset
+            return sent
+        inner = [place + start for _, place in originals]
+        inner[:1] = [start][: len(inner)]  # what is sent before the first byte belongs to it
+        data = sent[:start] + bytes(byte for byte, _ in originals) + sent[stop:]
+        end = len(sent) + len(self.surplus)
+        self.spot = replace(
+            self.spot, places=(*range(start), *inner, *range(stop, end + 1)), originals=data + self.surplus
+        )
+        return data
+
+    def _unreadable(self, at: int) -> Explanation:
+        """The explanation of a frame with bytes that are the escape of nothing, from the byte `at` on."""
+        start, stop = self.shape.escape_start, len(self.data) + (self.shape.escape_stop or 0)
+        text = f"the byte at {len(self.wrapped.start) + at} is not escaped, or its escape means nothing"
+        rows = [*start_rows(self.wrapped), *self._outside(self.shape.header)]
+        rows.append(wrong_row(self.spot, start, self.data[start:stop], "wrong_mark", text))
+        rows += self._outside(self.shape.trailer)
+        if self.surplus:
+            rows.append(surplus_row(self.spot, len(self.data), self.surplus))
+        rows += end_rows(self.wrapped)
+        return Explanation(self.link.name, self.direction, self.named, False, self.frame, tuple(rows), (), {}, ())
+
+    def _outside(self, parts: Iterable[PartLayout]) -> Iterator[ExplanationRow]:
+        """The rows of parts that are not escaped."""
+        for part in parts:
+            if not part.escaped:
+                at = part.at(len(self.data))
+                data = self.data[at : at + part.size]
+                yield self._part(part, at, data, self._part_text(part, data))
+
+    def _measured(self, part: PartLayout) -> bytes:
+        """The bytes whose length or checksum a part has: those that are sent, or those before they are escaped."""
+        return self.sent_data if self.shape.escape is not None and not part.escaped else self.data
+
     def _without_surplus(self, data: bytes) -> tuple[bytes, bytes]:
         """The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier."""
         length, checks = self.shape.role("length"), self.shape.checksums
+        if self.shape.escape is not None:
+            length = None if length is None or length.escaped else length
+            checks = tuple(check for check in checks if not check.escaped)
         if length is None or not checks or not self.wrapped.whole:
             return data, b""
         number = whole(data[length.offset : length.offset + length.size], length.order)
@@ -230,7 +287,7 @@ class _Frame:
         """A length, compared with the bytes that it counts."""
         if not self.wrapped.whole:
             return read
-        should = part.number(len(self.data))
+        should = part.number(len(self._measured(part)))
         right = should is not None and read.number == should
         return read.judged(right, should if should is not None else "for another number of bytes", "wrong_length")
 
@@ -239,7 +296,7 @@ class _Frame:
         read = DecodedValue(raw.decode("latin-1") if part.digits else whole(raw, part.order))
         if not self.wrapped.whole:
             return read
-        should = part.checksum(self.data)
+        should = part.checksum(self._measured(part))
         text = should.decode("ascii") if part.digits else should.hex(" ").upper()
         return read.judged(raw == should, text, "wrong_check")
 

@@ -58,14 +58,29 @@ class ExplanationRow:
 
 @dataclass(frozen=True, slots=True)
 class Spot:
-    """Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each."""
+    """Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each.
+
+    In a frame with escapes, `originals` are the bytes before they were escaped, and `places` the offsets behind `start`
+    of what is sent for them, and of the end.
+    """
 
     frame: bytes
     start: int
     width: int
+    places: tuple[int, ...] = ()
+    originals: bytes = b""
 
     def place(self, at: int, length: int) -> tuple[int, int, str]:
-        """The offset and the length in the frame of `length` bytes of the parts from `at` on, and their characters."""
+        """The offset and the length in the frame of `length` bytes of the parts from `at` on, and their characters.
+
+        The characters of bytes that are escaped are the bytes that are sent, as hexadecimal digits.
+        """
+        if self.places:
+            end = len(self.places) - 1
+            first, behind = self.places[min(at, end)], self.places[min(at + length, end)]
+            offset = self.start + first
+            sent = self.frame[offset : offset + behind - first]
+            return offset, len(sent), sent.hex(" ").upper() if sent != self.originals[at : at + length] else ""
         offset, length = self.start + at * self.width, length * self.width
         characters = self.frame[offset : offset + length].decode("latin-1") if self.width > 1 else ""
         return offset, length, characters

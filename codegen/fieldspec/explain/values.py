@@ -205,9 +205,9 @@ def _set_bits(device: Device, word: Flags, number: int) -> Iterator[Meaning]:
     number &= (1 << 8 * word.type.size) - 1
     unknown = number
     for bit in word.bits:
-        number_of_bits = (number & bit.mask) >> bit.first
+        number_of_bits = bit.number_in(number)
         unknown &= ~bit.mask
-        if number_of_bits or (bit.enum and not bit.reserved):
+        if number_of_bits or ((bit.enum or bit.is_number) and not bit.reserved):
             yield _bit(device, bit, number_of_bits)
     for at in range(unknown.bit_length()):
         if unknown >> at & 1:
@@ -232,7 +232,8 @@ def _bit(device: Device, bit: Bit, number: int) -> Meaning:
         if member is not None:
             return Meaning(f"{bit.name}={member.name}", member.label or bit.label, member.doc, bits)
     if bit.width > 1:
-        return Meaning(f"{bit.name}={number}", bit.label, bit.doc, bits)
+        text = ": ".join(part for part in (in_unit(bit.as_value, number), bit.doc) if part)
+        return Meaning(f"{bit.name}={number}", bit.label, text, bits)
     text = bit.one or bit.doc
     if bit.edge:
         text = "; ".join(part for part in (text.removesuffix("."), f"acts at its {bit.edge} edge") if part)

@@ -150,7 +150,7 @@ def of_value(value: Value | None) -> FactRow:
         "type": value.type.name,
         "bytes": value.size,
         "unit": value.unit,
-        "scale": value.scale if value.scaled else None,
+        "scale": value.scale_number if value.scaled else None,
         "default": value.default if value.const is None else value.const,
         **of_ranges(value.ranges),
         "write_ranges": value.write_ranges.text() if value.write_ranges is not None else None,
@@ -175,7 +175,8 @@ def _restated(kind: str, value: Value | None, claim: Claim, known: FactRow, numb
     cells = dict(known)
     for key, stated in claim.values.items():
         if key == "scale" and isinstance(stated, str):
-            cells["scale"] = exact_scale(stated)
+            scale = exact_scale(stated)
+            cells["scale"] = scale if isinstance(scale, Decimal) else stated
         elif key in _CLAIMED and stated is not None and not isinstance(stated, bool):
             cells[_CLAIMED[key]] = str(stated) if _CLAIMED[key] == "ranges" else stated
             if key == "range":
@@ -201,7 +202,13 @@ def _bounds(text: str, value: Value | None) -> FactRow:
     """The cells of intervals; with a `value`, of intervals of quantities, as raw values."""
     pairs = intervals(text)
     if value is not None:
-        pairs = tuple(((low - value.offset) / value.scale, (high - value.offset) / value.scale) for low, high in pairs)
-    if any(bound != int(bound) for pair in pairs for bound in pair):
-        return {"ranges": text}
-    return of_ranges(Ranges(tuple((int(low), int(high)) for low, high in pairs)))
+        counts = [(value.from_unit(low), value.from_unit(high)) for low, high in pairs]
+    else:
+        counts = [(_whole(low), _whole(high)) for low, high in pairs]
+    whole = tuple((low, high) for low, high in counts if low is not None and high is not None)
+    return of_ranges(Ranges(whole)) if len(whole) == len(counts) else {"ranges": text}
+
+
+def _whole(number: Decimal) -> int | None:
+    """A whole number as an int; None for others."""
+    return int(number) if number == int(number) else None

@@ -55,7 +55,11 @@ def _flags(word: Flags) -> Iterator[FactRow]:
     yield from of_fact("flags", word, None, **cells)
     for bit in word.bits:
         number: Cell = bit.first if bit.width == 1 else f"{bit.first}..{bit.last}"
-        yield from of_fact("bit", bit, bit=number)
+        cells = {"bit": number}
+        if bit.is_number:
+            scale = bit.as_value.scale_number if bit.as_value.scaled else None
+            cells |= {"type": f"{'i' if bit.signed else 'u'}{bit.width}", "unit": bit.unit, "scale": scale}
+        yield from of_fact("bit", bit, None, **cells)
     for state in word.states:
         mask, value = word.masked(state)
         yield from of_fact("state", state, code=value, bit=_bits(mask))

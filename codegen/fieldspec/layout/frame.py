@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.checksums import checksum_bytes
+from fieldspec.layout.escapes import original_places
 from fieldspec.layout.record import Orders, RecordLayout
+from fieldspec.model.escape import Escape
 from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Message
 from fieldspec.model.sizes import part_size, sent_on
@@ -51,6 +53,7 @@ class PartLayout:
     constant: int | None = None
     reserved: bool = False
     digits: str = ""
+    escaped: bool = False
 
     @property
     def is_argument(self) -> bool:
@@ -71,6 +74,14 @@ class PartLayout:
         return units if not over and self.value and self.value.type.low <= units <= self.value.type.high else None
 
 
+def original_parts(frame: FrameLayout, sent: bytes) -> bytes:
+    """The bytes of the parts before they were escaped. Raises EscapeError."""
+    if frame.escape is None:
+        return sent
+    start, stop = frame.escape_start, len(sent) + (frame.escape_stop or 0)
+    return sent[:start] + bytes(byte for byte, _ in original_places(frame.escape, sent[start:stop])) + sent[stop:]
+
+
 def _covers(checksum: PartLayout, other: PartLayout) -> bool:
     """Whether a checksum covers another part. Offsets from the start come before the body, those from the end after."""
     begins, ends = _rank(checksum.start), (1, 0) if checksum.stop is None else _rank(checksum.stop)
@@ -85,7 +96,8 @@ def _rank(offset: int) -> tuple[int, int]:
 class FrameLayout:
     """The parts before the body, `header_size` bytes; then the body; then `trailer_size` bytes.
 
-    All sizes count bytes of the parts, before these are encoded as characters and put between delimiters.
+    All sizes count bytes of the parts, before these are encoded as characters and put between delimiters. The
+    `escape` changes the bytes from `escape_start` to `escape_stop`, which are the bounds of a slice as in `PartLayout`.
     """
 
     direction: str
@@ -93,6 +105,9 @@ class FrameLayout:
     header_size: int
     trailer: tuple[PartLayout, ...]
     trailer_size: int
+    escape: Escape | None = None
+    escape_start: int = 0
+    escape_stop: int | None = None
 
     @property
     def parts(self) -> tuple[PartLayout, ...]:
@@ -111,7 +126,7 @@ class FrameLayout:
     @property
     def checksums(self) -> tuple[PartLayout, ...]:
         """All checksums in the order in which they are computed: each after those that it covers."""
-        waiting = [part for part in self.parts if part.role == "checksum"]
+        waiting = sorted((part for part in self.parts if part.role == "checksum"), key=lambda part: not part.escaped)
         computed: list[PartLayout] = []
         while waiting:
             ready = next((part for part in waiting if not any(_covers(part, other) for other in waiting)), waiting[0])
@@ -161,10 +176,15 @@ def _frame(link: Link, direction: str) -> FrameLayout:
         """The offset of a part: from the start; from the end and negative if the part comes after the body."""
         return sum(sizes[:number]) if number <= body else sum(sizes[:number]) - around
 
+    def stop_of(last: int) -> int | None:
+        """The bound behind a part, None for the end of the frame."""
+        return sum(sizes[: last + 1]) if last < body else sum(sizes[: last + 1]) - around or None
+
+    escaped = link.escaped_span(direction)
     placed = []
     for number, part in enumerate(parts):
         first, last = link.span(direction, part) or (0, len(parts) - 1)
-        stop = sum(sizes[: last + 1]) if last < body else sum(sizes[: last + 1]) - around or None
+        stop = stop_of(last)
         value = part.value
         order = (part.byte_order or "little") if part.algorithm else orders.of(value)[0]
         fill = (value.const or 0 if part.reserved else value.const) if value and part.role == "plain" else None
@@ -185,7 +205,11 @@ def _frame(link: Link, direction: str) -> FrameLayout:
                 constant=fill,
                 reserved=part.reserved,
                 digits=part.digits,
+                escaped=escaped is not None and escaped[0] <= number <= escaped[1],
             )
         )
     header, trailer = tuple(placed[:body]), tuple(placed[body + 1 :])
-    return FrameLayout(direction, header, sum(sizes[:body]), trailer, sum(sizes[body + 1 :]))
+    shape = FrameLayout(direction, header, sum(sizes[:body]), trailer, sum(sizes[body + 1 :]))
+    if escaped is None:
+        return shape
+    return replace(shape, escape=link.escape, escape_start=place(escaped[0]), escape_stop=stop_of(escaped[1]))

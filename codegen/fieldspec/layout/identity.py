@@ -81,6 +81,8 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
             stations,
             list(link_layout.messages),
         )
+        if link.escape is not None:
+            yield "escape", link.escape
         for frame in (link_layout.request, link_layout.response):
             for part in frame.parts:
                 role = _HASHED_ROLES.get(part.role, part.role)
@@ -218,6 +220,10 @@ def _words(device: Device) -> Iterator[Words]:
     for enum in device.enums.values():
         yield "enum", enum.name, enum.open, [(m.name, m.value, m.unavailable) for m in enum.members]
     for flags in device.flags.values():
-        bits = [(bit.name, bit.first, bit.last, bit.enum, bit.active, bit.reserved, bit.edge) for bit in flags.bits]
+        bits = [
+            (bit.name, bit.first, bit.last, bit.enum, bit.active, bit.reserved, bit.edge)
+            + ((bit.signed, str(bit.scale), str(bit.offset), bit.unit) if bit.is_number else ())
+            for bit in flags.bits
+        ]
         states = [(state.name, flags.masked(state)) for state in flags.states]
         yield "flags", flags.name, flags.type.name, bits, states

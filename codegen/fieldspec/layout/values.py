@@ -179,7 +179,7 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
     if quantity is not None:
         raw = value.from_unit(quantity)
         if raw is None:
-            raise MeaningError(path, f"`{entered}` is no whole number of counts of {value.scale} {value.unit}")
+            raise MeaningError(path, f"`{entered}` is no whole number of counts of {value.scale_number} {value.unit}")
         absent = value.sentinel(raw)
         if absent is not None:
             raise MeaningError(path, f"`{entered}` would be the count {raw}, which stands for {absent.name}")
@@ -203,11 +203,9 @@ def _word(device: Device, path: str, value: Value, entered: list[object] | str) 
             raise MeaningError(path, f"`{name}` is no bit of {value.flags}: {names}")
         number = 1
         if setting:
-            member = device.enums[bit.enum].named(setting) if bit.enum else None
-            if member is None and not setting.isdigit():
-                raise MeaningError(path, f"`{setting}` is no value of {name}")
-            number = member.value if member else int(setting)
-        if number >> bit.width:
+            number = _text(device, f"{path}.{name}", bit.as_value, setting)
+        ranges = bit.as_value.ranges
+        if ranges is None or number not in ranges:
             raise MeaningError(path, f"{number} does not fit the {bit.width} bits of {name}")
-        word |= number << bit.first
+        word |= (number << bit.first) & bit.mask
     return word

@@ -6,11 +6,12 @@ from collections import defaultdict
 from collections.abc import Collection, Iterator, Sequence
 from decimal import Decimal
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.lists.cells import BASES
 from fieldspec.lists.columns import folded
 from fieldspec.lists.item import REGISTERS, Item
 from fieldspec.lists.listing import Listing, ListRow, moved
+from fieldspec.model.value import exact_scale
 
 ASPECTS = ("name", "type", "access", "words", "unit", "scale", "min", "max", "default", "count", "stride")
 """What is compared if both state it."""
@@ -19,6 +20,9 @@ _OFFSETS = (0, 1, -1)
 _ENOUGH = 0.25
 
 Place = tuple[str, int]
+
+if TYPE_CHECKING:
+    from fractions import Fraction
 
 
 @dataclass(frozen=True, slots=True)
@@ -243,7 +247,8 @@ def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator
     if "unit" in aspects and "unit" in texts and value.unit and not _same_unit(value.unit, texts["unit"]):
         yield Difference("unit", value.unit, texts["unit"])
     if "scale" in aspects and (scale := _scale(texts.get("scale", ""))) is not None and scale != value.scale:
-        yield Difference("scale", f"{value.scale:f}", texts["scale"])
+        exact = value.scale_number
+        yield Difference("scale", exact if isinstance(exact, str) else f"{exact:f}", texts["scale"])
     default = value.default if value.const is None else value.const
     ranges = value.writable_ranges
     bounds = (
@@ -265,7 +270,17 @@ def _same_unit(ours: str, theirs: str) -> bool:
     return ours.replace(" ", "").casefold() == theirs.replace(" ", "").casefold()
 
 
-def _scale(text: str) -> Decimal | None:
+def _fraction(text: str) -> Decimal | Fraction | None:
+    """A scale such as `100/255`; None for other texts."""
+    try:
+        return exact_scale(text)
+    except ValueError:
+        return None
+
+
+def _scale(text: str) -> Decimal | Fraction | None:
+    if "/" in text:
+        return _fraction(text)
     try:
         number = Decimal(text)
     except ArithmeticError:

@@ -58,7 +58,7 @@ def row(item: Item) -> dict[str, Cell]:
         "access": item.access or None,
         "unit": (value.unit or None) if value else None,
         "ucum": item.ucum or None,
-        "scale": exact_number(value.scale) if value and value.scale != 1 else None,
+        "scale": exact_number(value.scale_number) if value and value.scale != 1 else None,
         "offset": exact_number(value.offset) if value and value.offset else None,
         "min": ranges.low if ranges else None,
         "max": ranges.high if ranges else None,

@@ -168,6 +168,8 @@ def _members(value: Value | None, enums: Mapping[str, Enum]) -> tuple[tuple[str,
     return (*named, *((sentinel.text, sentinel.name) for sentinel in (value.sentinels if value is not None else ())))
 
 
-def exact_number(number: Decimal) -> int | Decimal:
-    """An exact number, as an int if it is whole."""
+def exact_number(number: Decimal | str) -> int | Decimal | str:
+    """An exact number, as an int if it is whole; a fraction as it is written."""
+    if isinstance(number, str):
+        return number
     return int(number) if number == number.to_integral_value() else number

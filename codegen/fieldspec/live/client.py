@@ -61,9 +61,13 @@ class Client:
         self.framer = codecs.framer(codecs.device_module(layout), link, "response")
         addressed = self.frames.link.request.role("unit_address")
         self.head = {addressed.name: unit_address} if addressed is not None else {}
+        self.counters = [part for part in self.frames.link.request.header if part.role == "plain" and part.is_argument]
 
     def request(self, message: str, values: Mapping[str, Any]) -> bytes:
-        """The frame of a request. Raises CodecError."""
+        """The frame of a request. Parts that only mark it have another number in each. Raises CodecError."""
+        for part in self.counters:
+            most = part.value.type.high if part.value is not None else 0xFF
+            self.head[part.name] = self.head.get(part.name, 0) % most + 1
         return self.frames.encode("request", message, {**self.head, **values})
 
     def ask(self, message: str, values: Mapping[str, Any], retries: int | None = None) -> Decoded:

@@ -67,15 +67,15 @@ def _within(layout: DeviceLayout, block: ReadBlock, space: str, occupant: Occupa
 
 
 def message_for(layout: DeviceLayout, operation: str, space: str, words: int) -> Message | None:
-    """The message that reads or writes some words of a space, the one with a count where there is one."""
+    """The message that reads or writes some words of a space; one without a count where it is for one word alone."""
     device = layout.device
     known = []
     for message in device.messages.values():
         access = device.register_access(message)
         if access is not None and access.operation == operation and device.space_name(access.space) == space:
-            known.append((bool(access.count) == (words > 1), bool(access.count), message))
-    fitting = [entry for entry in known if entry[1] or words == 1]
-    return max(fitting, key=lambda entry: entry[:2])[2] if fitting else None
+            known.append((not access.count, message))
+    alone = next((message for single, message in known if single and words == 1), None)
+    return alone or next((message for single, message in known if not single), None)
 
 
 def read(client: Client, plan: Iterable[Block], done: Callable[[int], None] | None = None) -> Iterator[Reading]:

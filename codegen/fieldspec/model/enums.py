@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from fieldspec.classes import dataclass
+from decimal import Decimal
+
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.model.fact import Citation, Fact
-from fieldspec.model.value import Handling, Primitive, Ranges
+from fieldspec.model.value import PRIMITIVES, Handling, Primitive, Ranges, Value
+
+if TYPE_CHECKING:
+    from fractions import Fraction
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +60,11 @@ class Enum(Fact):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Bit(Fact):
-    """Bit `first`, or the bits `first` to `last`; bit 0 is the least significant."""
+    """Bit `first`, or the bits `first` to `last`; bit 0 is the least significant.
+
+    A field of several bits may be `signed`, in two's complement, and count in parts of a unit: its number in the
+    unit is count * scale + offset.
+    """
 
     first: int
     last: int
@@ -67,6 +76,43 @@ class Bit(Fact):
     reserved: bool
     handling: Handling
     when: str
+    signed: bool = False
+    scale: Decimal | Fraction = Decimal(1)
+    scale_text: str = ""
+    offset: Decimal = Decimal(0)
+    unit: str = ""
+
+    @property
+    def as_value(self) -> Value:
+        """The number in a field of bits as a value: its scale, its unit, and the counts that it can be."""
+        high = (1 << max(self.width - self.signed, 0)) - 1
+        return Value(
+            type=PRIMITIVES["i64" if self.signed else "u64"],
+            size=8,
+            characters=None,
+            byte_order="",
+            scale=self.scale,
+            scale_text=self.scale_text,
+            offset=self.offset,
+            unit=self.unit,
+            ranges=Ranges(((-high - 1 if self.signed else 0, high),)),
+            default=None,
+            const=None,
+            enum=self.enum,
+            flags="",
+            parameter=None,
+            sentinels=(),
+        )
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it is a number with a sign, a scale or a unit."""
+        return self.signed or bool(self.unit) or self.scale != 1 or self.offset != 0
+
+    def number_in(self, word: int) -> int:
+        """Its number in a word."""
+        number = (word & self.mask) >> self.first
+        return number - (1 << self.width) if self.signed and number >> (self.width - 1) else number
 
     @property
     def width(self) -> int:
@@ -89,12 +135,13 @@ class State(Fact):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Flags(Fact):
-    """A word and its bits, lowest first."""
+    """A word and its bits, lowest first. `bit_0` is the bit that the manual counts as 0, `least` or `most`."""
 
     type: Primitive
     ranges: Ranges | None
     bits: tuple[Bit, ...]
     states: tuple[State, ...]
+    bit_0: str = "least"
 
     def named(self, name: str) -> Bit | None:
         """The bit, or field of bits, with a name, None if there is none."""

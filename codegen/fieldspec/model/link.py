@@ -5,6 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from fieldspec.classes import dataclass, field
+from fieldspec.model.escape import Escape
 from fieldspec.model.fact import Citation, Fact, Place
 from fieldspec.model.value import Ranges, Value
 
@@ -76,7 +77,7 @@ class Serial:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Link(Fact):
-    """A frame: `start`, the encoded parts, `end`. Requests go to the device, responses come from it.
+    """A frame: `start`, the parts, encoded and escaped, `end`. Requests go to the device, responses come from it.
 
     `message_name`, `request_name` and `response_name` are the manual's names of a message and of the two directions.
     """
@@ -98,6 +99,7 @@ class Link(Fact):
     silence_characters: Decimal | None
     silence_milliseconds: Decimal | None
     silence_sources: tuple[Citation, ...]
+    escape: Escape | None = None
 
     def span(self, direction: str, part: Part) -> tuple[int, int] | None:
         """The indices of the first and the last part that a length counts or a checksum covers; None for unknown names.
@@ -113,6 +115,15 @@ class Link(Fact):
         first = names.index(part.span.first) if part.span.first else 0
         last = own - 1 if part.role == "checksum" and first <= own else end
         return first, names.index(part.span.last) if part.span.last else last
+
+    def escaped_span(self, direction: str) -> tuple[int, int] | None:
+        """The indices of the first and the last escaped part; None for unknown names, and without an escape."""
+        parts = self.parts(direction)
+        names = [part.name for part in parts]
+        if self.escape is None or not {self.escape.first, self.escape.last} <= {"", *names}:
+            return None
+        first = names.index(self.escape.first) if self.escape.first else 0
+        return first, names.index(self.escape.last) if self.escape.last else len(parts) - 1
 
     def parts(self, direction: str) -> tuple[Part, ...]:
         """The parts of a frame in one direction."""

@@ -31,6 +31,11 @@ class Unit:
     others: tuple[str, ...] = ()
     word: str = ""
 
+    @property
+    def ascii_symbol(self) -> str:
+        """A symbol without other characters than those of ASCII: `degC`."""
+        return next((symbol for symbol in (self.symbol, *self.others) if symbol.isascii()), self.word)
+
     def in_unit(self, number: Decimal, unit: Unit) -> Fraction | None:
         """A number in this unit as a number in another one; None if they do not measure the same, or not exactly."""
         from fractions import Fraction

@@ -237,16 +237,17 @@ class ParameterPart:
 class Value:
     """A value on the wire: `size` in bytes; value in the unit = raw * scale + offset.
 
-    `scale_text` is the scale as the spec writes it. `ranges`, `write_ranges`, `default` and `const` are raw counts.
-    `write_ranges` is None where the same values may be read and written. `enum` and `flags` are names, or empty.
-    `byte_order` and `word_order` are empty where the value has the orders of its link.
+    `scale` is a fraction where no decimal number is it, and `scale_text` what the spec writes. `ranges`,
+    `write_ranges`, `default` and `const` are raw counts. `write_ranges` is None where the same values may be read and
+    written. `enum` and `flags` are names, or empty. `byte_order` and `word_order` are empty where the value has the
+    orders of its link.
     """
 
     type: Primitive
     size: int
     characters: int | None
     byte_order: str
-    scale: Decimal
+    scale: Decimal | Fraction
     scale_text: str
     offset: Decimal
     unit: str
@@ -259,6 +260,11 @@ class Value:
     sentinels: tuple[Sentinel, ...]
     write_ranges: Ranges | None = None
     word_order: str = ""
+
+    @property
+    def scale_number(self) -> Decimal | str:
+        """The scale as a decimal number, or as the fraction that the spec writes."""
+        return self.scale if isinstance(self.scale, Decimal) else self.scale_text
 
     @property
     def writable_ranges(self) -> Ranges | None:
@@ -299,8 +305,11 @@ class Value:
         return self if self.write_ranges is None else replace(self, ranges=self.write_ranges, write_ranges=None)
 
     def in_unit(self, raw: int) -> Decimal:
-        """The exact quantity of a raw count."""
-        return _EXACT.add(_EXACT.multiply(raw, self.scale), self.offset)
+        """The quantity of a raw count: the exact one, or 120 digits of it where the scale is no decimal number."""
+        if isinstance(self.scale, Decimal):
+            return _EXACT.add(_EXACT.multiply(raw, self.scale), self.offset)
+        exact = raw * self.scale
+        return _EXACT.add(_EXACT.divide(exact.numerator, exact.denominator), self.offset)
 
     def from_unit(self, number: Decimal | Fraction) -> int | None:
         """The raw count of a quantity; None where it is not a whole number of counts."""
@@ -310,8 +319,15 @@ class Value:
         return raw.numerator if raw.denominator == 1 else None
 
 
-def exact_scale(text: str) -> Decimal | None:
-    """`100/2^14` as an exact number; None where that has more than 60 decimals."""
+_LARGEST_TERM = 10**18
+"""The greatest numerator and denominator of a scale that is no decimal number."""
+
+
+def exact_scale(text: str) -> Decimal | Fraction | None:
+    """`100/2^14` as an exact number: a fraction where it is no decimal number of at most 60 places.
+
+    None for a divisor of 0, and where numerator or denominator of such a fraction have more than 18 digits.
+    """
     above, _, below = text.partition("/")
     base, _, power = below.partition("^")
     divisor = int(base) ** int(power or "1")
@@ -323,7 +339,7 @@ def exact_scale(text: str) -> Decimal | None:
     for places in range(61):
         if (number * 10**places).denominator == 1:
             return Decimal((number * 10**places).numerator).scaleb(-places, _EXACT)
-    return None
+    return number if max(number.numerator, number.denominator) <= _LARGEST_TERM else None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

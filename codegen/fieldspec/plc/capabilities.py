@@ -24,6 +24,7 @@ CONSTRUCTS = {
     "open_enums": "open enums",
     "flags": "words of flags",
     "bit_fields": "fields of several bits",
+    "bit_numbers": "fields of several bits with a sign or a scale",
     "records": "records, and records in records",
     "lists": "lists with a fixed number of elements",
     "choices": "fields whose type another field decides",
@@ -31,7 +32,7 @@ CONSTRUCTS = {
     "bits": "registers of single bits",
     "tables": "tables of records in registers",
     "frames": "frames: head, length, check, refusals",
-    "other_frames": "frames with several checksums, or with other ones than CRC-16/MODBUS, LRC and the sum of 8 bits",
+    "other_frames": "frames with escapes, several checksums, or others than CRC-16/MODBUS, LRC and the sum of 8 bits",
     "telegrams": "process data of telegrams, as values",
     "aligned_images": "process data whose words begin at even bytes, as a struct laid over the bytes",
     "images": "process data whose words begin at odd bytes, as a struct laid over the bytes",
@@ -86,6 +87,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
     capabilities["other_frames"] = refused("there are no functions for them: plc_frames_supported")
     capabilities["choices"] = lossy("are bit strings as wide as the widest type, with a function that says which it is")
+    capabilities["bit_numbers"] = lossy("are masks with the sign and the scale in a comment")
     if dialect.bits == "packed":
         capabilities["bit_fields"] = lossy("are masks and single bits in images, because a BOOL is one bit")
         capabilities["images"] = refused("a gap would move every value behind it: plc_images_exact")

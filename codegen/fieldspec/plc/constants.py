@@ -12,7 +12,7 @@ from fieldspec.model.registers import Parameter, ParameterSet
 from fieldspec.model.value import Kind, Value
 from fieldspec.plc.enums import available
 from fieldspec.plc.routines.expressions import BITS, LREAL, SIGNED, UINT, UNSIGNED, Elementary
-from fieldspec.plc.routines.remarks import count_of, source
+from fieldspec.plc.routines.remarks import cited, count_of, printed
 from fieldspec.plc.routines.world import narrowest
 
 
@@ -61,12 +61,12 @@ def _addresses(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
         if register.register.reserved:
             continue
         space = _space(layout, register.register.space)
-        beside = f"{_printed(register.register)} {register.register.access} {space}".strip()
+        beside = f"{printed(register.register)} {register.register.access} {space}".strip()
         yield Draft(
             register.name,
             UINT,
             register.address,
-            _comment(beside, register.register),
+            cited(beside, register.register),
             register.register,
             hexadecimal=True,
         )
@@ -80,7 +80,7 @@ def _addresses(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             f"{table_model.name}_base",
             UINT,
             table_model.base,
-            _comment(beside, table_model),
+            cited(beside, table_model),
             table_model,
             hexadecimal=True,
         )
@@ -114,7 +114,7 @@ def _parameters(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
                     parameter.name,
                     UINT,
                     number,
-                    _comment(_numbered(parameters, parameter), parameter),
+                    cited(_numbered(parameters, parameter), parameter),
                     parameter,
                     hexadecimal=parameters.base > 0,
                 )
@@ -126,9 +126,9 @@ def _parameters(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
 
 def _numbered(parameter_set: ParameterSet, parameter: Parameter) -> str:
     """What a parameter is called, with its printed number where neither the constant nor the printed name says it."""
-    number, printed = parameter_set.number_text(parameter.number), _printed(parameter)
-    known = (str(parameter_set.base + parameter.number), *printed.split())
-    return printed if number in known else f"{number} {printed}"
+    number, name = parameter_set.number_text(parameter.number), printed(parameter)
+    known = (str(parameter_set.base + parameter.number), *name.split())
+    return name if number in known else f"{number} {name}"
 
 
 def _messages(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
@@ -137,7 +137,7 @@ def _messages(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
         for word, number in (("code", model.code), ("number", model.number)):
             if number is not None:
                 hexadecimal = word == "code"
-                yield Draft(f"{model.name}_{word}", UINT, number, _comment(model.title, model), model, hexadecimal)
+                yield Draft(f"{model.name}_{word}", UINT, number, cited(model.title, model), model, hexadecimal)
         for data in (message.request, message.response):
             if data.size:
                 remark = "bytes of its data"
@@ -152,14 +152,15 @@ def _masks(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
                 continue
             text = "; ".join(f"{n} = {meaning}" for n, meaning in enumerate((bit.zero, bit.one)) if meaning)
             place = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
-            comment = _comment(f"{place} {_printed(bit)} {text}", bit)
+            number = f"{'signed, ' * bit.signed}1 count = {count_of(bit.as_value)}." if bit.is_number else ""
+            comment = cited(f"{place} {printed(bit)} {text} {number}".rstrip(), bit)
             yield Draft(f"{word.name}_{bit.name}", kind, bit.mask, comment, bit, hexadecimal=True)
             if bit.width > 1:
                 yield Draft(f"{word.name}_{bit.name}_first", UINT, bit.first, "its lowest bit", bit, derived=True)
         for state in word.states:
             mask, value = word.masked(state)
             name = f"{word.name}_{state.name}"
-            comment = _comment(f"{_printed(state)} the bits that show it", state)
+            comment = cited(f"{printed(state)} the bits that show it", state)
             yield Draft(f"{name}_mask", kind, mask, comment, state, hexadecimal=True)
             yield Draft(f"{name}_value", kind, value, "what these are in it", state, True, derived=True)
 
@@ -170,7 +171,7 @@ def _codes(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
         if members:
             kind = narrowest(min(0, *(member.value for member in members)), max(member.value for member in members))
             for member in members:
-                comment = _comment(_printed(member), member)
+                comment = cited(printed(member), member)
                 yield Draft(f"{enum.name}_{member.name}", kind, member.value, comment, member)
 
 
@@ -180,8 +181,8 @@ def _ranges(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
         unit = f"1 count = {count_of(value)}." if value.scaled or value.unit else ""
         for word, ranges in (("", value.ranges), ("write_", value.write_ranges)):
             if ranges is not None and (ranges.low, ranges.high) != (value.type.low, value.type.high):
-                yield Draft(f"{name}_{word}min", kind, ranges.low, _comment(unit, fact), fact)
-                yield Draft(f"{name}_{word}max", kind, ranges.high, _comment(unit, fact), fact)
+                yield Draft(f"{name}_{word}min", kind, ranges.low, cited(unit, fact), fact)
+                yield Draft(f"{name}_{word}max", kind, ranges.high, cited(unit, fact), fact)
 
 
 def _ranged(layout: DeviceLayout) -> Iterator[tuple[str, Fact, Value]]:
@@ -207,7 +208,7 @@ def _limits(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             if number is not None:
                 kind = _of_limit(number)
                 whole = kind is not LREAL
-                comment = _comment(limit.unit, limit)
+                comment = cited(limit.unit, limit)
                 name = f"{limit.name}_{word}" if word else limit.name
                 yield Draft(name, kind, int(number) if whole else number, comment, limit)
 
@@ -215,14 +216,6 @@ def _limits(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
 def _of_limit(number: Decimal) -> Elementary:
     whole = number == number.to_integral_value() and abs(number) < 1 << 31
     return narrowest(min(0, int(number)), max(0, int(number))) if whole else LREAL
-
-
-def _printed(fact: Fact) -> str:
-    return " ".join(text for text in (fact.printed_name, fact.label) if text)
-
-
-def _comment(text: str, fact: Fact) -> str:
-    return " ".join(part for part in (*text.split(), source(fact)) if part)
 
 
 LISTS: Mapping[str, tuple[str, str, _Make]] = {

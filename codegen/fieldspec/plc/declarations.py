@@ -27,7 +27,7 @@ from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.routines.records import choice_type, field_type, is_user_field
 from fieldspec.plc.routines.register_range import answer_name, answer_type, register_type
 from fieldspec.plc.routines.registers import registers_of
-from fieldspec.plc.routines.remarks import source
+from fieldspec.plc.routines.remarks import cited, printed
 from fieldspec.plc.routines.routine import BASE, STATUSES, Status
 from fieldspec.plc.routines.world import Names, World
 from fieldspec.plc.structs import Struct, StructMember, fixed
@@ -127,7 +127,7 @@ class _Declaring:
         members = tuple(
             EnumMember(self.status_members[name], number, text) for number, (name, text) in enumerate(STATUSES)
         )
-        yield EnumDeclaration(self.world.status.type.name, BASE, "What the functions return.", members)
+        yield EnumDeclaration(self.world.status.type.name, BASE, "The status that functions return.", members)
         for enum in self.layout.device.enums.values():
             present = available(enum)
             base = self.world.raw_type(enum.name)
@@ -139,12 +139,10 @@ class _Declaring:
             self._enums[enum.name] = EnumType(name, base)
             self._enum_members[enum.name] = named
             declared_members = (
-                EnumMember(named[member.name], member.value, _comment(member, _printed(member)), member)
+                EnumMember(named[member.name], member.value, cited(printed(member), member), member)
                 for member in present
             )
-            yield EnumDeclaration(
-                name, base, _comment(enum, enum.title or _printed(enum)), tuple(declared_members), enum
-            )
+            yield EnumDeclaration(name, base, cited(enum.title or printed(enum), enum), tuple(declared_members), enum)
 
     def structs(self) -> Iterator[Struct]:
         """The structs of records, of groups of registers, and of the data of telegrams."""
@@ -206,7 +204,7 @@ class _Declaring:
     def _struct(self, key: str, kind: str, fact: Fact, title: str, members: list[StructMember]) -> Struct:
         name = self.scope.take(self._form(self.dialect.struct, key), fact)
         self._structs[key] = name
-        return Struct(name, key, kind, _comment(fact, title), tuple(members), None, fact)
+        return Struct(name, key, kind, cited(title, fact), tuple(members), None, fact)
 
     def images(self) -> Iterator[Struct]:
         """The images of telegrams, which must be exact, and of those records that can be read as they lie."""
@@ -216,7 +214,7 @@ class _Declaring:
             for data in (message.request, message.response):
                 if data.size and fixed(data):
                     title = message.message.title or Name.of(message.name).title()
-                    image = named.of(data, "telegram", message.message, _comment(message.message, title))
+                    image = named.of(data, "telegram", message.message, cited(title, message.message))
                     self.found += fitting.misfit_findings(placed(image, memory, named.structs))
                     if data.size > self.dialect.longest_image:
                         self.found.append(_too_long(self.dialect, message.message, data.size))
@@ -224,7 +222,7 @@ class _Declaring:
             if fixed(record):
                 image = spec_images.of(record, "record", record.record, record.record.label)
                 if fitting.readable(placed(image, memory, spec_images.structs)):
-                    named.of(record, "record", record.record, _comment(record.record, titled(record.record)))
+                    named.of(record, "record", record.record, cited(titled(record.record), record.record))
         yield from named.structs.values()
 
     def _type(self, field: FieldLayout) -> Type:
@@ -240,7 +238,7 @@ class _Declaring:
         """What a comment says of a member."""
         comment = self.world.comment(fact, value)
         joint = " " if comment.startswith("[") else ": "
-        return joint.join(part for part in (_printed(fact), comment) if part)
+        return joint.join(part for part in (printed(fact), comment) if part)
 
     def constants(self) -> Iterator[ConstantList]:
         """The lists that have constants."""
@@ -283,7 +281,7 @@ class _Declaring:
         scope = Scope(self.dialect, "table of texts", self.found)
         for enum, texts in coded(self.layout.device):
             name = scope.take(Name.of(f"{enum.name}_texts").upper(), enum)
-            yield TextTable(name, _comment(enum, enum.title or _printed(enum)), enum, texts)
+            yield TextTable(name, cited(enum.title or printed(enum), enum), enum, texts)
 
 
 class _Naming:
@@ -318,11 +316,3 @@ def _too_long(dialect: Dialect, fact: Fact, size: int) -> Diagnostic:
         fact.place["name"],
         help="leave this output out for the device: name the others after --to",
     )
-
-
-def _printed(fact: Fact) -> str:
-    return " ".join(text for text in (fact.printed_name, fact.label) if text)
-
-
-def _comment(fact: Fact, text: str) -> str:
-    return " ".join(part for part in (text, source(fact)) if part)

@@ -12,6 +12,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.reference.checksums import checksum, checksum_digits
+from fieldspec.reference.escapes import escaped, unescaped
 from fieldspec.reference.records import CodecError, Values, decoded, encoded, record_struct, value_construct
 
 
@@ -74,11 +75,13 @@ class FrameCodec:
         if len(data) < shape.header_size + shape.trailer_size:
             least = shape.header_size + shape.trailer_size
             raise CodecError("incomplete", f"a frame has at least {least} bytes, not {len(data)}", len(data))
+        if shape.escape is not None:
+            data = self._original(shape, data)
         head = dict(self.heads[direction].parse(data[: shape.header_size]))
         head.pop("_io", None)
         tail = self.tails[direction].parse(data[len(data) - shape.trailer_size :])
-        self._check_length(shape, head, data)
-        self._check_sum(shape, {**head, **tail}, data)
+        self._check_length(shape, head, data, True)
+        self._check_sum(shape, {**head, **tail}, data, True)
         for part in shape.constants:
             number = head[part.name] if part in shape.header else tail[part.name]
             if number != part.constant:
@@ -99,16 +102,36 @@ class FrameCodec:
             data = self.parts(frame)
             if len(data) < shape.header_size + shape.trailer_size:
                 return False
+            if shape.escape is not None:
+                data = self._original(shape, data)
             head = self.heads[direction].parse(data[: shape.header_size])
             tail = self.tails[direction].parse(data[len(data) - shape.trailer_size :])
-            self._check_sum(shape, {**head, **tail}, data)
+            self._check_sum(shape, {**head, **tail}, data, True)
         except CodecError:
             return False
         return True
 
-    def _check_length(self, shape: FrameLayout, head: Values, data: bytes) -> None:
+    def _original(self, shape: FrameLayout, data: bytes) -> bytes:
+        """The parts before they were escaped, after those around were compared with what was sent."""
+        assert shape.escape is not None
+        start, stop = shape.escape_start, len(data) if shape.escape_stop is None else len(data) + shape.escape_stop
+        sent = {
+            part.name: _part_construct(part).parse(data[part.at(len(data)) :])
+            for part in shape.parts
+            if not part.escaped
+        }
+        self._check_length(shape, sent, data, False)
+        self._check_sum(shape, sent, data, False)
+        offset = len(self.link.link.start) + start
+        result = data[:start] + unescaped(shape.escape, data[start:stop], offset) + data[stop:]
+        least = shape.header_size + shape.trailer_size
+        if len(result) < least:
+            raise CodecError("incomplete", f"a frame has at least {least} bytes, not {len(result)}", len(result))
+        return result
+
+    def _check_length(self, shape: FrameLayout, head: Values, data: bytes, is_original: bool) -> None:
         part = shape.role("length")
-        if part is None:
+        if part is None or _is_sent(shape, part) == is_original:
             return
         announced = head[part.name] * part.unit_size + part.base
         if announced != len(data):
@@ -117,8 +140,10 @@ class FrameCodec:
                 text = f"{part.name} is {head[part.name]}, for a frame of {announced} bytes, but there are {len(data)}"
             raise CodecError("wrong_length", text, part.offset)
 
-    def _check_sum(self, shape: FrameLayout, parts: Mapping[str, Any], data: bytes) -> None:
+    def _check_sum(self, shape: FrameLayout, parts: Mapping[str, Any], data: bytes, is_original: bool) -> None:
         for part in shape.checksums:
+            if _is_sent(shape, part) == is_original:
+                continue
             have, want = parts[part.name], _checksum(part, data)
             if have != want:
                 text = f"{part.name} is {_checksum_text(have, part)}, not {_checksum_text(want, part)}"
@@ -175,31 +200,48 @@ class FrameCodec:
             numbers[part.name] = self._head_value(part, values, announced, error, code)
         length = shape.role("length")
         total = shape.header_size + len(inner) + shape.trailer_size
+        if length is not None and _is_sent(shape, length):
+            total = len(self._joined(direction, numbers, inner, True))
         if length is not None:
             units = length.number(total)
             if units is None:
                 raise CodecError("wrong_length", f"{length.name} cannot say that the frame has {total} bytes")
             numbers[length.name] = units
         for check in shape.checksums:
-            numbers[check.name] = _checksum(check, self._joined(direction, numbers, inner))
-        return self._marked(self._joined(direction, numbers, inner))
+            numbers[check.name] = _checksum(check, self._joined(direction, numbers, inner, _is_sent(shape, check)))
+        return self._marked(self._joined(direction, numbers, inner, True))
+
+    def original_parts(self, frame: bytes, direction: str) -> bytes:
+        """The binary form of a frame, before its bytes were escaped. Raises CodecError."""
+        data, shape = self.parts(frame), self.link.frame(direction)
+        return data if shape.escape is None else self._original(shape, data)
 
     def with_checksum(self, direction: str, parts: bytes) -> bytes:
         """The binary form of a frame with the checksums that are right for its other parts."""
         shape = self.link.frame(direction)
         for check in shape.checksums:
             at = check.at(len(parts))
-            parts = parts[:at] + check.checksum(parts) + parts[at + check.size :]
+            data = self._escaped(shape, parts) if _is_sent(shape, check) else parts
+            parts = parts[:at] + check.checksum(data) + parts[at + check.size :]
         return parts
 
-    def joined_parts(self, parts: bytes) -> bytes:
-        """The frame of its binary form: as characters where the link has them, between its delimiters."""
-        return self._marked(parts)
+    def joined_parts(self, direction: str, parts: bytes) -> bytes:
+        """The frame of its binary form: escaped, as characters where the link has them, between its delimiters."""
+        return self._marked(self._escaped(self.link.frame(direction), parts))
 
-    def _joined(self, direction: str, numbers: Values, body: bytes) -> bytes:
-        """The parts of a frame as bytes."""
+    def _joined(self, direction: str, numbers: Values, body: bytes, is_sent: bool) -> bytes:
+        """The parts of a frame as bytes, escaped where they are sent so."""
         head, tail = self.heads[direction].build(numbers), self.tails[direction].build(numbers)
-        return bytes(head + body + tail)
+        data = bytes(head + body + tail)
+        return self._escaped(self.link.frame(direction), data) if is_sent else data
+
+    @staticmethod
+    def _escaped(shape: FrameLayout, data: bytes) -> bytes:
+        """What is sent for the bytes of the parts."""
+        if shape.escape is None:
+            return data
+        start, stop = shape.escape_start, len(data) + (shape.escape_stop or 0)
+        return data[:start] + escaped(shape.escape, data[start:stop]) + data[stop:]
 
     def _head_value(
         self, part: PartLayout, values: Mapping[str, Any], message: MessageLayout | None, error: bool, code: int | None
@@ -244,6 +286,11 @@ def _part_construct(part: PartLayout) -> construct.Construct:
     if part.digits:
         return construct.Bytes(part.size)
     return construct.BytesInteger(part.size, swapped=part.order != "big")
+
+
+def _is_sent(shape: FrameLayout, part: PartLayout) -> bool:
+    """Whether a length or a checksum is that of the bytes which are sent, not of those before they are escaped."""
+    return shape.escape is not None and not part.escaped
 
 
 def _checksum(part: PartLayout, data: bytes) -> int | bytes:

@@ -1,13 +1,15 @@
-"""The matrix of capabilities as Markdown: what each output expresses exactly, loses, or refuses."""
+"""The page of capabilities as Markdown: what outputs express exactly, lose or refuse, and which keys change them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from importlib import import_module
+from itertools import groupby
 
-from fieldspec.backends import OUTPUTS
+from fieldspec.backends import BUILT_IN, OUTPUTS
 from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, of_dialect
 from fieldspec.plc.dialects import DIALECTS
+from fieldspec.schema.capabilities import EXPORT, effects
 
 COLUMNS = ("st", "twincat", "plcopen", "iec", "scl", "kv", "hmi")
 """The outputs for engineering tools, in the order of the columns."""
@@ -15,12 +17,29 @@ COLUMNS = ("st", "twincat", "plcopen", "iec", "scl", "kv", "hmi")
 _INTRODUCTION = """\
 <!-- Written by `fieldspec.render.capabilities.page`; a test keeps it fresh. -->
 
-# What each output for engineering tools can express
+# What the outputs express
+
+The [first table](#constructs) says which constructs the outputs for
+engineering tools express, lose or refuse. The [second one](#keys) says which outputs each key of the language changes.
+
+## Constructs
 
 **exact**: programs get all of it, and nothing else. **lossy**: something gets lost; the number leads to what.
 **refused**: nothing of it is written. Where a device needs what an output refuses by a rule, the build says so and
 writes nothing; `fieldspec rule CODE` explains the rule.
 """
+
+_KEYS = """\
+## Keys
+
+The outputs that change when the key changes in a spec, apart from the identity, which every output has. An output that
+a row does not name has no place for what the key states: the lists for operator panels have no registers, and a codec
+has no use for the line of a manual. A key of which only `docs` is named is documentation. `export` are the lists of
+`fieldspec export`. Tests verify the lines: they change a key in made-up devices and compare everything that is built
+from them. Keys without a line have not been derived yet.
+"""
+
+_ALL = "all outputs"
 
 
 def page() -> str:
@@ -31,9 +50,24 @@ def page() -> str:
     for key, title in CONSTRUCTS.items():
         cells = [_cell(tables[name][key], reasons) for name in COLUMNS]
         lines.append(f"| {title} | {' | '.join(cells)} |")
-    lines += ["", *(f"- `{name}`: {OUTPUTS[name].title}" for name in COLUMNS), "", "## Why", ""]
+    lines += ["", *(f"- `{name}`: {OUTPUTS[name].title}" for name in COLUMNS), "", "### Why", ""]
     lines += [f"{number}. {reason[:1].upper()}{reason[1:]}." for reason, number in reasons.items()]
+    lines += ["", _KEYS, *(f"- `{name}`: {OUTPUTS[name].title}" for name in OUTPUTS if name in BUILT_IN)]
+    for part, keys in effects().items():
+        lines += ["", f"### {part or 'the file'}", "", "| keys | change |", "|---|---|", *_rows(keys)]
     return "\n".join(lines) + "\n"
+
+
+def _rows(keys: Mapping[str, tuple[str, ...]]) -> Iterator[str]:
+    """A row for the keys that change the same outputs."""
+    by_outputs = sorted(keys.items(), key=lambda item: (-len(item[1]), item[1], item[0]))
+    for outputs, entries in groupby(by_outputs, key=lambda item: item[1]):
+        yield f"| {', '.join(f'`{key}`' for key, _ in entries)} | {_outputs_text(outputs)} |"
+
+
+def _outputs_text(outputs: tuple[str, ...]) -> str:
+    ordered = [name for name in (*OUTPUTS, EXPORT) if name in outputs]
+    return _ALL if set(outputs) >= BUILT_IN else ", ".join(ordered)
 
 
 def capabilities(name: str) -> Mapping[str, Capability]:

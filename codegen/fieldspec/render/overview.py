@@ -27,7 +27,8 @@ def value_details(value: Value) -> Iterator[tuple[str, str]]:
 
 def unit_text(value: Value) -> str:
     """`0.01 mm`, with the offset of a value that has one."""
-    scale = value.scale_text if "/" in value.scale_text else f"{value.scale:f}"
+    exact = value.scale_number
+    scale = value.scale_text if "/" in value.scale_text or isinstance(exact, str) else f"{exact:f}"
     text = f"{scale} {value.unit}".strip() if value.scaled else value.unit
     return text if value.offset == 0 else f"{text}, {value.offset:+f}"
 

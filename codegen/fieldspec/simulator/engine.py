@@ -161,7 +161,7 @@ class Engine:
         return max((int(bool(cell.read())) for cell in self.cells.of(name, "request")), default=0)
 
     def run(self, rules: Iterable[Part]) -> None:
-        """Carries out the rules whose conditions hold, in the order of the spec."""
+        """Carries out the rules whose conditions hold, in the order of the spec. Raises Refusal."""
         for rule in list(rules):
             if self.holds(rule.get("if") or {}):
                 for action in rule.subject:

@@ -147,19 +147,19 @@ class Faults:
         frames = server.codecs[link]
         shape = frames.link.response
         try:
-            parts = bytearray(frames.parts(frame))
+            parts = bytearray(frames.original_parts(frame, "response"))
         except CodecError:
             return frame
         if kind == "wrong_checksum" and shape.checksum is not None:
             parts[shape.checksum.at(len(parts))] ^= 0x55
-            return frames.joined_parts(bytes(parts))
+            return frames.joined_parts("response", bytes(parts))
         addressed = shape.role("unit_address")
         if kind == "wrong_unit" and addressed is not None:
             parts[addressed.at(len(parts))] += 1
         if kind == "inserted_word":
             middle = shape.header_size + (len(parts) - shape.header_size - shape.trailer_size) // 2
             parts[middle:middle] = self.chance.randrange(0x10000).to_bytes(2, "big")
-        return frames.joined_parts(frames.with_checksum("response", bytes(parts)))
+        return frames.joined_parts("response", frames.with_checksum("response", bytes(parts)))
 
 
 def hold(server: Server, fault: Fault) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.explain.registers import FORBIDS, Occupant
+from fieldspec.layout.bits import packed_bits, packed_size, unpacked_bits
 from fieldspec.model.record import Message, RegisterAccess
 from fieldspec.model.value import Kind, Value
 from fieldspec.simulator.refusal import Refusal
@@ -60,6 +61,29 @@ def write_registers(engine: Engine, access: RegisterAccess, values: Mapping[str,
         for address, word in before.items():
             memory.words[space, address] = word
         raise
+
+
+def read_bits(engine: Engine, access: RegisterAccess, values: Mapping[str, Any]) -> int | list[int]:
+    """What a response carries for the bits that a request asks for: bytes, or a number. Raises Refusal."""
+    bits = [int(word != 0) for word in read_registers(engine, access, values)]
+    if access.set is None:
+        return list(packed_bits(bits))
+    return access.set if bits[0] else access.clear
+
+
+def write_bits(engine: Engine, access: RegisterAccess, values: Mapping[str, Any]) -> None:
+    """Writes the bits of a request and lets the behaviour follow. Raises Refusal, and then nothing is written."""
+    content, count = values[access.values], _count(access, values)
+    if access.set is not None:
+        if content not in (access.set, access.clear):
+            raise Refusal("value_invalid", f"{content} stands for no bit")
+        bits = [int(content == access.set)]
+    elif len(content) != packed_size(count):
+        raise Refusal("value_invalid", f"{count} bits are not {len(content)} bytes")
+    else:
+        bits = list(unpacked_bits(bytes(content)))[:count]
+    words = [int.from_bytes(bytes((bit, 0)), engine.memory.order) for bit in bits]
+    write_registers(engine, access, {**values, access.values: words})
 
 
 def is_register_message(engine: Engine, message: Message) -> RegisterAccess | None:

@@ -17,7 +17,7 @@ from fieldspec.simulator import parameters
 from fieldspec.simulator.engine import Engine
 from fieldspec.simulator.memory import element_value
 from fieldspec.simulator.refusal import Refusal
-from fieldspec.simulator.registers import read_registers, write_registers
+from fieldspec.simulator.registers import read_bits, read_registers, write_bits, write_registers
 
 if TYPE_CHECKING:
     from typing import Any
@@ -56,7 +56,7 @@ class Server:
         frames = self.codecs[link]
         shape = frames.link.request
         try:
-            parts = frames.parts(frame)
+            parts = frames.original_parts(frame, "request")
             if len(parts) < shape.header_size + shape.trailer_size:
                 return Answer(b"", "too short")
             head = dict(frames.heads["request"].parse(parts[: shape.header_size]))
@@ -108,7 +108,9 @@ class Server:
     def _carried_out(self, announced: MessageLayout, values: dict[str, Any]) -> dict[str, Any]:
         """Carries out a request: the values of the response that are not computed. Raises Refusal."""
         engine, message = self.engine, announced.message
-        access = engine.layout.device.register_access(message)
+        access, bits = engine.layout.device.register_access(message), engine.layout.device.bit_access(message)
+        read, write = (read_registers, write_registers) if bits is None else (read_bits, write_bits)
+        access = access or bits
         if access is not None:
             judged = [_out_of_range(field, values) for field in announced.request.fields]
             wrong = next((name for name in judged if name), "")
@@ -119,14 +121,16 @@ class Server:
                 if access.operation == "read":
                     count = int(values[access.count]) if access.count else 1
                     if not reasons:
-                        return {access.values: read_registers(engine, access, values)}
-                    read_registers(engine, access, {**values, access.count: min(count, 1)})
+                        return {access.values: read(engine, access, values)}
+                    read(engine, access, {**values, access.count: min(count, 1)})
                 elif not reasons:
-                    write_registers(engine, access, values)
+                    write(engine, access, values)
                     return {}
             except Refusal as refusal:
                 reasons.append(refusal)
             raise min(reasons, key=self._exception_number)
+        if message.accesses is not None:
+            raise Refusal("unknown_code", "spaces of bits and bytes are not simulated")
         for field in announced.request.fields:
             if _out_of_range(field, values):
                 raise Refusal("value_invalid", f"{field.name} is out of range")
@@ -288,7 +292,12 @@ class Server:
         code = part.get("code", code)
         known = frames.link.message_with_code(code) if code is not None else None
         flagged = code is not None and code & record.flag
-        frame = frames.encode("response", known.name if known and not flagged else "", values, error=True, code=code)
+        try:
+            frame = frames.encode(
+                "response", known.name if known and not flagged else "", values, error=True, code=code
+            )
+        except CodecError as error:
+            return Answer(b"", f"{text}; no response can say so: {error}")
         return Answer(frame, text)
 
     def _exception(self, part: Part) -> int | None:
@@ -327,7 +336,7 @@ def _reason(frames: FrameCodec, frame: bytes, error: CodecError) -> str:
     """Why a request that cannot be decoded is refused."""
     shape = frames.link.request
     coded = shape.role("code")
-    parts = frames.parts(frame)
+    parts = frames.original_parts(frame, "request")
     code = int.from_bytes(parts[coded.offset : coded.offset + coded.size], "big") if coded is not None else None
     announced = frames.link.message_with_code(code) if code is not None else None
     selector = announced.request.selector if announced is not None else None

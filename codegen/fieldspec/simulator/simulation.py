@@ -11,6 +11,7 @@ from fieldspec.carriers.sockets import Datagrams, Listener
 from fieldspec.carriers.terminals import PseudoTerminal, SerialPort
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout
 from fieldspec.model.link import Link
 from fieldspec.simulator import codecs
 from fieldspec.simulator.clock import Clock, SystemClock
@@ -187,6 +188,13 @@ def settings_of(link: Link, baud: int | None = None, parity: str | None = None) 
     )
 
 
-def usual_place(link: Link) -> str:
-    """Where a link is served that no place is stated for: serial links on a pseudo-terminal, others as datagrams."""
-    return "pty" if link.serial is not None else "udp://127.0.0.1:0"
+def usual_place(layout: LinkLayout) -> str:
+    """Where a link is served that no place is stated for.
+
+    Serial links are on a pseudo-terminal, other frames in a stream on TCP; what has neither length, nor delimiters, nor
+    checksum comes in datagrams.
+    """
+    if layout.link.serial is not None:
+        return "pty"
+    streams = layout.request.role("length") is not None or layout.link.start or layout.request.checksums
+    return "tcp://127.0.0.1:0" if streams else "udp://127.0.0.1:0"

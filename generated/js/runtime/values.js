@@ -123,13 +123,15 @@ export function setBits(name, places, bits, raw, size) {
   for (const [key, value] of Object.entries(bits)) {
     const place = places[key];
     if (place === undefined) throw new CodecError("unknown_field", `${name} has no bit ${printed(key)}`);
-    const [first, width] = place;
+    const [first, width, signed] = place;
+    const low = signed ? -(2 ** (width - 1)) : 0;
+    const high = signed ? 2 ** (width - 1) - 1 : 2 ** width - 1;
     const number = width === 1 && typeof value === "boolean" ? Number(value) : value;
-    if (!Number.isInteger(number) || number < 0 || number >= 2 ** width) {
-      throw new CodecError("out_of_range", `${key} is ${printed(value)}, not in 0..${2 ** width - 1}`);
+    if (!Number.isInteger(number) || number < low || number > high) {
+      throw new CodecError("out_of_range", `${key} is ${printed(value)}, not in ${low}..${high}`);
     }
     const mask = ((1n << BigInt(width)) - 1n) << BigInt(first);
-    word = (word & ~mask) | (BigInt(number) << BigInt(first));
+    word = (word & ~mask) | ((BigInt(number) << BigInt(first)) & mask);
   }
   return typeof raw === "bigint" ? word : Number(BigInt.asUintN(size, word));
 }

@@ -557,23 +557,29 @@ const framesOfRtu = /* @__PURE__ */ frames({
   hex: false,
   request: {
     header: [
-      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
-      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
+      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
+      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
     ],
     trailer: [
-      { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, low: 0, high: 65535, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, ranges: null, algorithm: crc16, digits: "" },
+      { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, low: 0, high: 65535, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, escaped: false, ranges: null, algorithm: crc16, digits: "" },
     ],
     checksums: [2],
+    escape: null,
+    escapeStart: 0,
+    escapeStop: null,
   },
   response: {
     header: [
-      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
-      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
+      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
+      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
     ],
     trailer: [
-      { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, low: 0, high: 65535, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, ranges: null, algorithm: crc16, digits: "" },
+      { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, low: 0, high: 65535, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, escaped: false, ranges: null, algorithm: crc16, digits: "" },
     ],
     checksums: [2],
+    escape: null,
+    escapeStart: 0,
+    escapeStop: null,
   },
   unitAddresses: { ranges: [[1, 16]], broadcast: 0 },
 });
@@ -591,23 +597,29 @@ const framesOfAscii = /* @__PURE__ */ frames({
   hex: true,
   request: {
     header: [
-      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
-      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
+      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
+      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
     ],
     trailer: [
-      { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, ranges: null, algorithm: lrc, digits: "" },
+      { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, ranges: null, algorithm: lrc, digits: "" },
     ],
     checksums: [2],
+    escape: null,
+    escapeStart: 0,
+    escapeStop: null,
   },
   response: {
     header: [
-      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
-      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, ranges: null },
+      { name: "station", role: "unit_address", key: "unitAddress", offset: 0, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
+      { name: "function", role: "code", key: null, offset: 1, size: 1, order: "big", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: null, escaped: false, ranges: null },
     ],
     trailer: [
-      { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, ranges: null, algorithm: lrc, digits: "" },
+      { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, low: 0, high: 255, constant: null, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, ranges: null, algorithm: lrc, digits: "" },
     ],
     checksums: [2],
+    escape: null,
+    escapeStart: 0,
+    escapeStop: null,
   },
   unitAddresses: { ranges: [[1, 16]], broadcast: 0 },
 });

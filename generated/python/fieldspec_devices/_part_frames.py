@@ -75,14 +75,25 @@ class PartFrames(Frames):
             at += size
         return numbers
 
-    def _wrong(self, data: Data, numbers: list[tuple[Part, int, int]]) -> CodecError | None:
-        """The error of the first wrong checksum, or else of the first wrong constant; None where all are right."""
+    def _wrong_checksum(
+        self, data: Data, numbers: list[tuple[Part, int, int]], places: frozenset[int] | None = None
+    ) -> CodecError | None:
+        """The error of the first wrong checksum, of all or of those at some places; None where they are right."""
         for place, function, start, stop, digits in self.checks:
+            if places is not None and place not in places:
+                continue
             (_, size, order, _, _, _), at, have = numbers[place]
             want = _number(function(data[start:stop]), size, order, digits)
             if have != want:
                 text = f"the check is {have:0{2 * size}X}, not {want:0{2 * size}X}"
                 return CodecError("wrong_check", text, at)
+        return None
+
+    def _wrong(self, data: Data, numbers: list[tuple[Part, int, int]]) -> CodecError | None:
+        """The error of the first wrong checksum, or else of the first wrong constant; None where all are right."""
+        wrong = self._wrong_checksum(data, numbers, self._own)
+        if wrong is not None:
+            return wrong
         for (name, _, _, _, constant, compared), at, number in numbers:
             if compared and constant is not None and number != constant:
                 return wrong_const(name, number, constant, at)
@@ -99,33 +110,48 @@ class PartFrames(Frames):
             least = self.head_size + self.tail_size
             raise CodecError("incomplete", f"a frame has at least {least} bytes, not {size}", size)
         numbers = self._numbers(data)
-        if self.length >= 0:
-            units = numbers[self.length][2]
-            extent = units * self.unit + self.base
-            if extent != size:
-                text = f"{self.length_name} is {units}, for a frame of {extent} bytes, but there are {size}"
-                raise CodecError("wrong_length", text, self.length_offset)
+        if self.length >= 0 and (self._own is None or self.length in self._own):
+            self._compare_length(numbers[self.length][2], size)
         wrong = self._wrong(data, numbers)
         if wrong is not None:
             raise wrong
         head = tuple(number for _, _, number in numbers[: len(self.rows)])
         return head, data[self.head_size : size - self.tail_size]
 
+    @property
+    def _own(self) -> frozenset[int] | None:
+        """The places of the lengths and checksums that are those of the bytes of the parts; None for all."""
+        return None
+
+    def _sent(self, data: bytes) -> bytes:
+        """What is sent for the bytes of the parts."""
+        return data
+
+    def _compare_length(self, units: int, size: int) -> None:
+        extent = units * self.unit + self.base
+        if extent != size:
+            text = f"{self.length_name} is {units}, for a frame of {extent} bytes, but there are {size}"
+            raise CodecError("wrong_length", text, self.length_offset)
+
     def joined(self, head: list[int], body: bytes) -> bytes:
         """The whole frame of a header and a body; it fills in length and checksum. Raises CodecError."""
         numbers = [*head, *(row[4] or 0 for row in self.tail)]
+        own = self._own
         if self.length >= 0:
             total = self.head_size + len(body) + self.tail_size
+            if own is not None and self.length not in own:
+                total = len(self._sent(self._packed(numbers, body)))
             units, over = divmod(total - self.base, self.unit)
             if over or not 0 <= units <= self.longest:
                 raise CodecError("wrong_length", f"{self.length_name} cannot say that the frame has {total} bytes")
             numbers[self.length] = units
-        data = self._packed(numbers, body)
         for place, function, start, stop, digits in self.checks:
             _, size, order, _, _, _ = (*self.rows, *self.tail)[place]
-            numbers[place] = _number(function(data[start:stop]), size, order, digits)
             data = self._packed(numbers, body)
-        return self.marked(data)
+            if own is not None and place not in own:
+                data = self._sent(data)
+            numbers[place] = _number(function(data[start:stop]), size, order, digits)
+        return self.marked(self._sent(self._packed(numbers, body)))
 
     def _packed(self, numbers: list[int], body: bytes) -> bytes:
         packed = [

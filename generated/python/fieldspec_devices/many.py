@@ -344,9 +344,17 @@ def records(record: type[Record], data: Data) -> np.ndarray[Any, Any]:
 def bits(word: type[Flags], column: np.ndarray[Any, Any]) -> Columns:
     """The bits of a column of words by name, as columns of booleans; fields of several bits as numbers."""
     return {
-        name: column >> first & most if most > 1 else (column & (1 << first)) != 0
+        name: _number_of_bits(word, name, column, first, most) if most > 1 else (column & (1 << first)) != 0
         for name, (first, most) in word._BITS.items()
     }
+
+
+def _number_of_bits(
+    word: type[Flags], name: str, column: np.ndarray[Any, Any], first: int, most: int
+) -> np.ndarray[Any, Any]:
+    """The numbers in a field of bits; those of a signed one are of 64 bits."""
+    numbers: np.ndarray[Any, Any] = column >> first & most
+    return (numbers ^ most // 2 + 1).astype("i8") - (most // 2 + 1) if name in word._SIGNED else numbers
 
 
 def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:

@@ -8,6 +8,7 @@ from fieldspec.backends.c.checksums import checksum_parts, declare_checksums
 from fieldspec.backends.c.conversions import declare_conversion
 from fieldspec.backends.c.declarations import Declaration, Define, Directive, comment, describe_fact, escape_comment
 from fieldspec.backends.c.enums import code_tables, declare_code_texts, declare_enum, declare_flags
+from fieldspec.backends.c.escapes import declare_escapes
 from fieldspec.backends.c.expressions import hexadecimal, string, unsigned
 from fieldspec.backends.c.frames import declare_link
 from fieldspec.backends.c.fuzzing import write_fuzz_target
@@ -76,6 +77,7 @@ def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
         ("Results of codec calls", ([copy_runtime(naming, "status.h")],)),
         ("Numbers and characters", copy_numbers(naming, layout)),
         ("Checksums", declare_checksums(naming, layout)),
+        ("Escapes", declare_escapes(naming, layout)),
         ("Enums and codes", (declare_enum(naming, enum) for enum in device.enums.values())),
         ("Bit fields", (declare_flags(naming, word) for word in device.flags.values())),
         ("Signals", (declare_signal(naming, signal) for signal in device.signals.values())),

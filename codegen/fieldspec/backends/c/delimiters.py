@@ -42,8 +42,8 @@ _BYTE = Identifier("byte")
 
 
 def is_wrapped(link: LinkLayout) -> bool:
-    """Whether a frame is more than its bytes: it has delimiters, or is written in characters."""
-    return link.link.encoding == "hex_ascii" or bool(link.link.start or link.link.end)
+    """Whether a frame is more than its bytes: it has delimiters or escapes, or is written in characters."""
+    return link.link.encoding == "hex_ascii" or bool(link.link.start or link.link.end or link.link.escape)
 
 
 def declare_unwrap(naming: Naming, link: LinkLayout) -> list[Declaration]:

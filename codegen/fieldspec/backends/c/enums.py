@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+from fractions import Fraction
+
 from fieldspec.backends.c.declarations import (
     BLANK,
     Comment,
@@ -50,7 +53,7 @@ from fieldspec.backends.c.expressions import (
 from fieldspec.backends.c.expressions import (
     Member as StructMember,
 )
-from fieldspec.backends.c.naming import Naming
+from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.statements import CountUp, If, Return, Statement, Table, Variable, discard
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, Member
@@ -59,6 +62,7 @@ from fieldspec.model.value import Kind, Value
 # What the constants of an enum may be: an int, which has 16 bits on small machines.
 _LEAST, _LARGEST = -(2**15) + 1, 2**15 - 1
 _LARGEST_CODE = 2**63 - 1
+_GREATEST_FRACTION = 2**63 - 1
 
 # Enums that are no tables of codes, and have no texts but their members' comments.
 _KINDS_WITHOUT_TEXTS = ("enum", "function", "type")
@@ -285,6 +289,14 @@ def declare_flags(naming: Naming, word: Flags) -> list[Declaration]:
     return declarations
 
 
+def _scaling(bit: Bit) -> str:
+    """`1 count = 0.1 mm, plus 5 mm.`"""
+    if not bit.as_value.scaled:
+        return f"In {escape_comment(bit.unit)}." if bit.unit else ""
+    offset = f", plus {bit.offset:f} {bit.unit}".rstrip() if bit.offset else ""
+    return escape_comment(f"1 count = {bit.scale_text or '1'} {bit.unit}".rstrip() + f"{offset}.")
+
+
 def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -> list[Declaration]:
     levels = [f"{n}: {text}." for n, text in ((0, bit.zero), (1, bit.one)) if text]
     facts = [
@@ -293,6 +305,8 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
         "It is active low: 0 means what its name says." if bit.active == "low" else "",
         f"See {bit.enum}." if bit.enum else "",
         f"When {bit.when}." if bit.when else "",
+        f"A signed number of {bit.width} bits." if bit.signed else "",
+        _scaling(bit),
     ]
     mask = Identifier(naming.macro("bit", word.name, name, "mask"))
     shift = Identifier(naming.macro("bit", word.name, name, "shift"))
@@ -304,20 +318,49 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
         Define(mask.name, hexadecimal(bit.mask, word.type.size)),
         Define(shift.name, unsigned(bit.first)),
     ]
+    declarations += define_fractions(naming, "bit", (word.name, name), bit.scale, bit.offset)
     if bit.width == 1:
         return [*declarations, Function(Type("bool"), get, (parameter,), (Return(different(masked, ZERO)),))]
     cleared = Group(Operation("&", (_WORD, Cast(kind.name, Unary("~", mask)))))
-    shifted = Group(Operation("&", (Cast(kind.name, Operation("<<", (VALUE, shift))), mask)))
+    number: Expression = Cast(kind.name, Operation(">>", (masked, shift)))
+    entered: Expression = VALUE
+    number_type = kind
+    if bit.signed:
+        number_type, number = _signed_number(word, bit, number)
+        entered = Cast(kind.name, VALUE)
+    shifted = Group(Operation("&", (Cast(kind.name, Operation("<<", (entered, shift))), mask)))
     return [
         *declarations,
-        Function(kind, get, (parameter,), (Return(Cast(kind.name, Operation(">>", (masked, shift)))),)),
+        Function(number_type, get, (parameter,), (Return(number),)),
         Function(
             kind,
             naming.function("bit", word.name, "with", name),
-            (parameter, Variable(kind, "value")),
+            (parameter, Variable(number_type, "value")),
             (Return(Cast(kind.name, Operation("|", (cleared, shifted)))),),
         ),
     ]
+
+
+def _signed_number(word: Flags, bit: Bit, number: Expression) -> tuple[Type, Expression]:
+    """The type of a signed field of bits, and `(int32_t)(number ^ 8u) - 8`, which repeats its sign."""
+    size = max(word.type.size, 4)
+    sign = 1 << (bit.width - 1)
+    kind = Type(f"int{8 * size}_t")
+    moved = Cast(kind.name, Group(Operation("^", (number, integer(sign, size, signed=False)))))
+    return kind, Operation("-", (moved, integer(sign, size)))
+
+
+def define_fractions(
+    naming: Naming, noun: Noun, names: tuple[str, ...], scale: Decimal | Fraction, offset: Decimal
+) -> list[Declaration]:
+    """`#define GADGET_REG_SPEED_SCALE_NUMERATOR INT64_C(1)`: a scale and an offset as fractions, where they matter."""
+    constants: list[Declaration] = []
+    for name, exact, implied in (("scale", scale, 1), ("offset", offset, 0)):
+        fraction = Fraction(exact)
+        if fraction != implied and max(abs(fraction.numerator), fraction.denominator) <= _GREATEST_FRACTION:
+            for part, number in (("numerator", fraction.numerator), ("denominator", fraction.denominator)):
+                constants.append(Define(naming.macro(noun, *names, f"{name}_{part}"), integer(number, 8)))
+    return constants
 
 
 def _declare_states(naming: Naming, word: Flags, kind: Type) -> list[Declaration]:

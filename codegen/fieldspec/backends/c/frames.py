@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from fieldspec.backends.c.checksums import compute_checksum, is_wrong, store_checksum
 from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Function, Struct, comment, describe_fact
 from fieldspec.backends.c.delimiters import declare_unwrap, is_wrapped, wrap_frame
 from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
+from fieldspec.backends.c.escapes import escape_call
 from fieldspec.backends.c.expressions import (
     CAPACITY,
     IN,
@@ -107,7 +110,8 @@ def _describe_form(link: LinkLayout) -> str:
     start = [f"begin with {link.link.start.hex(' ').upper()}"] if link.link.start else []
     end = [f"end with {link.link.end.hex(' ').upper()}"] if link.link.end else []
     delimiters = " and ".join([*start, *end])
-    return f"{text}; they {delimiters}" if delimiters else text
+    escaped = ", escaped" if link.link.escape is not None else ""
+    return (f"{text}; they {delimiters}" if delimiters else text) + escaped
 
 
 def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[Declaration]:
@@ -159,7 +163,11 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
     around = frame.header_size + frame.trailer_size
     if around:
         body += refuse(naming, less(LENGTH, unsigned(around)), "err_incomplete")
-    body += _check_frame(naming, frame)
+    if frame.escape is not None:
+        body += _check_frame(naming, frame, False)
+        body += return_error(naming, escape_call(naming, link, frame, Identifier("buffer"), address_of(LENGTH)))
+        body += refuse(naming, less(LENGTH, unsigned(around)), "err_incomplete") if around else ()
+    body += _check_frame(naming, frame, True)
     for part in header_parts(frame):
         number = load(naming, part_value(part), part_pointer(IN, part, LENGTH))
         body.append(assign(PointerMember(OUT, frame_member(part.name)), number))
@@ -173,19 +181,29 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
     return [comment(*about), Function(status_type(naming), name, tuple(parameters), tuple(body))]
 
 
-def _check_frame(naming: Naming, frame: FrameLayout) -> Body:
-    """Refuses a wrong length, a wrong checksum and wrong constants, in this order."""
+def _is_sent(frame: FrameLayout, part: PartLayout) -> bool:
+    """Whether a length or a checksum is that of the bytes which are sent, not of those before they are escaped."""
+    return frame.escape is not None and not part.escaped
+
+
+def _check_frame(naming: Naming, frame: FrameLayout, is_original: bool) -> Body:
+    """Refuses a wrong length, a wrong checksum and wrong constants, in this order.
+
+    Before bytes are turned into the original ones, only the lengths and checksums of what is sent are compared.
+    """
     body: Body = ()
     length = frame.role("length")
-    if length is not None:
+    if length is not None and _is_sent(frame, length) != is_original:
         received = load(naming, part_value(length), part_pointer(IN, length, LENGTH))
         number, unrepresentable = _length_number(frame, length, LENGTH)
         body += refuse(naming, any_of([*unrepresentable, different(received, number)]), "err_wrong_length")
     for checksum in frame.checksums:
+        if _is_sent(frame, checksum) == is_original:
+            continue
         computed = compute_checksum(naming, checksum, IN, LENGTH)
         test = is_wrong(naming, checksum, computed, part_pointer(IN, checksum, LENGTH))
         body += refuse(naming, test, "err_wrong_check")
-    for part in frame.constants:
+    for part in frame.constants if is_original else ():
         body += check_constant(naming, part_value(part), part_pointer(IN, part, LENGTH))
     return body
 
@@ -250,17 +268,24 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     delimiters = len(link.link.start) + len(link.link.end)
     around = frame.header_size + frame.trailer_size
     body: list[Statement] = [
-        Variable(SIZE_TYPE, "total", value=add_size(_BODY_LENGTH, around), storage="const"),
+        Variable(SIZE_TYPE, "total", value=add_size(_BODY_LENGTH, around), storage="" if frame.escape else "const"),
     ]
+    if frame.escape is not None:
+        body.append(Variable(status_type(naming), "status"))
     if is_wrapped(link):
         body.append(Variable(SIZE_TYPE, "at"))
     body += _check_capacity(naming, width, around, delimiters)
+    length = frame.role("length")
+    sent_length = length if length is not None and _is_sent(frame, length) else None
     for part in frame.parts:
-        if part.role != "checksum":
+        if part.role != "checksum" and part is not sent_length:
             body += _write_part(naming, layout, link, frame, part)
-    for checksum in frame.checksums:
-        target = part_pointer(OUT, checksum, _TOTAL)
-        body.append(store_checksum(naming, checksum, compute_checksum(naming, checksum, OUT, _TOTAL), target))
+    body += _store_checksums(naming, [part for part in frame.checksums if not _is_sent(frame, part)])
+    if frame.escape is not None:
+        room = add_size(CAPACITY, -delimiters)
+        body += return_error(naming, escape_call(naming, link, frame, OUT, address_of(_TOTAL), room))
+        body += _write_part(naming, layout, link, frame, sent_length) if sent_length is not None else ()
+        body += _store_checksums(naming, [part for part in frame.checksums if _is_sent(frame, part)])
     if is_wrapped(link):
         body += wrap_frame(naming, link)
     if not frame.parts and not is_wrapped(link):
@@ -274,6 +299,13 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
         ),
         Function(status_type(naming), name, tuple(parameters), tuple(body)),
     ]
+
+
+def _store_checksums(naming: Naming, checksums: list[PartLayout]) -> Iterator[Statement]:
+    """Writes checksums, each after those that it covers."""
+    for checksum in checksums:
+        computed = compute_checksum(naming, checksum, OUT, _TOTAL)
+        yield store_checksum(naming, checksum, computed, part_pointer(OUT, checksum, _TOTAL))
 
 
 OUTPUT_PARAMETERS = (Variable(OUTPUT_BYTES, "out"), Variable(SIZE_TYPE, "capacity"), Variable(_SIZE_POINTER, "length"))

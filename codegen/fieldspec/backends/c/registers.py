@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 from fieldspec.backends.c.declarations import (
     BLANK,
@@ -14,7 +13,7 @@ from fieldspec.backends.c.declarations import (
     describe_fact,
     describe_value,
 )
-from fieldspec.backends.c.enums import enum_type, integer_reason
+from fieldspec.backends.c.enums import define_fractions, enum_type, integer_reason
 from fieldspec.backends.c.expressions import (
     IN,
     INPUT_BYTES,
@@ -75,7 +74,6 @@ ACCESS = {
     "wo": "Write only.",
     "": "The manual does not say how it is accessed.",
 }
-_GREATEST_FRACTION = 2**63 - 1
 
 
 # Constants and functions of a value
@@ -94,12 +92,8 @@ def define_constants(naming: Naming, noun: Noun, names: tuple[str, ...], value: 
         constants += [("write_min", _bound(value, low)), ("write_max", _bound(value, high))]
     if isinstance(value.default, int) and value.type.kind is not Kind.FLOAT:
         constants.append(("default", integer(value.default, size, signed)))
-    for name, exact, implied in (("scale", value.scale, 1), ("offset", value.offset, 0)):
-        fraction = Fraction(exact)
-        if fraction != implied and max(abs(fraction.numerator), fraction.denominator) <= _GREATEST_FRACTION:
-            constants.append((f"{name}_numerator", integer(fraction.numerator, 8)))
-            constants.append((f"{name}_denominator", integer(fraction.denominator, 8)))
-    return [Define(naming.macro(noun, *names, name), number) for name, number in constants]
+    defined: list[Declaration] = [Define(naming.macro(noun, *names, name), number) for name, number in constants]
+    return defined + define_fractions(naming, noun, names, value.scale, value.offset)
 
 
 def _bound(value: Value, number: int) -> Expression:

@@ -40,19 +40,13 @@ from fieldspec.backends.c.sample_values import form_of_values, record_value
 from fieldspec.backends.c.statements import If, Statement, Variable, Variables, assign, call
 from fieldspec.backends.c.values import status_type
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.escapes import EscapeError
+from fieldspec.layout.frame import LinkLayout, original_parts
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.values import body_of, raw_values
 from fieldspec.model.device import Device
 from fieldspec.model.texts import Example
 
-_STATUSES = {
-    "unknown_code": "err_unknown_code",
-    "wrong_check": "err_wrong_check",
-    "wrong_length": "err_wrong_length",
-    "out_of_range": "err_out_of_range",
-    "incomplete": "err_incomplete",
-}
 _BYTE = Type("uint8_t")
 _FRAME, _RECEIVED, _BUFFER, _OPENED = (Identifier(name) for name in ("frame", "received", "buffer", "opened"))
 _IN, _OUT, _AGAIN, _STATUS = (Identifier(name) for name in ("in", "out", "again", "status"))
@@ -147,6 +141,12 @@ def _frame_code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
     if link.link.encoding == "hex_ascii":
         pairs = [data[at : at + 2] for at in range(0, len(data), 2)]
         data = bytes(int(pair, 16) for pair in pairs if all(digit in b"0123456789ABCDEFabcdef" for digit in pair))
+    shape = link.frame(example.direction)
+    if shape.escape is not None:
+        try:
+            data = original_parts(shape, data)
+        except EscapeError:
+            return None, False
     if part is None or len(data) < part.offset + part.size:
         return None, False
     number = int.from_bytes(data[part.offset : part.offset + part.size], "big" if part.order == "big" else "little")
@@ -170,7 +170,7 @@ def _refused_body(layout: DeviceLayout, example: Example) -> RecordLayout | None
 
 def _expect_refusal(layout: DeviceLayout, naming: Naming, example: Example, opened: Call) -> list[Statement]:
     """The frame, or the body in it, is refused for the reason of the example."""
-    error = naming.status(_STATUSES[example.refused])
+    error = naming.status(f"err_{example.refused}")
     what = f"example {example.id}"
     record = _refused_body(layout, example)
     if record is None:

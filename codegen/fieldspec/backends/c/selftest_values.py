@@ -76,7 +76,8 @@ def _test_flags(naming: Naming, word: Flags) -> Iterator[Statement]:
         others = Cast(f"uint{8 * size}_t", Unary("~", ones))
         wide = bit.width > 1
         yield _expect_constant(mask, ones)
-        yield expect_equal(get, Call(get, (ones,)), integer((1 << bit.width) - 1, size, False) if wide else TRUE)
+        every = integer(-1, max(size, 4)) if bit.signed else integer((1 << bit.width) - 1, size, False)
+        yield expect_equal(get, Call(get, (ones,)), every if wide else TRUE)
         yield expect_equal(get, Call(get, (others,)), ZERO if wide else FALSE)
     if word.states:
         yield from _test_states(naming, word)

@@ -23,6 +23,7 @@ from fieldspec.backends.docs.document import (
     text_piece,
 )
 from fieldspec.backends.docs.sources import Inferences
+from fieldspec.backends.docs.value_cells import unit_lines
 from fieldspec.model.enums import Bit, Cause, Enum, Flags, Member, State
 
 VALUES = (
@@ -161,7 +162,8 @@ def _word(context: Context, word: Flags) -> Section:
     path = word.place.path
     blocks = context.opening(word)
     users = context.users(path)
-    kind: Line = (code(word.type.name), text_piece(", bit 0 is the least significant"))
+    from_bit = "" if word.bit_0 == "least" else "; the manual counts from the most significant bit"
+    kind: Line = (code(word.type.name), text_piece(f", bit 0 is the least significant{from_bit}"))
     facts: list[tuple[str, tuple[Line, ...]]] = [("Type", (kind,))]
     if word.ranges is not None:
         facts.append(("Range", ((text_piece(word.ranges.text()),),)))
@@ -189,6 +191,11 @@ def _row(context: Context, word: Flags, bit: Bit, marks: Inferences) -> TableRow
         more.append((styled("active low", "badge"), text_piece(" It is 0 while what its name says is true.")))
     if bit.when:
         more.append((styled("only when ", "strong"), text_piece(bit.when)))
+    if bit.signed:
+        more.append((styled("signed", "badge"), text_piece(" A number in two's complement.")))
+    if bit.is_number and (bit.unit or bit.as_value.scaled):
+        first, *others = unit_lines(bit.as_value)
+        more += [(styled("1 count: ", "quiet"), *first), *others]
     if bit.enum:
         more.append((styled("Values: ", "quiet"), code(bit.enum, f"#enums/{bit.enum}")))
     return TableRow(

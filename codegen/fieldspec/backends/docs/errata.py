@@ -180,7 +180,7 @@ OF_VALUES: dict[str, Callable[[Value], object]] = {
     "length": lambda value: value.size,
     "characters": lambda value: value.characters,
     "byte_order": lambda value: value.byte_order,
-    "scale": lambda value: value.scale,
+    "scale": lambda value: value.scale_number,
     "offset": lambda value: value.offset,
     "unit": lambda value: value.unit,
     "range": lambda value: value.ranges,

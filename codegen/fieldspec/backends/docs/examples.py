@@ -55,11 +55,16 @@ REGISTERS = (
     TableColumn("Source", "source"),
 )
 REFUSALS = {
-    "unknown_code": "its code is unknown",
-    "wrong_check": "its checksum is wrong",
-    "wrong_length": "its length is wrong",
-    "out_of_range": "a value is out of range",
     "incomplete": "it is incomplete",
+    "wrong_length": "its length is wrong",
+    "wrong_mark": "a delimiter is wrong or missing",
+    "not_hex": "a character is not a hexadecimal digit",
+    "wrong_check": "its checksum is wrong",
+    "unknown_code": "its code is unknown",
+    "unknown_value": "a value is not a member of its enum",
+    "wrong_const": "a constant has another value",
+    "wrong_measure": "a field that measures another one is wrong",
+    "out_of_range": "a value is out of range",
 }
 
 
@@ -126,7 +131,7 @@ def _strips(example: Example, print_of: Printed, explanation: Explanation) -> It
         yield Strip(
             "computed, not printed" if example.origin == "computed" else "frame", _marked_differences(right, right)
         )
-    if any(row.characters for row in explanation.rows):
+    if any(row.characters and len(row.characters) == row.length for row in explanation.rows):
         characters = example.frame.decode("latin-1")
         if print_of.characters and print_of.characters != characters:
             yield Strip("characters as printed", (code(_characters(print_of.characters)),))

@@ -351,6 +351,8 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
         yield "Starts with", ((code(link.start.hex(" ").upper()),),)
     if link.end:
         yield "Ends with", ((code(link.end.hex(" ").upper()),),)
+    if link.escape is not None:
+        yield "Escaped bytes", ((text_piece(link.escape.text()),),)
     if link.byte_order:
         yield "Bytes of a number", ((text_piece(ORDERS[link.byte_order]),),)
     if link.word_order:

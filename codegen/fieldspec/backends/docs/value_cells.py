@@ -77,7 +77,8 @@ def unit_lines(value: Value) -> list[Line]:
     """`0.01 mm`: the worth of one count."""
     if not value.scaled:
         return [(text_piece(value.unit),)] if value.unit else []
-    scale = value.scale_text if "/" in value.scale_text else decimal_text(value.scale)
+    exact = value.scale_number
+    scale = value.scale_text if "/" in value.scale_text or isinstance(exact, str) else decimal_text(exact)
     lines: list[Line] = [(text_piece(f"{scale} {value.unit}".strip()),)]
     if value.offset:
         lines.append((text_piece(f"plus {decimal_text(value.offset)} {value.unit}".strip()),))

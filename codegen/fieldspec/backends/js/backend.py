@@ -11,7 +11,19 @@ from fieldspec.backends.templates import text
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name, version_word
 
-RUNTIME = ("checksums", "error", "framer", "index", "link", "parameter", "quantity", "record", "register", "values")
+RUNTIME = (
+    "checksums",
+    "error",
+    "escapes",
+    "framer",
+    "index",
+    "link",
+    "parameter",
+    "quantity",
+    "record",
+    "register",
+    "values",
+)
 """The modules that all devices share, copied from `runtime/`."""
 
 PACKAGE = "fieldspec-devices"

@@ -6,6 +6,7 @@ from fieldspec.backends.fact_texts import described, sentence
 from fieldspec.backends.js.declaration import Declaration, Names
 from fieldspec.backends.js.naming import property_scope
 from fieldspec.backends.js.text import comment, literal
+from fieldspec.backends.js.units import unit_of
 from fieldspec.model.enums import Bit, Enum, Flags
 from fieldspec.names import Name
 
@@ -51,17 +52,26 @@ def declare_flags(flags: Flags, name: str, names: Names) -> Declaration:
     code.append("  }),")
     arguments = f"{literal(flags.name)}, BITS_OF_{name}, bits, raw, {8 * flags.type.size}"
     code.append(f"  raw: (bits, raw = {'0n' if wide else '0'}) => setBits({arguments}),")
+    units = {key: unit_of(bit.as_value, 4) for key, bit in bits if bit.is_number and unit_of(bit.as_value, 4)}
+    if units:
+        code.append("  units: /* @__PURE__ */ Object.freeze({")
+        code += [f"    {key}: {unit}," for key, unit in units.items()]
+        code.append("  }),")
     code += ["});", ""]
-    table = ", ".join(f"{key}: [{bit.first}, {bit.width}]" for key, bit in bits)
+    table = ", ".join(f"{key}: [{bit.first}, {bit.width}{', true' * bit.signed}]" for key, bit in bits)
     code.insert(0, f"const BITS_OF_{name} = {{ __proto__: null{', ' + table if table else ''} }};")
     types = comment(described(Name.of(flags.name).title(), flags))
     types.append(f"export interface {name} {{")
     for key, bit in bits:
         number = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
         meanings = [f"{value} = {sentence(text)}" for value, text in ((0, bit.zero), (1, bit.one)) if text]
+        if bit.is_number and unit_of(bit.as_value, 4):
+            meanings.append(f"A count of `units.{key}`.")
         types += comment(described(f"{Name.of(bit.name).title()}, {number}", bit, *meanings), 2)
         types.append(f"  readonly {key}: {'boolean' if bit.width == 1 else 'number'};")
-    types += ["}", f"export declare const {name}: Flags<{name}, {'bigint' if wide else 'number'}>;", ""]
+    rows = " ".join(f"readonly {key}: Unit;" for key in units)
+    with_units = f" & {{ readonly units: {{ {rows} }} }}" if units else ""
+    types += ["}", f"export declare const {name}: Flags<{name}, {'bigint' if wide else 'number'}>{with_units};", ""]
     return Declaration(code, types)
 
 
@@ -69,8 +79,11 @@ def _bit(bit: Bit, wide: bool) -> str:
     if wide:
         mask = bit.mask >> bit.first
         field = f"(raw >> {bit.first}n) & {mask}n"
-        return f"({field}) !== 0n" if bit.width == 1 else f"Number({field})"
+        if bit.width == 1:
+            return f"({field}) !== 0n"
+        return f"Number(BigInt.asIntN({bit.width}, {field}))" if bit.signed else f"Number({field})"
     if bit.width == 1:
         return f"(raw & {bit.mask}) !== 0" if bit.first < 31 else f"raw >>> {bit.first} !== 0"
     mask = bit.mask >> bit.first
-    return f"(raw >>> {bit.first}) & {mask}" if mask < 1 << 31 else f"raw >>> {bit.first}"
+    number = f"(raw >>> {bit.first}) & {mask}" if mask < 1 << 31 else f"raw >>> {bit.first}"
+    return f"signed48({number}, {bit.width})" if bit.signed else number

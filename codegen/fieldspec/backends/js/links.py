@@ -9,7 +9,7 @@ from typing import Any
 from fieldspec.backends.fact_texts import described
 from fieldspec.backends.js.declaration import Declaration, Names
 from fieldspec.backends.js.naming import property_scope
-from fieldspec.backends.js.text import comment, flag, literal, object_of
+from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.checksums import checksum_named
@@ -67,7 +67,14 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
         frame = link.frame(direction)
         order = [frame.parts.index(part) for part in frame.checksums]
         code += [f"  {direction}: {{", *_parts("header", link, direction), *_parts("trailer", link, direction)]
-        code += [f"    checksums: {order},", "  },"]
+        escape_stop = "null" if frame.escape_stop is None else str(frame.escape_stop)
+        code += [
+            f"    checksums: {order},",
+            f"    escape: {_escape(frame)},",
+            f"    escapeStart: {frame.escape_start},",
+            f"    escapeStop: {escape_stop},",
+            "  },",
+        ]
     ranges = _intervals(addresses.ranges) if addresses is not None else "null"
     broadcast = "null" if addresses is None or addresses.broadcast is None else str(addresses.broadcast)
     code.append(
@@ -135,6 +142,7 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
             "base": part.base,
             "start": part.start,
             "stop": part.stop,
+            "escaped": part.escaped,
         }
         more = [f"ranges: {_intervals(part.value.ranges) if part.value else 'null'}"]
         if part.role == "checksum":
@@ -143,6 +151,18 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
             f"      {{ {', '.join([*(f'{field}: {json.dumps(value)}' for field, value in row.items()), *more])} }},"
         )
     return [*lines, "    ],"]
+
+
+def _escape(frame: FrameLayout) -> str:
+    """The object that escapes bytes, or null."""
+    escape = frame.escape
+    if escape is None:
+        return "null"
+    if escape.method == "cobs":
+        return "cobs"
+    if escape.method == "insert":
+        return f"{PURE} inserting({list(escape.pattern)}, {escape.inserted})"
+    return f"{PURE} replacing({[list(pair) for pair in escape.pairs]})"
 
 
 def checksum_function(algorithm: str, order: str) -> str:
@@ -160,7 +180,7 @@ def checksum_function(algorithm: str, order: str) -> str:
             "reflectOut": flag(kind.reflect_out),
             "finalXor": f"0x{kind.final_xor:X}n",
         }
-        return f"crcOf({object_of(parameters)})"
+        return f"{PURE} crcOf({object_of(parameters)})"
     parameters = {
         "method": literal(kind.method),
         "width": str(kind.width),
@@ -169,7 +189,7 @@ def checksum_function(algorithm: str, order: str) -> str:
         "unitSize": str(kind.unit_size),
         "order": literal(order),
     }
-    return f"totalOf({object_of(parameters)})"
+    return f"{PURE} totalOf({object_of(parameters)})"
 
 
 def _intervals(ranges: Ranges | None) -> str:
@@ -195,6 +215,15 @@ def _framer(link: LinkLayout, direction: str, carried: list[MessageLayout], name
     if link.link.start and link.link.end and link.link.encoding == "hex_ascii":
         return f"delimiterFramer({{ {', '.join(rows)} }})"
     if link.link.encoding != "binary":
+        return None
+    if frame.escape is not None and (frame.escape_start, frame.escape_stop) == (0, None):
+        if not link.link.end:
+            return None
+        marks = len(link.link.start) + len(link.link.end)
+        longest = max(record.most if record.most is not None else LONGEST for record in bodies)
+        rows.append(f"most: {marks + frame.escape.most(frame.header_size + longest + frame.trailer_size)}")
+        return f"escapeFramer({{ {', '.join(rows)} }})"
+    if frame.escape is not None and (length is None or length.escaped):
         return None
     if length is not None:
         return f"lengthFramer({{ {', '.join([*rows, f'length: {_number(length)}'])} }})"
@@ -232,7 +261,10 @@ def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) ->
     width = 2 if link.link.encoding == "hex_ascii" else 1
     around = frame.header_size + frame.trailer_size
     marks = len(link.link.start) + len(link.link.end)
-    return [f"shortest: {marks + width * (around + least)}", f"longest: {marks + width * (around + most)}"]
+    shortest, longest = (marks + width * (around + size) for size in (least, most))
+    if frame.escape is not None and (frame.escape_start, frame.escape_stop) != (0, None):
+        longest = frame.escape.most(longest)
+    return [f"shortest: {shortest}", f"longest: {longest}"]
 
 
 def _addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> str:

@@ -22,7 +22,8 @@ from fieldspec.names import Name
 IMPORTS = {
     "checksums": ("crc16", "crcOf", "lrc", "sum8", "totalOf"),
     "error": ("brokenList", "refusedNumber", "wrongNumber"),
-    "framer": ("codeFramer", "delimiterFramer", "lengthFramer"),
+    "escapes": ("cobs", "inserting", "replacing"),
+    "framer": ("codeFramer", "delimiterFramer", "escapeFramer", "lengthFramer"),
     "link": ("frames", "link", "message"),
     "parameter": ("parameter", "parameterSet", "parameters"),
     "quantity": ("conversion", "unit"),

@@ -45,7 +45,7 @@ def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[in
     before = known.get((base, area.name))
     if before is None or before.area != area or before.meanings != meanings:
         words = csv_text(word_map.rows(device, base, area, KV))
-        before = AreaRows(area, meanings, words, csv_text(word_map.comment_rows(base, area, KV)))
+        before = AreaRows(area, meanings, words, csv_text(word_map.comment_rows(layout.device, base, area, KV)))
         known[base, area.name] = before
     return before
 
@@ -69,7 +69,7 @@ _NOT_EXACT = {
     "wide_lists": lossy("are words; no instruction of the KV takes them"),
     "bits": refused("are in no word; the bytes of their messages are in the map"),
     "choices": lossy("stand once for each type, with the values that decide it"),
-    "other_frames": lossy("are words to fill in and to compare; nothing sums and compares them"),
+    "other_frames": lossy("are words to fill in and to compare; nothing escapes, sums and compares them"),
     "frames": lossy("are words to fill in and to compare; nothing sums and compares them"),
     "orders": lossy("are said for each value; the ladder turns words and bytes"),
     "scales": lossy(_TABLE),

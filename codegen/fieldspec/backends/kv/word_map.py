@@ -120,7 +120,10 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
             "words": 1,
             "bits": bits_text(places[bit.first : bit.last + 1], word),
             "name": f"{placed_value.title}.{bit.name}",
-            "type": "bit" if bit.width == 1 else "bits",
+            "type": "bit" if bit.width == 1 else f"i{bit.width}" if bit.signed else "bits",
+            "scale": (bit.scale_text or "1") if bit.as_value.scaled else None,
+            "offset": f"{bit.offset:f}" if bit.offset else None,
+            "unit": bit.unit or None,
             "values": _members(enum) if enum is not None else _senses(bit),
             "case": bit.when or None,
             "access": placed_value.access or None,
@@ -188,14 +191,13 @@ def _source(fact: Fact) -> str | None:
 
 
 _LETTERS = re.compile("[A-Za-z]+")
-_FOREIGN = {"°C": "degC"}
 
 
-def comment_rows(base: int, area: Area, dialect: WordDialect) -> Iterator[tuple[str, str]]:
-    """Devices and their comments, for an area whose first word has the number `base`."""
+def comment_rows(model: Device, base: int, area: Area, dialect: WordDialect) -> Iterator[tuple[str, str]]:
+    """Memory devices and their comments, for an area of `model` whose first word has the number `base`."""
     texts: dict[int, dict[str, str]] = {}
     for placed_value in area.values:
-        unit = _scaled(placed_value)
+        unit = _scaled(model, placed_value)
         for name, start in placed_value.names():
             first, last = start // area.unit, (start + max(placed_value.size, 1) - 1) // area.unit
             texts.setdefault(first, {}).setdefault(name, unit)
@@ -207,12 +209,13 @@ def comment_rows(base: int, area: Area, dialect: WordDialect) -> Iterator[tuple[
             yield device, _fitted(area.tag, names, dialect.width)
 
 
-def _scaled(placed_value: PlacedValue) -> str:
+def _scaled(model: Device, placed_value: PlacedValue) -> str:
     """What one count is worth: `0.01mm`."""
     value = placed_value.value
     if value is None or not value.unit:
         return ""
-    unit = _FOREIGN.get(value.unit, value.unit)
+    known = model.unit(value.unit)
+    unit = known.ascii_symbol if known is not None else value.unit
     return f"{value.scale_text}{unit}" if value.scaled else unit
 
 

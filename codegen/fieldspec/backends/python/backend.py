@@ -25,6 +25,7 @@ RUNTIME = (
     "_codes",
     "_conversions",
     "_error",
+    "_escapes",
     "_firmware",
     "_flags",
     "_framers",

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from fieldspec.backends.fact_texts import described, sentence
 from fieldspec.backends.python.naming import FLAGS, STATES, TYPES, Scope
+from fieldspec.backends.python.scaling import in_unit, quantity, ratio, unit_word
 from fieldspec.backends.python.text import docstring, filled, item_lines, literal
 from fieldspec.classes import dataclass, field, replace
 from fieldspec.model.enums import Bit, Enum, Flags, Member, State
@@ -92,7 +93,7 @@ class FlagsView:
     """A word of flags: the table of its bits, the constructor for type checkers, and the states of the bits.
 
     `fitting` has the mask, the value and the member of each state. `taken` are the lines of a snapshot that read the
-    bits of a byte at once.
+    bits of a byte at once. `scaled` are the properties of fields of bits in their units.
     """
 
     name: str
@@ -102,6 +103,7 @@ class FlagsView:
     states: EnumView | None
     fitting: list[str]
     taken: list[str]
+    scaled: list[BitView]
     doc: list[str]
 
 
@@ -159,10 +161,15 @@ def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> Fla
     bits = [replace(bit, snapshot=bit.name) if bit.name in bound else bit for bit in bits]
     more = f"{8 * flags.type.size} bits; those without a name are kept in `raw`."
     table = [f'"{taken_name}": ({bit.first}, {bit.mask >> bit.first:#x})' for bit, taken_name in named]
+    signed = [literal(taken_name) for bit, taken_name in named if bit.signed]
     return FlagsView(
         name=name,
         bits=bits,
-        table=item_lines("_BITS = {", table, "}", 4),
+        table=[
+            *item_lines("_BITS = {", table, "}", 4),
+            *(filled("_SIGNED = frozenset({", signed, "})", 4) if signed else []),
+        ],
+        scaled=[_scaled(bit, view, names) for (bit, _), view in zip(named, bits, strict=True) if bit.as_value.scaled],
         init=item_lines("def __init__(", ["self", "raw: int = 0", "*", *map(_argument, bits)], ") -> None: ...", 8),
         states=states,
         fitting=[_fitting(flags, state, number, states) for number, state in enumerate(flags.states)] if states else [],
@@ -212,15 +219,27 @@ def _bit(bit: Bit, name: str, enums: Mapping[str, EnumView]) -> BitView:
         facts.append(" It is 0 while that is so.")
     if bit.when:
         facts.append(f" When {sentence(bit.when)}")
+    if quantity(bit.as_value):
+        facts.append(f" It counts {sentence(quantity(bit.as_value))}")
     doc = docstring(described(f"{Name.of(bit.name).title()}, {number}", bit, *facts), 8)
     if bit.width == 1:
         return _view(name, "bool", f"{{raw}} & {bit.mask:#x} != 0", doc)
     most = bit.mask >> bit.first
     read = f"{{raw}} >> {bit.first} & {most:#x}" if bit.first else f"{{raw}} & {most:#x}"
     if not bit.enum:
-        return _view(name, "int", read, doc)
+        sign = 1 << bit.width - 1
+        return _view(name, "int", f"(({read}) ^ {sign:#x}) - {sign:#x}" if bit.signed else read, doc)
     enum = enums[bit.enum]
     return _view(name, f"{enum.name} | int", f"{enum.table}.get({read}, {read})", doc)
+
+
+def _scaled(bit: Bit, view: BitView, names: Scope) -> BitView:
+    """The property of a field of bits in its unit."""
+    value = bit.as_value
+    name = names.take(f"{bit.name}_{unit_word(value.unit)}")
+    unit = f" in {value.unit}" if value.unit else ""
+    doc = docstring([f"`{view.name}`{unit}."], 8)
+    return BitView(name, "float", "", in_unit(f"self.{view.name}", ratio(value)), "", doc)
 
 
 def _view(name: str, type_: str, read: str, doc: list[str]) -> BitView:

@@ -215,7 +215,8 @@ def _crc_terms(
             base[part.offset : part.offset + part.size] = known
         else:
             flags = raw if part.value is not None and part.value.flags else ""
-            varying.append((part.offset, part.size, False, greatest_part(link, part), variable(part) + flags))
+            signed = part.value is not None and part.value.type.signed
+            varying.append((part.offset, part.size, signed, greatest_part(link, part), variable(part) + flags))
     for field in shaped.fields:
         at = frame.header_size + field.field.offset
         if field.stored:

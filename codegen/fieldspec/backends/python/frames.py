@@ -85,7 +85,8 @@ def is_simple(frame: FrameLayout) -> bool:
     """
     check, length = frame.checksum, frame.role("length")
     return (
-        len({part.order for part in frame.header if part.size > 1}) <= 1
+        frame.escape is None
+        and len({part.order for part in frame.header if part.size > 1}) <= 1
         and not any(part.reserved for part in frame.header)
         and frame.trailer == (() if check is None else (check,))
         and (check is None or _is_usual(check))
@@ -96,6 +97,23 @@ def is_simple(frame: FrameLayout) -> bool:
 def _is_usual(check: PartLayout) -> bool:
     """Whether a checksum has an algorithm with its own function, covers everything before it, and is sent as bytes."""
     return check.algorithm in SIMPLE and not check.digits and (check.start, check.stop) == (0, check.offset)
+
+
+def escape_call(frame: FrameLayout) -> str:
+    """`.escaping(_Cobs(), 0, None, ...)`: what gives frames their escape; empty where they have none."""
+    escape = frame.escape
+    if escape is None:
+        return ""
+    places = {place: part for place, part in enumerate(frame.parts) if part.role in ("length", "checksum")}
+    sent = sorted(place for place, part in places.items() if not part.escaped)
+    own = sorted(place for place, part in places.items() if part.escaped)
+    construction = {
+        "cobs": "_Cobs()",
+        "replace": f"_Replace({escape.pairs})",
+        "insert": f'_Insert(bytes.fromhex("{escape.pattern.hex()}"), {escape.inserted:#04x})',
+    }[escape.method]
+    bounds = f"{frame.escape_start}, {frame.escape_stop}"
+    return f".escaping({construction}, {bounds}, frozenset({sent}), frozenset({own}))"
 
 
 def check_rows(frame: FrameLayout) -> str:
@@ -250,6 +268,16 @@ def framer(
     length, code = frame.role("length"), frame.role("code")
     if not _ordered(frame):
         return "", [], []
+    if frame.escape is not None and (frame.escape_start, frame.escape_stop) == (0, None):
+        if not link.link.end:
+            return "", [], []
+        about.append("The end delimiter determines where a frame ends; it does not occur within, as bytes are escaped.")
+        sizes = [int(argument.partition("=")[2]) for argument in arguments[1:3]]
+        marks = len(link.link.start) + len(link.link.end)
+        most = f"most={marks + frame.escape.most(sizes[1] - marks)}"
+        return "_EscapeFramer", [*arguments, most], docstring(about, 8)
+    if frame.escape is not None and (length is None or length.escaped):
+        return "", [], []
     if length is not None:
         about.append("The length determines where a frame ends; a length that fits no message is garbage.")
         kind = "_LengthFramer" if is_simple(frame) else "_CountFramer"
@@ -282,6 +310,8 @@ def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) ->
     width = 2 if link.link.encoding == "hex_ascii" else 1
     marks = len(link.link.start) + len(link.link.end)
     sizes = [marks + width * (frame.header_size + size + frame.trailer_size) for size in (least, most)]
+    if frame.escape is not None and (frame.escape_start, frame.escape_stop) != (0, None):
+        sizes[1] = frame.escape.most(sizes[1])
     return [f"shortest={sizes[0]}", f"longest={sizes[1]}"]
 
 

@@ -52,6 +52,7 @@ _SHARED = {
         " packing text texts turned"
     ),
     "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
+    "_escapes": "Cobs EscapeFramer EscapedFrames Insert Replace",
     "_flags": "BITS_OF Flags",
     "_framers": "CodeFramer LengthFramer MarkFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response",

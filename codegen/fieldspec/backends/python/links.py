@@ -10,6 +10,7 @@ from fieldspec.backends.python.frames import (
     PartView,
     argument_views,
     code_literal,
+    escape_call,
     framer,
     frames_arguments,
     head_refusals,
@@ -58,6 +59,7 @@ class DirectionView:
     direction: str
     frames: str
     kind: str
+    escape: str
     arguments: list[str]
     quick: str
     quickly: str
@@ -247,7 +249,8 @@ def _direction(
     return DirectionView(
         direction=direction,
         frames=frames,
-        kind="_Frames" if is_simple(frame) else "_PartFrames",
+        kind="_EscapedFrames" if frame.escape else "_Frames" if is_simple(frame) else "_PartFrames",
+        escape=escape_call(frame),
         arguments=frames_arguments(link, frame),
         quick=f"_{upper}_QUICK_{direction.upper()}S",
         quickly=_quick_key(code),

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.backends.fact_texts import availability, described, printed, sentence
-from fieldspec.backends.python.quantities import ratio
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.registers import value_facts
+from fieldspec.backends.python.scaling import ratio
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.writing import pairs, tuple_of

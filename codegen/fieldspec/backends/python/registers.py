@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fieldspec.backends.fact_texts import described
 from fieldspec.backends.python.naming import Scope
-from fieldspec.backends.python.quantities import quantity, ratio
+from fieldspec.backends.python.scaling import quantity, ratio
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import pairs, tuple_of

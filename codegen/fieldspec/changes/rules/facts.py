@@ -11,7 +11,7 @@ from fieldspec.changes.comparison import Comparison, Pair, Unpaired
 from fieldspec.changes.descriptions import around, change, difference_text, kind, named, path, span, within
 from fieldspec.changes.evidence import enumeration, value_text
 from fieldspec.model.device import Device, Version
-from fieldspec.model.enums import Member
+from fieldspec.model.enums import Bit, Member
 from fieldspec.model.record import Field
 from fieldspec.model.registers import Parameter
 from fieldspec.model.texts import Example
@@ -206,6 +206,8 @@ def _followed(comparison: Comparison, pair: Pair[Any], key: str, old: Any, new: 
 
 
 def _same_scale(pair: Pair[Any]) -> bool:
+    if isinstance(pair.old, Bit):
+        return bool(pair.old.scale == pair.new.scale)
     old, new = pair.old.value, pair.new.value
     return old is not None and new is not None and old.scale == new.scale
 

@@ -14,11 +14,11 @@ from fieldspec.model.link import ExceptionResponse, Link, Part, Serial
 from fieldspec.model.record import Field, Measure, Message
 from fieldspec.model.value import ParameterPart
 
-_KEYS = {"encoding": "the encoding", "start": "the start delimiter", "end": "the end delimiter"}
+_KEYS = {"encoding": "the encoding", "start": "the start delimiter", "end": "the end delimiter", "escape": "the escape"}
 
 
 def framing_changed(comparison: Comparison) -> Iterator[Change]:
-    """Frames have other delimiters, or another encoding.
+    """Frames have other delimiters, another encoding or another escape.
 
     Why: neither side recognises the frames of the other.
 
@@ -30,10 +30,18 @@ def framing_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.of(Link):
         for key, what in _KEYS.items():
-            old, new = getattr(pair.old, key), getattr(pair.new, key)
+            old, new = _framing(pair.old, key), _framing(pair.new, key)
             if old != new:
                 text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("framing_changed", Effect.WIRE, pair, key, text, old, new)
+
+
+def _framing(link: Link, key: str) -> bytes | str:
+    """An attribute of a link that decides how frames look."""
+    if key == "escape":
+        return link.escape.text() if link.escape is not None else ""
+    value: bytes | str = getattr(link, key)
+    return value
 
 
 def check_changed(comparison: Comparison) -> Iterator[Change]:

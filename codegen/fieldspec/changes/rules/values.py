@@ -9,7 +9,7 @@ from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparison import Comparison, Pair, ValuePair
 from fieldspec.changes.descriptions import change, difference_text, named
 from fieldspec.model.device import Device
-from fieldspec.model.enums import Flags
+from fieldspec.model.enums import Bit, Flags
 from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Field
 from fieldspec.model.registers import Table
@@ -36,6 +36,10 @@ def type_changed(comparison: Comparison) -> Iterator[Change]:
     for word in comparison.of(Flags):
         if word.old.type != word.new.type:
             yield _change(word, "type", word.old.type.name, word.new.type.name, named(word.new))
+    for bit in comparison.of(Bit):
+        if bit.old.signed != bit.new.signed:
+            kinds = {True: "signed", False: "unsigned"}
+            yield _change(bit, "signed", kinds[bit.old.signed], kinds[bit.new.signed], named(bit.new))
     for table in comparison.of(Table):
         record = comparison.renamed_to("records", table.old.record)
         if record != table.new.record:
@@ -64,11 +68,21 @@ def _content(field: Field, record: str) -> tuple[str, str]:
 
 
 def _change(
-    pair: ValuePair | Pair[Flags] | Pair[Table] | Pair[Field] | Pair[Part], key: str, old: str, new: str, name: str
+    pair: ValuePair | Pair[Bit] | Pair[Flags] | Pair[Table] | Pair[Field] | Pair[Part],
+    key: str,
+    old: str,
+    new: str,
+    name: str,
 ) -> Change:
     return change(
         "type_changed", Effect.WIRE, pair, key, f"{name}: {difference_text('the type', old, new)}", old, new, ALL
     )
+
+
+def _of_bits(comparison: Comparison) -> Iterator[ValuePair]:
+    """The numbers in fields of bits."""
+    for pair in comparison.of(Bit):
+        yield ValuePair(pair, pair.old.as_value, pair.new.as_value)
 
 
 def scale_changed(comparison: Comparison) -> Iterator[Change]:
@@ -82,12 +96,12 @@ def scale_changed(comparison: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for value_pair in comparison.values:
+    for value_pair in (*comparison.values, *_of_bits(comparison)):
         for key, old, new in (
-            ("scale", value_pair.old.scale, value_pair.new.scale),
+            ("scale", value_pair.old.scale_number, value_pair.new.scale_number),
             ("offset", value_pair.old.offset, value_pair.new.offset),
         ):
-            if old != new:
+            if old != new and (key == "offset" or value_pair.old.scale != value_pair.new.scale):
                 text = f"{named(value_pair.of.new)}: {difference_text('the ' + key, old, new)}"
                 yield change("scale_changed", Effect.WIRE, value_pair, key, text, old, new)
 
@@ -103,7 +117,7 @@ def unit_changed(comparison: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for value_pair in comparison.values:
+    for value_pair in (*comparison.values, *_of_bits(comparison)):
         old, new = value_pair.old.unit, value_pair.new.unit
         if old != new:
             text = f"{named(value_pair.of.new)}: {difference_text('the unit', old, new)}"

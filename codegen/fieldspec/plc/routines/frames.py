@@ -189,7 +189,7 @@ def _open(world: World, link: LinkLayout) -> Routine:
     outputs = {part.name: _part_declared(draft, world, part, "output") for part in head_members(shape)}
     kind = code_type(shape)
     error = link.link.exception_response
-    flag = "" if error is None else ", without the mark of a refusal"
+    flag = "" if error is None else ", without the flag of an exception"
     code = draft.declare(f"{PREFIXES[kind.name]}Code", kind, "output", f"code{flag}") if kind else None
     refused = draft.declare("xRefused", BOOL, "output", "the body says why") if error is not None else None
     body = draft.declare("iBody", INT, "output", "index of the first byte of the body")

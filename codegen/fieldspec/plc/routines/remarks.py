@@ -15,6 +15,16 @@ def source(fact: Fact) -> str:
     return f"[{'; '.join(citation.text() for citation in fact.sources)}]" if fact.sources else ""
 
 
+def printed(fact: Fact) -> str:
+    """What the manual calls a fact: its name in print, and its label."""
+    return " ".join(text for text in (fact.printed_name, fact.label) if text)
+
+
+def cited(text: str, fact: Fact) -> str:
+    """A text, and behind it where the manual states the fact."""
+    return " ".join(part for part in (*text.split(), source(fact)) if part)
+
+
 def without_block(missing: Iterable[tuple[str, str]]) -> list[str]:
     """The lines that say which tasks have no block, and why; `missing` are their names and the reasons."""
     lines = [comment_text(f"{name}: {reason}") for name, reason in missing]

@@ -142,21 +142,21 @@ class Routine:
 
 
 STATUSES = (
-    ("ok", "It is done."),
-    ("incomplete", "There are too few words or bytes."),
-    ("wrong_length", "The words, bytes or elements are not as many as they must be."),
-    ("wrong_mark", "The frame does not start or end with its mark."),
-    ("not_hexadecimal", "A character is no hexadecimal digit."),
-    ("wrong_check", "The check at the end does not fit the bytes."),
+    ("ok", "No error."),
+    ("incomplete", "Too few words or bytes."),
+    ("wrong_length", "The number of words, bytes or elements is wrong."),
+    ("wrong_mark", "The frame does not begin or end with its delimiter."),
+    ("not_hexadecimal", "A character is not a hexadecimal digit."),
+    ("wrong_check", "The checksum does not match."),
     ("unknown_code", "The answer is to another message."),
-    ("unknown_value", "A value is none of those that its enum has, or is neither 0 nor 1."),
-    ("wrong_constant", "A constant has another value."),
-    ("wrong_measure", "A field that holds a size does not fit what it measures."),
-    ("out_of_range", "A value is out of its range."),
+    ("unknown_value", "A value is not a member of its enum, or a boolean is neither 0 nor 1."),
+    ("wrong_constant", "A constant has the wrong value."),
+    ("wrong_measure", "A size field does not match what it measures."),
+    ("out_of_range", "A value is out of range."),
     ("no_room", "The array is too small."),
-    ("refused", "The device refuses: the outputs say why."),
-    ("not_covered", "None of the registers lies wholly in the words, or one of the words belongs to no register."),
-    ("no_number", "A floating-point value is infinite or no number."),
+    ("refused", "The device refuses the request: the outputs say why."),
+    ("not_covered", "No register lies completely in the words, or a word belongs to no register."),
+    ("no_number", "A floating-point value is infinite or not a number."),
 )
 """The names of the members, in the order of their numbers, and what they mean."""
 

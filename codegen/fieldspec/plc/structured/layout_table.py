@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.plc.structured.objects import type_name
+from fieldspec.plc.layout.table import type_name
 from fieldspec.plc.structured.program import Program
 
 HEAD = ("struct", "size", "member", "type", "at", "bytes", "on_wire", "order", "identity")

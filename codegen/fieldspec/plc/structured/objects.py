@@ -8,7 +8,8 @@ from decimal import Decimal
 from fieldspec.classes import dataclass
 from fieldspec.plc.constants import Constant, ConstantList
 from fieldspec.plc.enums import EnumDeclaration, TextTable
-from fieldspec.plc.routines.expressions import DINT, LINT, ArrayType, Elementary, Type
+from fieldspec.plc.layout.table import type_name
+from fieldspec.plc.routines.expressions import DINT, LINT, Elementary
 from fieldspec.plc.routines.printer import comment, comment_text
 from fieldspec.plc.structs import Struct
 
@@ -80,20 +81,6 @@ def _units(char: str, wide: bool) -> list[int]:
 def length(text: str, wide: bool) -> int:
     """How many elements of a STRING or WSTRING a text takes."""
     return len(text.encode("utf-16-be", "replace")) // 2 if wide else len(text)
-
-
-def type_name(kind: Type) -> str:
-    """A type where something is declared."""
-    if isinstance(kind, ArrayType):
-        return f"ARRAY[{kind.low}..{kind.high}] OF {type_name(kind.of)}"
-    return kind.name
-
-
-def innermost(kind: Type) -> Type:
-    """The type of the elements of an array, or of arrays of arrays."""
-    while isinstance(kind, ArrayType):
-        kind = kind.of
-    return kind
 
 
 LIST_ATTRIBUTES = ("qualified_only",)

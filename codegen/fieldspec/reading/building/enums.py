@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+
 from fieldspec.model.enums import Bit, Cause, Enum, Flags, Member, State
 from fieldspec.model.value import PRIMITIVES
 from fieldspec.reading.building.context import Entry
+from fieldspec.reading.building.values import scale_of, scale_text
 
 
 def enum(entry: Entry) -> Enum:
@@ -41,19 +44,24 @@ def _member(entry: Entry) -> Member:
 def flags(entry: Entry) -> Flags:
     """A bit field."""
     primitive = PRIMITIVES[entry.text("type")]
+    bit_0 = entry.text("bit_0") or "least"
+    highest = 8 * primitive.size - 1 if bit_0 == "most" else None
+    bits = [_bit(inner, highest) for inner in entry.named("bits", entry.path)]
     return Flags(
         **entry.fact(),
         type=primitive,
         ranges=entry.whole_ranges("range"),
-        bits=tuple(_bit(inner) for inner in entry.named("bits", entry.path)),
+        bits=tuple(bits if highest is None else reversed(bits)),
         states=tuple(
             State(**inner.fact(), set=inner.texts("set"), clear=inner.texts("clear"))
             for inner in entry.entries("states")
         ),
+        bit_0=bit_0,
     )
 
 
-def _bit(entry: Entry) -> Bit:
+def _bit(entry: Entry, highest: int | None) -> Bit:
+    """A bit. Where the manual counts from the most significant bit, `highest` is the number of that one."""
     first = entry.integer("bit")
     last = first
     if span := entry.text("bits"):
@@ -62,6 +70,13 @@ def _bit(entry: Entry) -> Bit:
     if first is None or last is None or last < first:
         entry.refuse("wrong_form", "bits", "the bit has no number", "add `bit`, or `bits` as low..high")
         first = last = 0
+    if highest is not None:
+        first, last = highest - last, highest - first
+    if first < 0:
+        text = f"the word has no bit {entry.text('bits') or entry.integer('bit')}"
+        entry.refuse("wrong_value", "bits" if entry.text("bits") else "bit", text, "correct the number or the type")
+        first = last = 0
+    scale = scale_of(entry)
     reserved = entry.flag("reserved")
     arguments = entry.fact()
     if not arguments["name"]:
@@ -80,4 +95,9 @@ def _bit(entry: Entry) -> Bit:
         reserved=reserved,
         handling=entry.handling(),
         when=entry.text("when"),
+        signed=entry.flag("signed"),
+        scale=scale if scale is not None else Decimal(1),
+        scale_text=scale_text(entry.value("scale")),
+        offset=entry.decimal("offset") or Decimal(0),
+        unit=entry.text("unit"),
     )

@@ -6,6 +6,7 @@ from fieldspec.model.checksums import SIMPLE
 from fieldspec.model.link import ExceptionResponse, Link, Part, PartSpan, Serial, UnitAddresses
 from fieldspec.reading.building.checksums import algorithm_of
 from fieldspec.reading.building.context import Entry
+from fieldspec.reading.building.escapes import escape
 from fieldspec.reading.building.values import VALUE_KEYS, value
 
 _VALUED = ("unit_address", "code", "length", "plain")
@@ -42,6 +43,7 @@ def link(entry: Entry) -> Link:
         entry.entry("silence"),
         entry.entry("direction_names"),
     )
+    escaping = entry.entry("escape")
     arguments = entry.fact()
     if silence and silence.get("source"):  # what the manual prints is no longer from the standard
         arguments["standard"] = {key: standard for key, standard in arguments["standard"].items() if key != "silence"}
@@ -64,6 +66,7 @@ def link(entry: Entry) -> Link:
         silence_characters=silence.decimal("characters") if silence else None,
         silence_milliseconds=silence.decimal("milliseconds") if silence else None,
         silence_sources=silence.citations("source") if silence else (),
+        escape=escape(escaping) if escaping else None,
     )
 
 

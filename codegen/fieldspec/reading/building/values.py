@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
+from fieldspec.classes import TYPE_CHECKING
 from fieldspec.model.fact import ScalarValue
 from fieldspec.model.value import (
     PRIMITIVES,
@@ -20,6 +21,9 @@ from fieldspec.model.value import (
 from fieldspec.reading.building.context import Entry
 from fieldspec.schema import schema
 
+if TYPE_CHECKING:
+    from fractions import Fraction
+
 UNTYPED = PRIMITIVES["u16"]
 
 _ZERO, _UNITY = Decimal(0), Decimal(1)
@@ -34,10 +38,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
     if primitive is None:
         entry.refuse("type_present", "type", "this value has no type", "add a `type`")
         primitive = UNTYPED
-    scale = _scale(entry)
-    if scale == 0:
-        entry.refuse("wrong_value", "scale", "a scale of 0 makes all values equal", "state the quantity of one count")
-        scale = None
+    scale = scale_of(entry)
     offset = entry.decimal("offset") or _ZERO
     scale = scale if scale is not None else _UNITY
     part = entry.entry("parameter")
@@ -71,15 +72,16 @@ def _sentinel(entry: Entry) -> Sentinel:
     return Sentinel(value, entry.text("name"), entry.text("doc"), entry.sources, bits is not None and number is None)
 
 
-def _scale(entry: Entry) -> Decimal | None:
-    """The scale as an exact number; a fraction that is none is a finding."""
+def scale_of(entry: Entry) -> Decimal | Fraction | None:
+    """The scale as an exact number; a fraction that is none, and 0, are findings."""
     text = entry.value("scale")
-    if not isinstance(text, str):
-        return entry.decimal("scale")
-    scale = exact_scale(text)
-    if scale is None:
-        help = "use a divisor with the prime factors 2 and 5 only"
-        entry.refuse("wrong_form", "scale", f"`{text}` is not an exact decimal number", help)
+    scale = exact_scale(text) if isinstance(text, str) else entry.decimal("scale")
+    if scale == 0:
+        entry.refuse("wrong_value", "scale", "a scale of 0 makes all values equal", "state the quantity of one count")
+        return None
+    if scale is None and isinstance(text, str):
+        help = "use a divisor other than 0, and numbers of at most 18 digits"
+        entry.refuse("wrong_form", "scale", f"`{text}` is not an exact number", help)
     return scale
 
 
@@ -102,7 +104,7 @@ def _size(entry: Entry, primitive: Primitive, words: int | None) -> int:
     return length
 
 
-def _ranges(entry: Entry, scale: Decimal, offset: Decimal) -> Ranges | None:
+def _ranges(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> Ranges | None:
     in_unit = entry.ranges("unit_range")
     if in_unit is None:
         return entry.whole_ranges("range")
@@ -119,7 +121,7 @@ def _ranges(entry: Entry, scale: Decimal, offset: Decimal) -> Ranges | None:
     return Ranges(tuple(counts))
 
 
-def _default(entry: Entry, scale: Decimal, offset: Decimal) -> int | str | None:
+def _default(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> int | str | None:
     in_unit = entry.decimal("unit_default")
     if in_unit is None:
         default = entry.value("default")

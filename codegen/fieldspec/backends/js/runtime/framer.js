@@ -1,4 +1,5 @@
-import { readPart, withoutDelimiters, wrongParts } from "./link.js";
+import { begins, find } from "./escapes.js";
+import { originalParts, readPart, withoutDelimiters, wrongParts } from "./link.js";
 
 /**
  * Finds the frames of one direction in a stream of bytes that arrives in pieces of any size. It keeps at most the bytes
@@ -66,7 +67,8 @@ export class Framer {
   /** Whether delimiters, checksums and constants of a frame are right. */
   holds(frame) {
     try {
-      return wrongParts(this.shape.parts, withoutDelimiters(this.shape, frame)) === null;
+      const { parts } = this.shape;
+      return wrongParts(parts, originalParts(this.shape, parts, withoutDelimiters(this.shape, frame))) === null;
     } catch {
       return false;
     }
@@ -81,10 +83,6 @@ function joined(first, second) {
   return bytes;
 }
 
-function beginsWith(bytes, at, mark) {
-  return mark.every((byte, place) => bytes[at + place] === byte);
-}
-
 function foreign({ address, addresses }, bytes, at) {
   return addresses !== null && !addresses.has(readPart(bytes, at + address.offset, address));
 }
@@ -93,7 +91,7 @@ function foreign({ address, addresses }, bytes, at) {
 export function lengthFramer(shape) {
   const { start, end, length, shortest, longest } = shape;
   return new Framer(shape, (bytes, at) => {
-    if (!beginsWith(bytes, at, start)) return 0;
+    if (!begins(bytes, at, start)) return 0;
     at += start.length;
     if (foreign(shape, bytes, at)) return 0;
     const extent = readPart(bytes, at + length.offset, length) * length.unitSize + length.base + start.length + end.length;
@@ -109,7 +107,7 @@ export function lengthFramer(shape) {
 export function codeFramer(shape) {
   const { start, code, extents, flag, refusal, longest } = shape;
   return new Framer(shape, (bytes, at) => {
-    if (!beginsWith(bytes, at, start)) return 0;
+    if (!begins(bytes, at, start)) return 0;
     at += start.length;
     const number = readPart(bytes, at + code.offset, code);
     const extent = number & flag ? refusal : extents[number];
@@ -136,7 +134,7 @@ class DelimiterFramer extends Framer {
     const bytes = joined(this.bytes, piece);
     const frames = [];
     let done = 0;
-    for (let close = find(bytes, end, 0); close >= 0; close = find(bytes, end, done)) {
+    for (let close = find(bytes, 0, end); close >= 0; close = find(bytes, done, end)) {
       const after = close + end.length;
       const open = findLast(bytes, start, done, close);
       const frame = open < 0 ? null : bytes.slice(open, after);
@@ -172,12 +170,67 @@ class DelimiterFramer extends Framer {
   }
 }
 
-function find(bytes, mark, from) {
-  for (let at = from; at + mark.length <= bytes.length; at++) if (beginsWith(bytes, at, mark)) return at;
-  return -1;
+/**
+ * The framer of frames whose end delimiter does not occur among their bytes, because these are escaped. `most` is the
+ * greatest size of a frame with the bytes that escaping adds.
+ */
+export function escapeFramer(shape) {
+  return new EscapeFramer(shape, null);
+}
+
+class EscapeFramer extends Framer {
+  feed(piece) {
+    const { start, end, most, parts } = this.shape;
+    const bytes = joined(this.bytes, piece);
+    const frames = [];
+    let at = 0;
+    const drop = (next) => {
+      this.dropped += next - at;
+      at = next;
+    };
+    while (at < bytes.length) {
+      if (!begins(bytes, at, start)) {
+        const next = find(bytes, at, start);
+        drop(next < 0 ? Math.max(at, bytes.length - start.length + 1) : next);
+        if (next < 0) break;
+      }
+      const close = parts.escape.end(bytes, at + start.length, end);
+      if (close < 0) {
+        if (bytes.length - at <= most) break;
+        drop(at + 1);
+        continue;
+      }
+      const frame = bytes.slice(at, close + end.length);
+      if (this.holds(frame)) {
+        frames.push(frame);
+        at = close + end.length;
+      } else {
+        // What ends bytes that are no frame may begin one, or the frame may begin later.
+        drop(start.length > 0 ? at + 1 : close + end.length);
+      }
+    }
+    this.bytes = bytes.slice(at);
+    return frames;
+  }
+
+  /** No frames: frames with delimiters may pause, so silence decides nothing. */
+  idle() {
+    return [];
+  }
+
+  holds(frame) {
+    const { start, end, shortest, longest, parts } = this.shape;
+    try {
+      const data = originalParts(this.shape, parts, withoutDelimiters(this.shape, frame));
+      const size = data.length + start.length + end.length;
+      return size >= shortest && size <= longest && wrongParts(parts, data) === null && !foreign(this.shape, data, 0);
+    } catch {
+      return false;
+    }
+  }
 }
 
 function findLast(bytes, mark, from, to) {
-  for (let at = to - mark.length; at >= from; at--) if (beginsWith(bytes, at, mark)) return at;
+  for (let at = to - mark.length; at >= from; at--) if (begins(bytes, at, mark)) return at;
   return -1;
 }

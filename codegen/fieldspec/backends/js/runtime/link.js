@@ -52,7 +52,7 @@ export function link(shapes, messages, exception) {
   });
 }
 
-function frame({ header, trailer, checksums }) {
+function frame({ header, trailer, checksums, escape, escapeStart, escapeStop }) {
   const sum = (parts) => parts.reduce((size, part) => size + part.size, 0);
   const parts = [...header, ...trailer];
   return {
@@ -63,6 +63,9 @@ function frame({ header, trailer, checksums }) {
     trailerSize: sum(trailer),
     lengths: header.filter((part) => part.role === "length"),
     checksums: checksums.map((index) => parts[index]),
+    escape,
+    escapeStart,
+    escapeStop,
     constants: parts.filter((part) => part.constant !== null && !part.reserved),
     visible: header.filter((part) => part.key !== null),
     keys: Object.assign({ __proto__: null }, ...parts.filter((part) => part.key !== null).map((part) => ({ [part.key]: 0 }))),
@@ -159,25 +162,70 @@ function withDelimiters({ start, end, hex }, data) {
   return bytes;
 }
 
+/** Whether a length or a checksum is that of the bytes which are sent, not of those before they were escaped. */
+function isOfSent(shape, part) {
+  return shape.escape !== null && !part.escaped;
+}
+
+/** The parts before they were escaped. Throws CodecError for what is wrong around them, and for a wrong escape. */
+export function originalParts({ start }, shape, data) {
+  if (shape.escape === null) return data;
+  const wrong = wrongSize(shape, data) ?? wrongLength(shape, data, true) ?? wrongChecksum(shape, data, true);
+  if (wrong !== null) throw wrong;
+  const [first, stop] = [shape.escapeStart, place(shape.escapeStop, data.length)];
+  const inner = shape.escape.original(data.subarray(first, stop), start.length + first);
+  return joined(data.subarray(0, first), inner, data.subarray(stop));
+}
+
+/** What is sent for the bytes of the parts. */
+function sentParts(shape, data) {
+  if (shape.escape === null) return data;
+  const [first, stop] = [shape.escapeStart, place(shape.escapeStop, data.length)];
+  return joined(data.subarray(0, first), shape.escape.escaped(data.subarray(first, stop)), data.subarray(stop));
+}
+
+function joined(...pieces) {
+  const bytes = new Uint8Array(pieces.reduce((size, piece) => size + piece.length, 0));
+  let at = 0;
+  for (const piece of pieces) {
+    bytes.set(piece, at);
+    at += piece.length;
+  }
+  return bytes;
+}
+
 /** The first reason why the parts of a frame are wrong: its size, a length, a checksum or a constant; null for none. */
 export function wrongParts(shape, data) {
+  return (
+    wrongSize(shape, data) ??
+    wrongLength(shape, data, false) ??
+    wrongChecksum(shape, data, false) ??
+    wrongConstant(shape, data)
+  );
+}
+
+function wrongSize(shape, data) {
+  const [size, least] = [data.length, shape.headerSize + shape.trailerSize];
+  return size < least ? new CodecError("incomplete", `a frame has at least ${least} bytes, not ${size}`, size) : null;
+}
+
+function wrongLength(shape, data, ofSent) {
   const size = data.length;
-  const least = shape.headerSize + shape.trailerSize;
-  if (size < least) return new CodecError("incomplete", `a frame has at least ${least} bytes, not ${size}`, size);
   for (const part of shape.lengths) {
+    if (isOfSent(shape, part) !== ofSent) continue;
     const units = readPart(data, part.offset, part);
     const extent = units * part.unitSize + part.base;
     if (extent !== size) {
       return new CodecError("wrong_length", `${part.name} is ${units}, for a frame of ${extent} bytes, but there are ${size}`, part.offset);
     }
   }
-  return wrongChecksum(shape, data) ?? wrongConstant(shape, data);
+  return null;
 }
 
-/** The error of the first wrong checksum, or null. */
-export function wrongChecksum(shape, data) {
+function wrongChecksum(shape, data, ofSent) {
   const size = data.length;
   for (const part of shape.checksums) {
+    if (isOfSent(shape, part) !== ofSent) continue;
     const at = place(part.offset, size);
     const want = checksumBytes(part, data, place(part.start, size), place(part.stop, size));
     if (!matches(data, at, want)) {
@@ -200,7 +248,7 @@ function wrongConstant(shape, data) {
 }
 
 function decoded(context, shape, bytes, entry, direction) {
-  const data = withoutDelimiters(context, bytes);
+  const data = originalParts(context, shape, withoutDelimiters(context, bytes));
   const wrong = wrongParts(shape, data);
   if (wrong !== null) throw wrong;
   const end = data.length - shape.trailerSize;
@@ -246,16 +294,19 @@ function encoded(context, shape, header, code, record, value) {
   }
   record.write(value, data, headerSize);
   for (const part of shape.lengths) {
-    const units = (size - part.base) / part.unitSize;
+    const total = isOfSent(shape, part) ? sentParts(shape, data).length : size;
+    const units = (total - part.base) / part.unitSize;
     if (!Number.isInteger(units) || units < part.low || units > part.high) {
-      throw new CodecError("wrong_length", `${part.name} cannot say that the frame has ${size} bytes`);
+      throw new CodecError("wrong_length", `${part.name} cannot say that the frame has ${total} bytes`);
     }
     writePart(data, part.offset, part, units);
   }
   for (const part of shape.checksums) {
-    data.set(checksumBytes(part, data, place(part.start, size), place(part.stop, size)), place(part.offset, size));
+    const covered = isOfSent(shape, part) ? sentParts(shape, data) : data;
+    const [start, stop] = [place(part.start, covered.length), place(part.stop, covered.length)];
+    data.set(checksumBytes(part, covered, start, stop), place(part.offset, size));
   }
-  return withDelimiters(context, data);
+  return withDelimiters(context, sentParts(shape, data));
 }
 
 function partValue({ unitAddresses }, part, header, code) {

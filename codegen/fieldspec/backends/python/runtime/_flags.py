@@ -29,6 +29,7 @@ class Flags:
 
     __slots__ = ("raw",)
     _BITS: ClassVar[dict[str, tuple[int, int]]] = {}
+    _SIGNED: ClassVar[frozenset[str]] = frozenset()
 
     def __init__(self, raw: int = 0, **bits: int) -> None:
         self.raw: Final = self._changed(raw, bits) if bits else raw
@@ -38,9 +39,10 @@ class Flags:
             if name not in self._BITS:
                 raise TypeError(f"{self.__class__.__name__} has no bit {name}")
             first, most = self._BITS[name]
-            if not 0 <= value <= most:
-                raise CodecError("out_of_range", f"{name} is {int(value)}, not in 0..{most}")
-            raw = raw & ~(most << first) | value << first
+            low, high = (~(most >> 1), most >> 1) if name in self._SIGNED else (0, most)
+            if not low <= value <= high:
+                raise CodecError("out_of_range", f"{name} is {int(value)}, not in {low}..{high}")
+            raw = raw & ~(most << first) | (value & most) << first
         return raw
 
     def __int__(self) -> int:

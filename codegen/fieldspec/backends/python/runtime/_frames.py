@@ -143,7 +143,11 @@ class Frames:
         return self.start + inner + self.end
 
     def agrees(self, data: Data) -> bool:
-        """Whether the checksum at the end of the parts is right."""
+        """Whether the constants of the header and the checksum at the end of the parts are right."""
+        if self.constants:
+            head = self.head.unpack_from(data)
+            if any(head[place] != const for place, _, const, _ in self.constants):
+                return False
         algorithm = self.algorithm
         if algorithm is None:
             return True

@@ -114,8 +114,12 @@ class LineDraft(BlockDraft):
         why = self.declare("uiFirstReason", UINT, "local", "why it ends before its time")
         first, last = self.ending
         stops: list[Expression] = [self.failed(), self.abort]
+        aborts: list[Expression] = [self.abort]
         if self.hold:
             stops.append(Negation(self.start))
+        elif self.displaced is not None:
+            stops.append(self.displaced)
+            aborts.append(self.displaced)
         bounds = [
             compared(self.step, ">=", number(self.first)),
             compared(self.step, "<=", number(last)),
@@ -123,7 +127,7 @@ class LineDraft(BlockDraft):
         none = Whole(0, UINT)
         no_reason = Assignment(self.reason, none)
         begin: list[Statement] = [
-            *(self._dropped(), Assignment(ending, Truth(True)), Assignment(aborting, self.abort)),
+            *(self._dropped(), Assignment(ending, Truth(True)), Assignment(aborting, either(aborts))),
             *(Assignment(why, self.reason), no_reason, Assignment(tries, number(1)), self.go(first)),
         ]
         wrong = [Assignment(self.error_id, self.reason), Assignment(self.error, Truth(True))]
@@ -141,7 +145,9 @@ class LineDraft(BlockDraft):
         )
         behind = compared(self.step, ">", number(last))
         over = chain([(self.failed(), [failed_again]), (behind, [ended])])
-        taken = [(self.displaced, [Assignment(self.aborted, Truth(True))])] if self.displaced is not None else []
+        # The end of a jog would end the motion of the block that has taken over.
+        displaced = self.displaced if self.hold else None
+        taken = [(displaced, [Assignment(self.aborted, Truth(True))])] if displaced is not None else []
         return [*taken, (ending, [over]), (every([either(stops), *bounds]), begin)]
 
 

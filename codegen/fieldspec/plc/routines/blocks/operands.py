@@ -68,7 +68,10 @@ def scaled(world: World, fact: Fact) -> Scaled | None:
 
 
 def kind_of(world: World, operand: Operand, value: Value | None) -> Type:
-    """The type of a variable for an operand: BOOL for a bit, a number for several, else that of the value."""
+    """The type of a variable for an operand: BOOL for a bit, a number for several, else that of the value.
+
+    Raises NoBlock where it is an array or has no value.
+    """
     if operand.bit is not None:
         return BOOL if operand.bit.width == 1 else UNSIGNED[_bytes(operand.bit.width)]
     if value is None:
@@ -191,7 +194,10 @@ def holds(world: World, operand: Operand, content: Value | None, value: ScalarVa
 
 
 def constant(world: World, operand: Operand, content: Value | None, value: ScalarValue, kind: Type) -> Expression:
-    """A value of a step as a literal: a truth, a number in counts, or the name of a member."""
+    """A value of a step as a literal: a truth, a number in counts, or the name of a member.
+
+    Raises NoBlock where the operand cannot have it.
+    """
     if kind == BOOL:
         return Truth(bool(value))
     enum = operand.bit.enum if operand.bit is not None else content.enum if content is not None else ""

@@ -19,11 +19,11 @@ from fieldspec.plc.routines.wrapping import framed
 from fieldspec.plc.structs import fixed
 
 FREE, ASKED, ANSWERED, ABANDONED = range(4)
-"""The states of a port. A transport frees a port that is given up as soon as it can send again."""
+"""The states of a port. A transport frees a port that is abandoned once it can send again."""
 
 AXIS, FRAMES = "axis of the device", "frames of the device"
 """The keys of the ports that belong to no telegram. No fact has a name with spaces."""
-STATE_REMARK = "0 free, 1 asked, 2 answered, 3 given up"
+STATE_REMARK = "0 free, 1 asked, 2 answered, 3 abandoned"
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.layout.device import TableLayout
+from fieldspec.model.address_space import WORD
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.names import Name
 from fieldspec.plc.routines.blocks.lines import LineDraft
@@ -32,6 +33,8 @@ _WAYS = {"read": "unpack", "write": "pack"}
 def group_blocks(world: World, by_name: Mapping[str, Routine]) -> Iterator[Routine]:
     """A block that reads registers of a group into its struct, and one that writes them."""
     device = world.layout.device
+    if device.space("").unit != WORD:
+        return
     for group in device.groups:
         if device.space_name(group.space) != device.space_name(""):
             continue
@@ -85,6 +88,8 @@ def _add(
 def table_blocks(world: World, by_name: Mapping[str, Routine]) -> Iterator[Routine]:
     """The blocks of all tables whose elements fit into one request."""
     device = world.layout.device
+    if device.space("").unit != WORD:
+        return
     records = [table.record.name for table in world.layout.tables.values()]
     for table in world.layout.tables.values():
         if device.space_name(table.table.space) != device.space_name(""):

@@ -58,7 +58,7 @@ def _watches(device: Device, operands: Operands, kinds: dict[str, str], message:
 
 
 def target(operands: Operands, step: Step, message: str = "") -> Operand:
-    """The operand of a step."""
+    """The operand of a step. Raises NoBlock where it is not exactly one fact."""
     targets = operands.target(step.target, message)
     if len(targets) != 1:
         raise NoBlock(f"`{step.target}` is not one fact")
@@ -104,7 +104,8 @@ def is_last_wait(task: Task, step: Step) -> bool:
 def end_steps(task: Task) -> tuple[int, int] | None:
     """The steps that begin and end what must not go on by itself.
 
-    A jog is ended by its last step; what is set and later cleared, by the step that clears it.
+    A jog is ended by its last step; what is set and later cleared, by the step that clears it. Raises NoBlock for a jog
+    that no step ends.
     """
     first = before_effect(task)
     if task.kind == JOG:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from fieldspec.layout.record import RegisterLayout
+from fieldspec.model.address_space import WORD
 from fieldspec.model.device import Device
 from fieldspec.model.fact import ScalarValue
 from fieldspec.model.operand import REGISTERS, Operand, Operands
@@ -101,12 +102,12 @@ def has_only_registers(operands: Operands, task: Task) -> bool:
 
 
 def register_of(world: World, operand: Operand) -> RegisterLayout:
-    """The register of an operand, which must be single and in the first space of the device."""
+    """The register of an operand. Raises NoBlock unless it is single and in the first space of the device."""
     device: Device = world.layout.device
     for register in world.layout.registers:
         if register.register is operand.holder:
             group = next(group for group in device.groups if any(own is register.register for own in group.registers))
-            if device.space_name(group.space) != device.space_name(""):
+            if device.space("").unit != WORD or device.space_name(group.space) != device.space_name(""):
                 raise NoBlock(f"{operand.path} is in another address space")
             if register.count > 1 or register.words > world.words.high + 1:
                 raise NoBlock(f"{operand.path} is no single number")
@@ -243,7 +244,12 @@ class _Maker:
             self._writes(operand, word)
             self.block.settle_input(_SETTLE)
             self.block.settle()
-        changes: list[Statement] = []
+        # What a later step sets may still be set by a task that failed: then it would count for the new values.
+        changes: list[Statement] = [
+            _masked(word, self._target(later), False)
+            for later in steps[last:]
+            if later.action == "set" and self._target(later).holder is operand.holder and steps[at].action == "write"
+        ]
         for step in steps[at:last]:
             changes += self._changed(self._target(step), step, word)
         self._asks(register, [*changes, self.block.go(self.block.next + 1)])
@@ -307,7 +313,7 @@ class _Maker:
 
 
 def value_of(step: Step) -> ScalarValue:
-    """What a step waits for."""
+    """What a step waits for. Raises NoBlock where that is an argument."""
     if step.value is None:
         raise NoBlock(f"what `{step.target}` is waited for is an argument")
     return step.value

@@ -1,0 +1,48 @@
+"""Escapes in C: the functions of a link that turn bytes into those that are sent, and back, in place."""
+
+from __future__ import annotations
+
+from fieldspec.backends.c.declarations import Source
+from fieldspec.backends.c.expressions import Call, Expression, unsigned
+from fieldspec.backends.c.naming import Naming
+from fieldspec.backends.c.runtime_files import copy_runtime
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.model.escape import Escape
+
+_FORMS = "escape_forms.h"
+
+
+def declare_escapes(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
+    """The functions of the escapes of all links."""
+    links = [link for link in layout.links.values() if link.link.escape is not None]
+    functions = [[_functions(naming, link, link.link.escape)] for link in links if link.link.escape is not None]
+    return [[copy_runtime(naming, _FORMS, "moving")], *functions] if functions else []
+
+
+def _functions(naming: Naming, link: LinkLayout, escape: Escape) -> Source:
+    def digits(number: int) -> str:
+        return f"0x{number:02X}u"
+
+    special = dict.fromkeys([byte for byte, _, _ in escape.pairs] + [first for _, first, _ in escape.pairs])
+    words = {
+        "ESCAPE": f"escape_{link.name}",
+        "UNESCAPE": f"unescape_{link.name}",
+        "ROW": f"row_{link.name}" if escape.pairs else f"pattern_{link.name}",
+        "ROWS": f"{len(escape.pairs) or len(escape.pattern)}u",
+        "PAIRS": "\n".join(f"        {{{', '.join(map(digits, row))}}}," for row in escape.pairs),
+        "SENT": "\n".join(f"        {{{', '.join(map(digits, row))}}}," for _, *row in escape.pairs),
+        "ORIGINALS": ", ".join(digits(byte) for byte, _, _ in escape.pairs),
+        "SPECIAL": " || ".join(f"data[at] == {digits(byte)}" for byte in special),
+        "PATTERN": ", ".join(map(digits, escape.pattern)),
+        "INSERTED": digits(escape.inserted),
+    }
+    return copy_runtime(naming, _FORMS, escape.method, words)
+
+
+def escape_call(naming: Naming, link: LinkLayout, frame: FrameLayout, *arguments: Expression) -> Call:
+    """`escape_slip(out, &total, 0u, 0u, capacity - 1u)`: `arguments` are the bytes and their length, then the room."""
+    function = "escape" if len(arguments) > 2 else "unescape"
+    first, length, *room = arguments
+    bounds = unsigned(frame.escape_start), unsigned(-(frame.escape_stop or 0))
+    return Call(naming.own(f"{function}_{link.name}"), (first, length, *bounds, *room))

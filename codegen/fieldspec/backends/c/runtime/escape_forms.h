@@ -1,0 +1,226 @@
+/* ---- moving ---- */
+
+/** Moves bytes up, to make room before them. */
+static inline void device_move_up(uint8_t *data, size_t size, size_t room)
+{
+    while (size > 0u) {
+        size--;
+        data[size + room] = data[size];
+    }
+}
+
+/* ---- replace ---- */
+
+/** The row of the table for a byte, or for the two bytes that are sent for it; ROWS if there is none. */
+static inline size_t device_ROW(uint8_t first, uint8_t second, bool sent)
+{
+    static const uint8_t pairs[ROWS][3] = {
+PAIRS
+    };
+    size_t row;
+    for (row = 0; row < ROWS; row++) {
+        if (sent ? pairs[row][1] == first && pairs[row][2] == second : pairs[row][0] == first) {
+            break;
+        }
+    }
+    return row;
+}
+
+/** Turns the bytes between `head` and `tail` bytes into those that are sent. */
+static inline device_codec_status device_ESCAPE(
+    uint8_t *data, size_t *length, size_t head, size_t tail, size_t capacity)
+{
+    static const uint8_t sent[ROWS][2] = {
+SENT
+    };
+    size_t size = *length - head - tail, room = 0, at, to = head;
+    for (at = 0; at < size; at++) {
+        room += device_ROW(data[head + at], 0, false) < ROWS ? 1u : 0u;
+    }
+    if (room > capacity - *length) {
+        return DEVICE_ERR_CAPACITY;
+    }
+    device_move_up(data + head, size + tail, room);
+    for (at = head + room; at < head + room + size; at++) {
+        size_t row = device_ROW(data[at], 0, false);
+        if (row < ROWS) {
+            data[to] = sent[row][0];
+            data[to + 1u] = sent[row][1];
+            to += 2u;
+        } else {
+            data[to] = data[at];
+            to++;
+        }
+    }
+    *length += room;
+    return DEVICE_OK;
+}
+
+/** Turns the bytes between `head` and `tail` bytes back into the original ones. */
+static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length, size_t head, size_t tail)
+{
+    static const uint8_t originals[ROWS] = {ORIGINALS};
+    size_t stop = *length - tail, at = head, to = head;
+    while (at < stop) {
+        if (SPECIAL) {
+            size_t row = at + 1u < stop ? device_ROW(data[at], data[at + 1u], true) : ROWS;
+            if (row >= ROWS) {
+                return DEVICE_ERR_WRONG_MARK;
+            }
+            data[to] = originals[row];
+            at += 2u;
+        } else {
+            data[to] = data[at];
+            at++;
+        }
+        to++;
+    }
+    for (at = 0; at < tail; at++) {
+        data[to + at] = data[stop + at];
+    }
+    *length = to + tail;
+    return DEVICE_OK;
+}
+
+/* ---- insert ---- */
+
+/** Whether the pattern ends at a byte. */
+static inline bool device_ROW(const uint8_t *data, size_t begin, size_t end)
+{
+    static const uint8_t pattern[ROWS] = {PATTERN};
+    size_t at;
+    if (end - begin < ROWS) {
+        return false;
+    }
+    for (at = 0; at < ROWS; at++) {
+        if (data[end - ROWS + at] != pattern[at]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** Turns the bytes between `head` and `tail` bytes into those that are sent. */
+static inline device_codec_status device_ESCAPE(
+    uint8_t *data, size_t *length, size_t head, size_t tail, size_t capacity)
+{
+    size_t size = *length - head - tail, room = 0, at, begin = head, to = head;
+    for (at = head; at < head + size; at++) {
+        if (device_ROW(data, begin, at + 1u)) {
+            room++;
+            begin = at + 1u;
+        }
+    }
+    if (room > capacity - *length) {
+        return DEVICE_ERR_CAPACITY;
+    }
+    device_move_up(data + head, size + tail, room);
+    begin = head;
+    for (at = head + room; at < head + room + size; at++) {
+        data[to] = data[at];
+        to++;
+        if (device_ROW(data, begin, to)) {
+            data[to] = INSERTED;
+            to++;
+            begin = to;
+        }
+    }
+    *length += room;
+    return DEVICE_OK;
+}
+
+/** Turns the bytes between `head` and `tail` bytes back into the original ones. */
+static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length, size_t head, size_t tail)
+{
+    size_t stop = *length - tail, at = head, to = head, begin = head;
+    while (at < stop) {
+        data[to] = data[at];
+        at++;
+        to++;
+        if (device_ROW(data, begin, to)) {
+            if (at >= stop || data[at] != INSERTED) {
+                return DEVICE_ERR_WRONG_MARK;
+            }
+            at++;
+            begin = to;
+        }
+    }
+    for (at = 0; at < tail; at++) {
+        data[to + at] = data[stop + at];
+    }
+    *length = to + tail;
+    return DEVICE_OK;
+}
+
+/* ---- cobs ---- */
+
+/** Turns the bytes between `head` and `tail` bytes into blocks without zeros. */
+static inline device_codec_status device_ESCAPE(
+    uint8_t *data, size_t *length, size_t head, size_t tail, size_t capacity)
+{
+    size_t size = *length - head - tail, room = 1, at, block = 0, to = head, code;
+    for (at = 0; at < size; at++) {
+        if (block == 254u) {
+            room++;
+            block = 0;
+        }
+        block = data[head + at] == 0u ? 0u : block + 1u;
+    }
+    if (room > capacity - *length) {
+        return DEVICE_ERR_CAPACITY;
+    }
+    device_move_up(data + head, size + tail, room);
+    code = to;
+    to++;
+    for (at = head + room; at < head + room + size; at++) {
+        uint8_t byte = data[at];
+        if (to - code == 255u) {
+            data[code] = 0xFFu;
+            code = to;
+            to++;
+        }
+        if (byte == 0u) {
+            data[code] = (uint8_t)(to - code);
+            code = to;
+        } else {
+            data[to] = byte;
+        }
+        to++;
+    }
+    data[code] = (uint8_t)(to - code);
+    *length += room;
+    return DEVICE_OK;
+}
+
+/** Turns the blocks between `head` and `tail` bytes back into the original bytes. */
+static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length, size_t head, size_t tail)
+{
+    size_t stop = *length - tail, at = head, to = head, end;
+    uint8_t code;
+    if (at == stop) {
+        return DEVICE_ERR_WRONG_MARK;
+    }
+    while (at < stop) {
+        code = data[at];
+        if (code == 0u || code > stop - at) {
+            return DEVICE_ERR_WRONG_MARK;
+        }
+        end = at + code;
+        for (at++; at < end; at++) {
+            if (data[at] == 0u) {
+                return DEVICE_ERR_WRONG_MARK;
+            }
+            data[to] = data[at];
+            to++;
+        }
+        if (code < 0xFFu && at < stop) {
+            data[to] = 0u;
+            to++;
+        }
+    }
+    for (at = 0; at < tail; at++) {
+        data[to + at] = data[stop + at];
+    }
+    *length = to + tail;
+    return DEVICE_OK;
+}

@@ -1,0 +1,258 @@
+"""Escaped bytes: what is sent for the bytes between delimiters, and the frames of such bytes in a stream."""
+
+from __future__ import annotations
+
+from ._error import CodecError
+from ._framers import Framer
+from ._part_frames import PartFrames
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ._typing import Data
+
+
+class Replace:
+    """Two bytes are sent for each of some bytes. `pairs` are such a byte and the two bytes."""
+
+    __slots__ = ("originals", "pairs", "special")
+
+    def __init__(self, pairs: tuple[tuple[int, int, int], ...]) -> None:
+        self.pairs = {byte: bytes((first, second)) for byte, first, second in pairs}
+        self.originals = {pair: byte for byte, pair in self.pairs.items()}
+        self.special = frozenset(self.pairs) | frozenset(pair[0] for pair in self.originals)
+
+    def escaped(self, data: Data) -> bytes:
+        """What is sent for some bytes."""
+        pairs = self.pairs
+        return b"".join(pairs[byte] if byte in pairs else bytes((byte,)) for byte in data)
+
+    def original(self, data: Data, offset: int) -> bytes:
+        """The bytes for which others were sent; `offset` is the place of these. Raises CodecError."""
+        result, at = bytearray(), 0
+        while at < len(data):
+            byte = data[at]
+            if byte in self.special:
+                original = self.originals.get(bytes(data[at : at + 2]))
+                if original is None:
+                    raise CodecError("wrong_mark", "a byte is not escaped, or the escape means nothing", offset + at)
+                result.append(original)
+                at += 2
+            else:
+                result.append(byte)
+                at += 1
+        return bytes(result)
+
+    def end(self, data: bytearray, at: int, end: bytes) -> int:
+        """The place of the end delimiter, -1 where it is not there yet: no escaped byte belongs to it."""
+        while at < len(data):
+            if bytes(data[at : at + 2]) in self.originals:
+                at += 2
+            elif data.startswith(end, at):
+                return at
+            else:
+                at += 1
+        return -1
+
+
+class Insert:
+    """A byte is sent after each occurrence of a pattern."""
+
+    __slots__ = ("inserted", "pattern", "stuffed")
+
+    def __init__(self, pattern: bytes, inserted: int) -> None:
+        self.pattern, self.inserted = pattern, inserted
+        self.stuffed = pattern + bytes((inserted,))
+
+    def escaped(self, data: Data) -> bytes:
+        """What is sent for some bytes."""
+        return bytes(data).replace(self.pattern, self.stuffed)
+
+    def original(self, data: Data, offset: int) -> bytes:
+        """The bytes for which others were sent; `offset` is the place of these. Raises CodecError."""
+        pieces = bytes(data).split(self.pattern)
+        at = offset + len(pieces[0])
+        for number, piece in enumerate(pieces[1:], 1):
+            at += len(self.pattern)
+            if piece[:1] != self.stuffed[-1:]:
+                raise CodecError("wrong_mark", f"{self.inserted:#04x} is missing behind the pattern", at)
+            at += len(piece)
+            pieces[number] = piece[1:]
+        return self.pattern.join(pieces)
+
+    def end(self, data: bytearray, at: int, end: bytes) -> int:
+        """The place of the end delimiter, -1 where it is not there yet."""
+        return data.find(end, at)
+
+
+class Cobs:
+    """Consistent overhead byte stuffing: no zero is sent; each block begins with the distance to the next zero."""
+
+    __slots__ = ()
+
+    def escaped(self, data: Data) -> bytes:
+        """What is sent for some bytes."""
+        result, block = bytearray(), bytearray()
+        for byte in data:
+            if len(block) == 254:
+                result += b"\xff" + block
+                block.clear()
+            if byte:
+                block.append(byte)
+            else:
+                result.append(len(block) + 1)
+                result += block
+                block.clear()
+        result.append(len(block) + 1)
+        return bytes(result + block)
+
+    def original(self, data: Data, offset: int) -> bytes:
+        """The bytes for which others were sent; `offset` is the place of these. Raises CodecError."""
+        result, at = bytearray(), 0
+        while at < len(data) or not data:
+            code = data[at] if data else 0
+            block = data[at + 1 : at + code]
+            if not code or len(block) < code - 1 or 0 in block:
+                raise CodecError("wrong_mark", f"the block of {code} bytes is not complete", offset + at)
+            result += block
+            at += code
+            if code < 0xFF and at < len(data):
+                result.append(0)
+        return bytes(result)
+
+    def end(self, data: bytearray, at: int, end: bytes) -> int:
+        """The place of the end delimiter, -1 where it is not there yet."""
+        return data.find(end, at)
+
+
+class EscapedFrames(PartFrames):
+    """Frames whose parts are escaped from `first` to `last`, the bounds of a slice.
+
+    The lengths and checksums at the places `sent` are those of the bytes that are sent, those at `own` are not.
+    """
+
+    __slots__ = ("escape", "first", "last", "own", "sent")
+
+    def escaping(
+        self, escape: Replace | Insert | Cobs, first: int, last: int | None, sent: frozenset[int], own: frozenset[int]
+    ) -> EscapedFrames:
+        """The same frames with their escape."""
+        self.escape, self.first, self.last, self.sent, self.own = escape, first, last, sent, own
+        return self
+
+    @property
+    def _own(self) -> frozenset[int]:
+        return self.own
+
+    def original(self, data: Data) -> Data:
+        """The parts before they were escaped. Raises CodecError for a wrong length or checksum around them."""
+        size = len(data)
+        if size < self.head_size + self.tail_size:
+            least = self.head_size + self.tail_size
+            raise CodecError("incomplete", f"a frame has at least {least} bytes, not {size}", size)
+        numbers = self._numbers(data)
+        if self.length in self.sent:
+            self._compare_length(numbers[self.length][2], size)
+        wrong = self._wrong_checksum(data, numbers, self.sent)
+        if wrong is not None:
+            raise wrong
+        stop = size if self.last is None else size + self.last
+        inner = self.escape.original(data[self.first : stop], len(self.start) + self.first)
+        return bytes(data[: self.first]) + inner + bytes(data[stop:])
+
+    def split(self, data: Data) -> tuple[tuple[int, ...], Data]:
+        """The header and the body of the parts of a frame. Raises CodecError."""
+        return super().split(self.original(data))
+
+    def agrees(self, data: Data) -> bool:
+        """Whether lengths, checksums and constants are right."""
+        try:
+            self.split(data)
+        except CodecError:
+            return False
+        return True
+
+    def _sent(self, data: bytes) -> bytes:
+        stop = len(data) + (self.last or 0)
+        return data[: self.first] + self.escape.escaped(data[self.first : stop]) + data[stop:]
+
+
+class EscapeFramer(Framer):
+    """For frames whose end delimiter does not occur among their bytes, because these are escaped.
+
+    `shortest` and `longest` are the sizes without the bytes that escaping adds; `most` is the greatest size with them.
+    """
+
+    def __init__(
+        self,
+        frames: EscapedFrames,
+        *,
+        shortest: int,
+        longest: int,
+        most: int,
+        station_offset: int = 0,
+        station_size: int = 0,
+        stations: frozenset[int] = frozenset(),
+        order: str = "big",
+    ) -> None:
+        self.escaped_frames, self.most = frames, most
+        super().__init__(
+            frames,
+            shortest=shortest,
+            longest=longest,
+            station_offset=station_offset,
+            station_size=station_size,
+            stations=stations,
+            order=order,
+        )
+
+    def _prepare(self) -> None:
+        """Delimiters are searched literally, so there is nothing to prepare."""
+
+    def feed(self, data: Data) -> list[bytes]:
+        """The frames that these bytes complete, each with its delimiters and checksum."""
+        buffer, start, end = self._buffer, self.frames.start, self.frames.end
+        buffer += data
+        frames: list[bytes] = []
+        at = 0
+        while at < len(buffer):
+            if start and not buffer.startswith(start, at):
+                begins = buffer.find(start, at)
+                if begins < 0:
+                    begins = max(at, len(buffer) - len(start) + 1)
+                    self.dropped += begins - at
+                    at = begins
+                    break
+                self.dropped += begins - at
+                at = begins
+            close = self.escaped_frames.escape.end(buffer, at + len(start), end)
+            if close < 0:
+                if len(buffer) - at <= self.most:
+                    break
+                self.dropped += 1
+                at += 1
+                continue
+            frame = bytes(buffer[at : close + len(end)])
+            if self._holds(frame):
+                frames.append(frame)
+                at = close + len(end)
+            else:
+                # What ends bytes that are no frame may begin one, or the frame may begin later.
+                behind = at + 1 if start else close + len(end)
+                self.dropped += behind - at
+                at = behind
+        del buffer[:at]
+        return frames
+
+    def idle(self) -> list[bytes]:
+        """Nothing: frames with delimiters may pause, so silence decides nothing."""
+        return []
+
+    def _holds(self, frame: bytes) -> bool:
+        frames = self.escaped_frames
+        try:
+            data = frames.original(frames.unmarked(frame))
+            frames.split(frames.unmarked(frame))
+        except CodecError:
+            return False
+        marks = len(frames.start) + len(frames.end)
+        return self.shortest <= len(data) + marks <= self.longest and not self._foreign(bytearray(data), 0)

@@ -1,0 +1,65 @@
+"""Escaped bytes, and where each original byte is among those that are sent."""
+
+from __future__ import annotations
+
+from fieldspec.model.escape import Escape
+
+
+class EscapeError(ValueError):
+    """Bytes that are the escape of nothing; `offset` is the place of the first one."""
+
+    def __init__(self, offset: int) -> None:
+        super().__init__(offset)
+        self.offset = offset
+
+
+def original_places(escape: Escape, data: bytes) -> list[tuple[int, int]]:
+    """The original bytes, each with the place of the byte that is sent for it. Raises EscapeError."""
+    if escape.method == "cobs":
+        return _of_blocks(data)
+    return _replaced(escape, data) if escape.method == "replace" else _without_inserted(escape, data)
+
+
+def _replaced(escape: Escape, data: bytes) -> list[tuple[int, int]]:
+    originals = {(first, second): byte for byte, first, second in escape.pairs}
+    special = {byte for byte, _, _ in escape.pairs} | {first for _, first, _ in escape.pairs}
+    places, at = [], 0
+    while at < len(data):
+        byte, width = data[at], 1
+        if byte in special:
+            pair = (byte, data[at + 1]) if at + 1 < len(data) else None
+            if pair not in originals:
+                raise EscapeError(at)
+            byte, width = originals[pair], 2
+        places.append((byte, at))
+        at += width
+    return places
+
+
+def _without_inserted(escape: Escape, data: bytes) -> list[tuple[int, int]]:
+    places, begin, at = [], 0, 0
+    while at < len(data):
+        places.append((data[at], at))
+        at += 1
+        if data[begin:at].endswith(escape.pattern):
+            if at == len(data) or data[at] != escape.inserted:
+                raise EscapeError(at)
+            at += 1
+            begin = at
+    return places
+
+
+def _of_blocks(data: bytes) -> list[tuple[int, int]]:
+    places: list[tuple[int, int]] = []
+    at = 0
+    while at < len(data):
+        end = at + data[at]
+        if end == at or end > len(data) or 0 in data[at:end]:
+            raise EscapeError(at)
+        places += [(data[place], place) for place in range(at + 1, end)]
+        if data[at] < 0xFF and end < len(data):
+            places.append((0, end))
+        at = end
+    if not data:
+        raise EscapeError(0)
+    return places

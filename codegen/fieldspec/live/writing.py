@@ -1,0 +1,135 @@
+"""Writes registers by their names: what is asked for is judged first, and read back afterwards."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.classes import dataclass
+from fieldspec.explain.registers import FORBIDS, Occupant
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.values import MeaningError, raw_value
+from fieldspec.live.client import Client, RefusedError
+from fieldspec.live.reading import Reading, message_for, read_words, reading
+from fieldspec.model.registers import Register
+from fieldspec.reference.records import CodecError, encoded_value, value_construct
+
+
+class WriteError(ValueError):
+    """A value that must not be written. The message says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Assignment:
+    """A value for what is at an address: its words, and what a person should know before it is written."""
+
+    space: str
+    occupant: Occupant
+    words: tuple[int, ...]
+    hazards: tuple[str, ...]
+
+
+def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) -> Assignment:
+    """The assignment of a value as people write it: a count, a quantity, a member. Raises WriteError."""
+    why = FORBIDS.get(("write", occupant.access))
+    if why:
+        raise WriteError(f"{occupant.path} {why}")
+    if occupant.reserved:
+        raise WriteError(f"{occupant.path} is reserved")
+    if occupant.skip or occupant.value.size % 2:
+        raise WriteError(f"{occupant.path} shares a word with something else, and is not written alone")
+    value = occupant.value.for_writing()
+    try:
+        raw = raw_value(layout.device, occupant.path, value, text)
+        known = encoded_value(occupant.path, value, raw, layout.device)
+        data = bytes(value_construct(value, occupant.order, occupant.swapped).build(known))
+    except (MeaningError, CodecError) as error:
+        raise WriteError(str(error)) from None
+    big = layout.device.byte_order == "big"
+    words = tuple(int.from_bytes(data[at : at + 2], "big" if big else "little") for at in range(0, len(data), 2))
+    return Assignment(space, occupant, words, tuple(_hazards(occupant)))
+
+
+def _hazards(occupant: Occupant) -> list[str]:
+    """What a person should know before a value is written."""
+    fact = occupant.outer if isinstance(occupant.outer, Register) else None
+    hazards = []
+    if occupant.trigger:
+        hazards.append("writing it starts something")
+    if occupant.access == "":
+        hazards.append("the manual does not say that it can be written")
+    if fact is not None and fact.restart:
+        hazards.append("it takes effect after a restart")
+    if fact is not None and fact.handling.memory == "nonvolatile":
+        hazards.append("it is stored for good")
+    if fact is not None and fact.handling.endurance not in ("", "unlimited"):
+        hazards.append(f"its memory endures {fact.handling.endurance} writes")
+    return hazards
+
+
+def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, object], bytes]:
+    """The message that writes a value, its fields, and its frame. Raises WriteError."""
+    message = message_for(client.layout, "write", chosen.space, len(chosen.words))
+    access = message.accesses if message is not None else None
+    if message is None or access is None:
+        raise WriteError(f"no message of the device writes {chosen.occupant.path}")
+    content: object = list(chosen.words) if access.count else chosen.words[0]
+    values: dict[str, object] = {access.start: chosen.occupant.address, access.values: content}
+    try:
+        return message.name, values, client.request(message.name, values)
+    except CodecError as error:
+        raise WriteError(f"{chosen.occupant.path}: {error}") from None
+
+
+def write(client: Client, chosen: Assignment) -> None:
+    """Writes a value, once: a request that is sent again could start something twice.
+
+    Raises WriteError, NoAnswerError, RefusedError and CarrierError. After NoAnswerError nobody knows whether it was
+    written.
+    """
+    name, values, _ = request_frame(client, chosen)
+    client.ask(name, values, retries=0)
+
+
+def read_back(client: Client, chosen: Assignment) -> Reading | None:
+    """What the device holds after a write; None for what cannot be read, or does not give back what was written.
+
+    Raises NoAnswerError and CarrierError.
+    """
+    occupant = chosen.occupant
+    if occupant.trigger or occupant.access in ("wo", ""):
+        return None
+    try:
+        return reading(client.layout, occupant, read_words(client, chosen.space, occupant.address, occupant.words))
+    except RefusedError as error:
+        return Reading(occupant, (), None, str(error))
+
+
+def differs(chosen: Assignment, now: Reading) -> bool:
+    """Whether the device holds other words than were written."""
+    return bool(now.refusal) or tuple(now.words) != chosen.words
+
+
+def find(names: Sequence[str], known: Sequence[tuple[str, Occupant]]) -> tuple[list[tuple[str, Occupant]], list[str]]:
+    """What is at the addresses that names mean, and the names that mean nothing.
+
+    A name is that of a register, of all elements of an array or a table, of a field such as `points[3].speed`, a role,
+    or an address.
+    """
+    result: list[tuple[str, Occupant]] = []
+    unknown = []
+    for name in names:
+        own = [pair for pair in known if _means(name, pair[1])]
+        if not own:
+            unknown.append(name)
+        result += [pair for pair in own if pair not in result]
+    return result, unknown
+
+
+def _means(name: str, occupant: Occupant) -> bool:
+    path = occupant.path
+    if name == path or path.startswith((f"{name}[", f"{name}.")) or name in occupant.fact.roles:
+        return True
+    try:
+        return int(name, 0) == occupant.address
+    except ValueError:
+        return False

@@ -1,0 +1,26 @@
+"""Each spec is read once for all tests of simulated devices."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import pytest
+
+from fieldspec.commands import specs
+
+_spec_at, _layout_of = cache(specs.spec_at), specs.layout_of
+_layouts: dict[tuple[str, str], Any] = {}
+
+
+def _cached_layout(spec: Any, version: str) -> Any:
+    key = (spec.tree.file.path, version)
+    if key not in _layouts:
+        _layouts[key] = _layout_of(spec, version)
+    return _layouts[key]
+
+
+@pytest.fixture(autouse=True)
+def read_specs_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(specs, "spec_at", _spec_at)
+    monkeypatch.setattr(specs, "layout_of", _cached_layout)

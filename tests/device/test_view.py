@@ -1,0 +1,34 @@
+"""The view of a simulated device in a terminal."""
+
+from __future__ import annotations
+
+import asyncio
+
+from textual.widgets import DataTable, Static
+
+from fieldspec.commands.simulation_view import SimulationView
+from fieldspec.simulator.clock import ManualClock
+from fieldspec.testing import simulation
+from simulators import SPECS
+
+
+def test_signals_motion_and_traffic_are_shown() -> None:
+    with simulation("tc100", ports={"ascii": "pty"}, clock=ManualClock(), folder=SPECS) as device:
+        view = SimulationView(device.simulation)
+
+        async def look() -> None:
+            async with view.run_test() as pilot:
+                device.set(alarm_code="overcurrent")
+                line = device.simulation.line("ascii")
+                assert list(line.feed(0.0, b":010310000001EB\r\n"))
+                view.refresh_values()
+                await pilot.pause()
+                table = view.query_one("#signals", DataTable)
+                assert table.get_cell("registers/alarm", "value") == "9"
+                assert "position         5000" in str(view.query_one("#motion", Static).render())
+                assert not view.waiting
+                await pilot.press("p")
+                view.refresh_values()
+                assert table.get_cell("registers/alarm", "value") == "0"
+
+        asyncio.run(look())

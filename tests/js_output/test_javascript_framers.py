@@ -1,0 +1,91 @@
+"""The framers of the generated JavaScript return the frames that those of the generated Python return."""
+
+from __future__ import annotations
+
+import json
+import random
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from external_tools import require_tool
+from fieldspec.layout.device import DeviceLayout
+from js_output.javascript import module_path
+from layouts import all_layouts
+from python_package import link_of, module_of
+
+STREAMS_OF_EACH = 12
+LAYOUTS = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts()}
+DIRECTIONS = ("request", "response")
+
+SCRIPT = """
+import { readFileSync } from "node:fs";
+const jobs = JSON.parse(readFileSync(process.argv[2], "utf8"));
+const results = [];
+for (const { module, framer, pieces } of jobs) {
+  const make = (await import(module))[framer];
+  if (make === undefined) { results.push(null); continue; }
+  const instance = make();
+  const frames = pieces.flatMap((piece) => instance.feed(new Uint8Array(Buffer.from(piece, "hex"))));
+  frames.push(...instance.idle());
+  results.push({ frames: frames.map((frame) => Buffer.from(frame).toString("hex")), dropped: instance.dropped });
+}
+console.log(JSON.stringify(results));
+"""
+
+
+def stream(layout: DeviceLayout, link: str, direction: str, chance: random.Random) -> list[bytes]:
+    """Frames of a link with garbage between them, some of them damaged, in pieces of any size."""
+    examples = [
+        example.frame
+        for example in layout.device.examples.values()
+        if example.link == link and example.direction == direction and not example.refused
+    ]
+    data = bytearray()
+    for _ in range(chance.randrange(1, 8)):
+        if examples and chance.random() < 0.7:
+            frame = bytearray(chance.choice(examples))
+            if chance.random() < 0.2:
+                frame[chance.randrange(len(frame))] ^= 1 << chance.randrange(8)
+            data += frame
+        else:
+            data += chance.randbytes(chance.randrange(12))
+    pieces = []
+    while data:
+        size = chance.randrange(1, len(data) + 1)
+        pieces.append(bytes(data[:size]))
+        del data[:size]
+    return pieces
+
+
+def camel(name: str) -> str:
+    first, *rest = name.split("_")
+    return first + "".join(word.capitalize() for word in rest)
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_streams_are_cut_as_in_python(name: str, tmp_path: Path) -> None:
+    layout = LAYOUTS[name]
+    chance = random.Random(name)
+    jobs, expected = [], []
+    for link in layout.links:
+        for direction in DIRECTIONS:
+            spoken = getattr(module_of(layout), link, None) and link_of(module_of(layout), link)
+            make = getattr(spoken, f"{direction}_framer", None)
+            if make is None:
+                continue
+            for _ in range(STREAMS_OF_EACH):
+                pieces = stream(layout, link, direction, chance)
+                framer = make()
+                frames = [frame for piece in pieces for frame in framer.feed(piece)] + framer.idle()
+                expected.append({"frames": [frame.hex() for frame in frames], "dropped": framer.dropped})
+                module = Path(module_path(layout)).as_uri()
+                names = f"{camel(link)}{direction.capitalize()}Framer"
+                jobs.append({"module": module, "framer": names, "pieces": [piece.hex() for piece in pieces]})
+    (tmp_path / "jobs.json").write_text(json.dumps(jobs), "utf-8")
+    (tmp_path / "streams.mjs").write_text(SCRIPT, "utf-8")
+    command = [require_tool("node"), str(tmp_path / "streams.mjs"), str(tmp_path / "jobs.json")]
+    run = subprocess.run(command, capture_output=True, text=True, check=True)
+    for job, have, want in zip(jobs, json.loads(run.stdout), expected, strict=True):
+        assert have == want, job
