@@ -37,6 +37,7 @@ SLOW = (
     "test_generated.py",
     "test_inputs_bounded.py",
     "test_interruptions.py",
+    "test_overviews.py",
     "test_plugins.py",
     "test_python_conversions.py",
     "test_python_frames.py",
