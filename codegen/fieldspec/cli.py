@@ -170,6 +170,13 @@ def _parser() -> argparse.ArgumentParser:
     build.add_argument("--no-cache", action="store_true", help="rebuild everything and cache nothing")
     build.add_argument("--watch", action="store_true", help="rebuild whenever a spec is saved, until interrupted")
 
+    docs = verb("docs", "build the documentation, serve it on this machine, and open it in a browser")
+    docs.add_argument("--out", metavar="DIR", default="generated", help="where to build (default: generated)")
+    docs.add_argument(
+        "--port", type=int, default=8080, metavar="NUMBER", help="the port (default: 8080; 0: a free one)"
+    )
+    docs.add_argument("--no-open", action="store_true", help="do not open a browser")
+
     check = verb("check", "check the specs")
     check.add_argument("devices", nargs="*", metavar="DEVICE", help="default: all devices")
     check.add_argument("--format", choices=("text", "json", "sarif", "github", "junit"), default="text")

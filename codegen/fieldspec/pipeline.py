@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from fieldspec.backends import OUTPUTS, Files, PageLink
 from fieldspec.classes import replace
@@ -61,7 +61,18 @@ def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(
         contents |= shared(name)
         for versions in devices:
             contents |= output(name, versions)
+        contents |= overview(name, list(contents), contents.__getitem__)
     return contents
+
+
+def overview(name: str, paths: Iterable[str], content: Callable[[str], bytes]) -> dict[str, bytes]:
+    """The files of one output that are made of those of all devices, by path.
+
+    `paths` are the latter below the folder of all outputs, and `content` has the bytes of one of them.
+    """
+    folder = f"{name}/"
+    inner = [path.removeprefix(folder) for path in paths if path.startswith(folder)]
+    return _contents(name, {**OUTPUTS[name].overview(inner, lambda path: content(folder + path).decode("utf-8"))})
 
 
 def output(name: str, versions: list[DeviceLayout], links: Sequence[PageLink] = ()) -> dict[str, bytes]:

@@ -2,22 +2,29 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from functools import cache
 
-from fieldspec.backends.docs.backend import files
+from fieldspec.backends.docs.backend import files, overview, shared
 from layouts import SPECS, TEST_SPECS, layouts
 
 
 @cache
 def documentation() -> dict[str, str]:
     """The texts of the documentation by path."""
-    return {
+    texts = {
         path: text
         for root in (SPECS, TEST_SPECS)
         for versions in layouts(root).values()
         for path, text in files(versions).items()
     }
+    return texts | shared() | overview(texts, texts.__getitem__)
+
+
+def resolved(page: str, link: str) -> str:
+    """The path of the page that a link on another page leads to."""
+    return posixpath.normpath(posixpath.join(posixpath.dirname(page), link))
 
 
 def with_ending(ending: str) -> list[str]:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from docs_output.documented import documentation, visible_text, with_ending
+from docs_output.documented import documentation, resolved, visible_text, with_ending
 from fieldspec.backends.docs.markdown import escaped
 from fieldspec.html_text import clean
 from layouts import TEST_SPECS, newest
@@ -50,11 +50,11 @@ def test_a_page_has_no_html_but_its_own(path: str) -> None:
 
 @pytest.mark.parametrize("path", PAGES)
 def test_links_lead_to_anchors_and_pages_that_are_there(path: str) -> None:
-    folder, _, own = path.partition("/")
     for token in inline(tokens(path)):
         page, _, anchor = str(token.attrGet("href") or "").partition("#") if token.type == "link_open" else ("", "", "")
-        assert not page or f"{folder}/{page}" in PAGES, page
-        assert not anchor or f'<a id="{anchor}">' in documentation()[f"{folder}/{page or own}"], anchor
+        target = resolved(path, page) if page else path
+        assert target in PAGES, page
+        assert not anchor or f'<a id="{anchor}">' in documentation()[target], anchor
 
 
 @pytest.mark.parametrize("path", PAGES)

@@ -8,14 +8,18 @@ from fieldspec.backends.docs import html, markdown
 from fieldspec.backends.docs.context import Holding
 from fieldspec.backends.docs.document import Document, Section, code, text_piece
 from fieldspec.backends.docs.page import page
+from fieldspec.backends.docs.site import device_place
 from fieldspec.layout.device import DeviceLayout
 from layouts import SPECS, TEST_SPECS, layouts
 
 SEVERAL = [versions for root in (SPECS, TEST_SPECS) for versions in layouts(root).values() if len(versions) > 1]
 
 
+PLACE = device_place("A")
+
+
 def forms(document: Document) -> tuple[str, str]:
-    return html.page(document), markdown.page(document)
+    return html.page(document, PLACE), markdown.page(document)
 
 
 @pytest.mark.parametrize("versions", SEVERAL, ids=[versions[0].device.id for versions in SEVERAL])
@@ -32,9 +36,9 @@ def test_a_shared_section_leads_to_what_each_page_has(anchors: list[str], wanted
     shared = Section("user", (code("a link", "#parts/one/bit"),), rendered={})
     parent = Section("all", (text_piece("All"),), (), (shared,))
     there = Section("parts/one/bit", (text_piece("A bit"),))
-    first = html.page(Document("A", "", "0", "", (), (parent, there)))
+    first = html.page(Document("A", "", "0", "", (), (parent, there)), PLACE)
     assert '<h3><a href="#parts/one/bit"><code>a link</code></a></h3>' in first
     others = (Section(anchor, (text_piece("Other"),)) for anchor in anchors)
-    text = html.page(Document("A", "", "0", "", (), (parent, *others)))
+    text = html.page(Document("A", "", "0", "", (), (parent, *others)), PLACE)
     link = f'<a href="{wanted}"><code>a link</code></a>' if wanted else "<code>a link</code>"
     assert f"<h3>{link}</h3>" in text

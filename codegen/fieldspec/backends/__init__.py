@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from importlib import import_module
 from typing import cast
 
@@ -48,6 +48,14 @@ class Output:
     def shared(self) -> Files:
         """The files that belong to no device, by path."""
         return cast("Callable[[], Files]", self._backend("shared"))()
+
+    def overview(self, paths: Iterable[str], content: Callable[[str], str]) -> dict[str, str]:
+        """The files that are made of those of all devices, by path; none of most outputs.
+
+        `paths` are the files of all devices below the folder of the output, and `content` is the text of one of them.
+        """
+        overview: Callable[..., dict[str, str]] | None = getattr(self._module(), "overview", None)
+        return overview(paths, content) if overview is not None else {}
 
     def refusals(self, versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
         """What forbids the files for these versions of a device; asked before they are made.

@@ -21,6 +21,7 @@ from fieldspec.commands.freshness import (
     digest,
     read_manifest,
 )
+from fieldspec.commands.overviews import stage_overviews
 from fieldspec.commands.placement import Staging
 from fieldspec.commands.plugins import package_hashes
 from fieldspec.commands.usage import UsageError, unknown
@@ -55,6 +56,7 @@ def build(arguments: argparse.Namespace) -> int:
                 return 1
         before = read_manifest(out)
         hashes = _hashes(wanted, result)
+        hashes |= stage_overviews(wanted, result, before, earlier, None if arguments.check else beside)
         gone = before.gone(hashes, wanted.outputs) if wanted.whole else []
         now = before.renewed(wanted, result, hashes, gone, packages).text()
         stale = sorted([*result.stale, *([MANIFEST] if earlier.hash_of(MANIFEST) != digest(now) else [])])

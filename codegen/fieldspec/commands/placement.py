@@ -102,6 +102,10 @@ class Staging:
         except OSError as error:
             raise self._unwritten(error) from None
 
+    def staged(self, path: str) -> bytes:
+        """A file that was written here, by its path in the folder of outputs. Raises OSError."""
+        return (self._folder / NEW / path).read_bytes()
+
     def place(self, paths: Sequence[str], gone: Sequence[str]) -> None:
         """Moves written files into place and removes others; on failure nothing has changed. Raises UsageError."""
         journal = None

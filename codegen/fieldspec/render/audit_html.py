@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.audit.section import Cell, Figure, Report, Section, SectionTable
+from fieldspec.backends.docs.site import SCRIPTS, PagePlace, panel, policy, scripts
 from fieldspec.backends.templates import fill, text
 from fieldspec.diagnostics import Diagnostic, Severity, in_order
 from fieldspec.html_text import clean, escaped
@@ -23,6 +24,7 @@ _WORD, _MOST, _WHOLE, _EDGES = 11, 60, 205, 4
 table, and the room for the edges of a cell and for bold letters."""
 
 _LETTERS = re.compile(r"[A-Za-z]+")
+_WIDTH = re.compile(r'<col class="w([0-9]+)-([0-9])">')
 
 
 def table_html(section: str, table: SectionTable, links: Mapping[str, str]) -> Iterator[str]:
@@ -32,11 +34,11 @@ def table_html(section: str, table: SectionTable, links: Mapping[str, str]) -> I
     full = [at for at in range(len(table.columns)) if any(row[at] not in (None, "") for row in table.rows)]
     texts = {at: [clean(cell_text(row[at])) for row in table.rows] for at in full}
     column_widths = _column_widths(table, texts, marked) if len(full) >= BROAD else ()
-    widths = "".join([f'<col style="width: {share}%">' for share in column_widths])
+    widths = "".join([f'<col class="w{share}">' for share in column_widths])
     headings = "".join([f'<th scope="col">{escaped(clean(_heading(table, at)))}</th>' for at in full])
     standing = '<th scope="col"><span class="said">standing</span></th>' if marked else ""
     broad = ' class="broad"' if column_widths else ""
-    yield f'<div class="scroll" role="region" aria-labelledby="{anchor}-title" tabindex="0">\n'
+    yield f'<div class="scroll" role="group" aria-labelledby="{anchor}-title" tabindex="0">\n'
     yield f'<table id="{anchor}"{broad}>\n<caption id="{anchor}-title">{title}</caption>\n'
     yield f"<colgroup>{widths}</colgroup>\n" if column_widths else ""
     yield f"<thead><tr>{standing}{headings}</tr></thead>\n<tbody>\n"
@@ -49,7 +51,7 @@ def _heading(table: SectionTable, at: int) -> str:
 
 
 def _column_widths(table: SectionTable, cell_texts: Mapping[int, Sequence[str]], marked: bool) -> tuple[str, ...]:
-    """The width of each column in percent: room for its longest word, and more the longer its texts are."""
+    """The width of each column in percent, as `12-5`: room for its longest word, and more the longer its texts are."""
     needs, wishes = ([_EDGES], [0]) if marked else ([], [])
     for at, cells in cell_texts.items():
         texts = [_heading(table, at), *cells]
@@ -59,7 +61,7 @@ def _column_widths(table: SectionTable, cell_texts: Mapping[int, Sequence[str]],
         wishes.append(max(min(sum(map(len, texts)) // len(texts), _MOST) - room, 0))
     spare = max(_WHOLE - sum(needs), 0) / max(sum(wishes), 1)
     widths = [need + wish * spare for need, wish in zip(needs, wishes, strict=True)]
-    return tuple(f"{100 * width / sum(widths):.1f}" for width in widths)
+    return tuple(f"{100 * width / sum(widths):.1f}".replace(".", "-") for width in widths)
 
 
 def _counts(table: SectionTable, at: int) -> bool:
@@ -107,25 +109,39 @@ OPEN = 100
 _GOOD = {True: "good", False: "bad", None: ""}
 
 
-def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
-    """The page; `links` lead from paths of facts to where they are documented, where there is such a place."""
+def rendered(report: Report, device: Device, links: Mapping[str, str], place: PagePlace | None = None) -> str:
+    """The page; `links` lead from paths of facts to where they are documented, where there is such a place.
+
+    `place` is that of the page among the documentation; none where it stands alone.
+    """
     section_findings = [(section, finding) for section in report.sections for finding in in_order(section.findings)]
     rows = {section.name: _rows_by_place(section) for section in report.sections if section.findings}
     findings = [
         _finding(number, section, finding, rows[section.name])
         for number, (section, finding) in enumerate(section_findings, 1)
     ]
+    parts = "".join([part for section in report.sections for part in _part(section, links)])
+    style = text("backends/page.css") + text("render/audit.css") + _width_rules(parts)
     return fill(
         "audit.html.j2",
         title=clean(f"Audit of {report.title}"),
         identity=clean(report.identity),
-        style=text("backends/page.css") + text("render/audit.css"),
+        style=style,
+        policy=policy(style, scripts=place is not None),
+        panel=panel(place) if place is not None else "",
+        scripts=scripts(place, SCRIPTS[:1]) if place is not None else "",
         contents="".join(map(_entry, report.sections)),
         head=_head(report, device, [finding for _, finding in section_findings]),
         glance="".join(map(_glance, report.sections)),
         findings="".join(['<ol class="findings">\n', *findings, "</ol>\n"]) if findings else "<p>There is none.</p>\n",
-        parts="".join([part for section in report.sections for part in _part(section, links)]),
+        parts=parts,
     )
+
+
+def _width_rules(page: str) -> str:
+    """The style of the columns of some tables: elements have no style of their own, which the page's policy forbids."""
+    widths = sorted(set(_WIDTH.findall(page)))
+    return "".join([f".w{whole}-{tenth} {{ width: {whole}.{tenth}%; }}\n" for whole, tenth in widths])
 
 
 def _visible(text: str) -> str:

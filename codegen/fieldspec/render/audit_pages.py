@@ -8,7 +8,9 @@ from fieldspec.audit.manual_lines import ManualIndex
 from fieldspec.audit.report import report
 from fieldspec.audit.section import Subject
 from fieldspec.backends import PageLink
+from fieldspec.backends.docs.site import device_place
 from fieldspec.facts import of_versions
+from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.proofs.running import Outcome, errata_proofs
 from fieldspec.reading.project import DeviceSpec
@@ -34,5 +36,5 @@ def pages(
     newest = layouts[-1]
     proofs = known.proofs if known is not None else errata_proofs(spec)
     subject = Subject(spec, newest, layouts, of_versions(layouts), proofs, recorded, known=known)
-    page = rendered(report(subject), newest.device, links)
+    page = rendered(report(subject), newest.device, links, device_place(clean(newest.device.name)))
     return {f"docs/{spec.id}/{LINK.file}": page.encode("utf-8")}

@@ -6,19 +6,23 @@ import re
 from collections.abc import Mapping, Sequence
 
 from fieldspec.backends import PageLink
-from fieldspec.backends.docs import html, markdown
+from fieldspec.backends.docs import html, markdown, search_index
 from fieldspec.backends.docs.changes import NAME, changed, link, page_name, steps, versions
 from fieldspec.backends.docs.context import Holding
 from fieldspec.backends.docs.document import Document, every, headings, text_piece
+from fieldspec.backends.docs.overview import overview as overview
 from fieldspec.backends.docs.page import page
+from fieldspec.backends.docs.site import SCRIPTS, device_place
+from fieldspec.backends.templates import text
 from fieldspec.classes import replace
+from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
 
 _ANCHOR = re.compile(r' id="([^"]+)"')
 
 
 def files(layouts: Sequence[DeviceLayout], links: Sequence[PageLink] = ()) -> dict[str, str]:
-    """The pages of all versions of one device, the oldest first, their indexes, and what has changed, by path.
+    """The pages of all versions of one device, the oldest first, their indexes, what has changed, and the search data.
 
     The indexes also have `links` to other pages of the device. A device of one version has no page of changes.
     """
@@ -26,20 +30,24 @@ def files(layouts: Sequence[DeviceLayout], links: Sequence[PageLink] = ()) -> di
     device_steps = steps(layouts)
     holding = Holding(layouts)
     pages = {layout.device.version: page(layout, holding) for layout in layouts}
+    title = clean(layouts[-1].device.name)
+    index = device_place(title, is_index=True)
     texts = {
-        f"{folder}/index.html": html.page(versions(layouts, device_steps, ".html", links)),
+        f"{folder}/index.html": html.page(versions(layouts, device_steps, ".html", links), index),
         f"{folder}/README.md": markdown.page(versions(layouts, device_steps, ".md", links)),
+        f"{folder}/{search_index.NAME}": search_index.index_file(layouts, pages),
     }
     if device_steps:
         rows = {version: frozenset(every(document.sections)) for version, document in pages.items()}
         sections = {version: frozenset(headings(document.sections)) for version, document in pages.items()}
-        texts[f"{folder}/{NAME}.html"] = html.page(changed(device_steps, ".html", rows))
+        texts[f"{folder}/{NAME}.html"] = html.page(changed(device_steps, ".html", rows), device_place(title))
         texts[f"{folder}/{NAME}.md"] = markdown.page(changed(device_steps, ".md", sections))
     came_by = {step.new.device.version for step in device_steps}
     for version, document in pages.items():
         name = page_name(version)
         fresh = version in came_by
-        texts[f"{folder}/{name}.html"] = html.page(_leading(document, version, ".html") if fresh else document)
+        place = device_place(title, name)
+        texts[f"{folder}/{name}.html"] = html.page(_leading(document, version, ".html") if fresh else document, place)
         texts[f"{folder}/{name}.md"] = markdown.page(_leading(document, version, ".md") if fresh else document)
     return texts
 
@@ -50,8 +58,8 @@ def fact_links(layout: DeviceLayout, contents: Mapping[str, bytes]) -> dict[str,
     `contents` are the files of the documentation by path below the folder of all outputs.
     """
     name = f"{page_name(layout.device.version)}.html"
-    text = contents[f"docs/{layout.device.id}/{name}"].decode("utf-8")
-    return {path: f"{name}#{path}" for path in _ANCHOR.findall(text) if "/" in path}
+    page_text = contents[f"docs/{layout.device.id}/{name}"].decode("utf-8")
+    return {path: f"{name}#{path}" for path in _ANCHOR.findall(page_text) if "/" in path}
 
 
 def _leading(document: Document, version: str, ending: str) -> Document:
@@ -60,5 +68,5 @@ def _leading(document: Document, version: str, ending: str) -> Document:
 
 
 def shared() -> dict[str, str]:
-    """No file: every page holds all that it needs."""
-    return {}
+    """The scripts of all pages, as they are. Pages say everything without them, too."""
+    return {name: text(f"backends/docs/{name}") for name in SCRIPTS}

@@ -57,11 +57,16 @@ class Cell(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class TableColumn:
-    """A column; `kept` says that it stays where all of its cells are empty."""
+    """A column; `unbroken` says that it stays where all of its cells are empty.
+
+    `search` is `key` where its cells identify rows, such as addresses, and `text` where their words are searched;
+    those of the style `wide` always are.
+    """
 
     title: str
     style: str = ""
     unbroken: bool = False
+    search: str = ""
 
 
 class TableRow(NamedTuple):

@@ -27,15 +27,15 @@ from fieldspec.backends.docs.value_cells import unit_lines
 from fieldspec.model.enums import Bit, Cause, Enum, Flags, Member, State
 
 VALUES = (
-    TableColumn("Value", "number", unbroken=True),
+    TableColumn("Value", "number", unbroken=True, search="key"),
     TableColumn("Name", unbroken=True),
     TableColumn("Meaning", "wide"),
     TableColumn("Source", "source"),
 )
 CODES = (
-    TableColumn("Code", "number", unbroken=True),
+    TableColumn("Code", "number", unbroken=True, search="key"),
     TableColumn("Name", unbroken=True),
-    TableColumn("Number", "number"),
+    TableColumn("Number", "number", search="key"),
     TableColumn("Problem", "wide"),
     TableColumn("Causes and remedies", "wide"),
     TableColumn("Source", "source"),
@@ -137,11 +137,11 @@ def _cause(cause: Cause, member: Member) -> Item:
 
 
 COLUMNS = (
-    TableColumn("Bit", "number", unbroken=True),
-    TableColumn("Mask", "number", unbroken=True),
+    TableColumn("Bit", "number", unbroken=True, search="key"),
+    TableColumn("Mask", "number", unbroken=True, search="key"),
     TableColumn("Name", unbroken=True),
-    TableColumn("0 means"),
-    TableColumn("1 means"),
+    TableColumn("0 means", search="text"),
+    TableColumn("1 means", search="text"),
     TableColumn("Meaning", "wide"),
     TableColumn("Source", "source"),
 )

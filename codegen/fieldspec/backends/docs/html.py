@@ -22,6 +22,7 @@ from fieldspec.backends.docs.document import (
     Strips,
     paths_of,
 )
+from fieldspec.backends.docs.site import PagePlace, panel, policy, scripts
 from fieldspec.backends.templates import fill, text
 from fieldspec.html_text import escaped
 
@@ -34,17 +35,20 @@ _TAGS = {
 }
 
 
-def page(document: Document) -> str:
+def page(document: Document, place: PagePlace) -> str:
     """A whole page."""
     writer = _Page(document)
     subtitle = f'<p class="subtitle">{escaped(document.subtitle)}</p>\n' if document.subtitle else ""
+    style = text("backends/page.css")
     summary = "".join([f"<li>{_writer(document.language).line(line)}</li>" for line in document.summary])
     return fill(
         "docs/page.html.j2",
         title=document.title,
         identity=document.identity,
-        style=text("backends/page.css"),
-        script=text("backends/docs/filter.js"),
+        style=style,
+        policy=policy(style, scripts=True),
+        panel=panel(place),
+        scripts=scripts(place),
         head=subtitle + (f'<ul class="summary">{summary}</ul>\n' if summary else ""),
         contents="".join(map(writer.entry, document.sections)),
         sections="".join([piece for section in document.sections for piece in writer.section(section, 2)]),

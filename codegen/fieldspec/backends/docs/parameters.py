@@ -32,8 +32,8 @@ from fieldspec.backends.docs.value_cells import (
 from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 
 COLUMNS = (
-    TableColumn("Number", "number", unbroken=True),
-    TableColumn("On the wire", "number"),
+    TableColumn("Number", "number", unbroken=True, search="key"),
+    TableColumn("On the wire", "number", search="key"),
     TableColumn("Name", unbroken=True),
     VALUE_COLUMNS[0],
     TableColumn("Access", "short", unbroken=True),

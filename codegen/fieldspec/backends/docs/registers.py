@@ -34,8 +34,8 @@ from fieldspec.model.address_space import BIT, AddressSpace
 from fieldspec.model.registers import Gap, Register, RegisterGroup
 
 COLUMNS = (
-    TableColumn("No.", "number"),
-    TableColumn("Address", "number", unbroken=True),
+    TableColumn("No.", "number", search="key"),
+    TableColumn("Address", "number", unbroken=True, search="key"),
     TableColumn("Words", "number", unbroken=True),
     TableColumn("Name", unbroken=True),
     VALUE_COLUMNS[0],

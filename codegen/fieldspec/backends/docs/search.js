@@ -1,0 +1,268 @@
+// The search box of every page. The data is in files beside the pages, each a call of `fieldspecSearch.add`; they are
+// loaded when the box is first used. Results are links, so that they can be opened in any way that the browser offers.
+"use strict";
+(() => {
+  const MOST = 40;  // results on the screen
+  const AROUND = 70;  // characters of a text on each side of a match
+  const EXACT = 0, BARE = 1, PREFIX = 2, WORD = 3, TEXT = 4, CONTEXT = 5, NONE = 6;
+
+  // Words for the kinds of facts, besides the titles of their sections.
+  const KINDS = {
+    registers: "register address", tables: "record address", parameters: "parameter pnu", words: "telegram word",
+    messages: "message command function code telegram", codes: "alarm fault warning exception code", flags: "bit flag",
+    enums: "value enum", lookups: "table", limits: "limit", errata: "erratum", notes: "note", tasks: "task"
+  };
+
+  const panel = document.getElementById("search");
+  const box = document.getElementById("query");
+  const list = document.getElementById("results");
+  const status = document.getElementById("found");
+  const sources = panel.dataset.sources.split(" ");
+  const page = panel.dataset.page;
+  const entries = [];
+  let waiting = null;  // the number of files that are not here yet; null before the box is used
+
+  const folded = (text) => text.normalize("NFKC").toLowerCase().replace(/[_\s]+/g, " ").trim();
+
+  // ---- numbers: 0x7E6, 7E6h, 16#7E6, $7E6 and 2022 are the same address ----
+
+  const HEXADECIMAL = /^(?:(?:0x|16#|\$|&h)([0-9a-f]{1,16})|([0-9][0-9a-f]{0,15})h)$/;
+
+  function number(text) {
+    const match = HEXADECIMAL.exec(text);
+    if (match) { return parseInt(match[1] || match[2], 16); }
+    return /^[0-9]{1,15}$/.test(text) ? parseInt(text, 10) : NaN;
+  }
+
+  // A key is a number, an interval 0x10..0x13, either of them repeated (+distance*count), or a text.
+  function parsedKey(text) {
+    const [span, repeated] = text.split("+");
+    const [low, high] = span.split("..");
+    const first = number(low);
+    if (Number.isNaN(first)) { return { text, first: NaN, last: NaN, distance: 0, count: 1 }; }
+    const last = high === undefined ? first : number(high);
+    const [distance, count] = repeated ? repeated.split("*").map(Number) : [0, 1];
+    return { text: low, first, last, distance, count };
+  }
+
+  function keyLevel(key, value, bare, text) {
+    if (key.text === text || key.first === value && !key.distance) { return EXACT; }
+    if (key.count > 1 && value >= key.first) {
+      const element = Math.min(Math.floor((value - key.first) / key.distance), key.count - 1);
+      const offset = value - key.first - element * key.distance;
+      if (offset <= key.last - key.first) { return offset === 0 ? EXACT : BARE; }
+    }
+    if (value > key.first && value <= key.last || bare === key.first) { return BARE; }
+    return text.length > 2 && key.text.startsWith(text) ? PREFIX : NONE;
+  }
+
+  // ---- ranking: exact numbers and names, then beginnings of names, words in names, texts, and where the fact stands ----
+
+  const beginsWord = (text, token) => text.startsWith(token) || text.includes(` ${token}`);
+
+  function termOf(text) {
+    const bare = /^[0-9a-f]{2,8}$/.test(text) ? parseInt(text, 16) : NaN;
+    return { text, value: number(text), bare };
+  }
+
+  function levelOf(entry, term) {
+    let level = NONE;
+    for (const key of entry.keys) { level = Math.min(level, keyLevel(key, term.value, term.bare, term.text)); }
+    for (const name of entry.names) {
+      if (level === EXACT) { return EXACT; }
+      if (name === term.text) { return EXACT; }
+      if (name.startsWith(term.text)) {
+        level = Math.min(level, PREFIX);
+      } else if (name.includes(` ${term.text}`)) {
+        level = Math.min(level, WORD);
+      } else if (name.includes(term.text)) {
+        level = Math.min(level, TEXT);
+      }
+    }
+    if (level < TEXT) { return level; }
+    if (entry.text.includes(term.text)) { return TEXT; }
+    return level < NONE ? level : beginsWord(entry.context, term.text) ? CONTEXT : NONE;
+  }
+
+  // The rank of an entry for a whole query, the smallest first; null where some word is nowhere.
+  function rankOf(entry, terms, whole) {
+    let best = NONE, sum = 0;
+    for (const term of terms) {
+      const level = levelOf(entry, term);
+      if (level === NONE) { return null; }
+      best = Math.min(best, level);
+      sum += level;
+    }
+    if (terms.length > 1 && entry.names.includes(whole)) { return [EXACT, 0]; }
+    return best < CONTEXT ? [best, sum] : null;
+  }
+
+  function matches(query) {
+    const whole = folded(query);
+    const terms = whole.split(" ").filter(Boolean).map(termOf);
+    if (!terms.length) { return []; }
+    const result = [];
+    for (const entry of entries) {
+      const rank = rankOf(entry, terms, whole);
+      if (rank) { result.push({ entry, rank, terms }); }
+    }
+    return result.sort((a, b) => a.rank[0] - b.rank[0] || a.rank[1] - b.rank[1] || a.entry.order - b.entry.order);
+  }
+
+  // ---- data ----
+
+  function add(data) {
+    const folder = data.folder;
+    const here = folder === "" ? data.pages.findIndex((row) => row[0] === page) : -1;
+    for (const [kind, section, start, rows] of data.groups) {
+      for (const [end, names, keys, text, versions] of rows) {
+        const labels = names.split("\n");
+        const at = here >= 0 && (!versions || versions >> here & 1) ? here : versions ? 31 - Math.clz32(versions & -versions) : 0;
+        const anchor = [start, end === 0 ? labels[0] : end].filter(Boolean).join("/");
+        const file = at === here ? "" : `${folder}${encodeURIComponent(data.pages[at][0])}.html`;
+        const only = versions && at !== here
+          ? data.pages.filter((row, bit) => versions >> bit & 1).map((row) => row[1]).join(", ") : "";
+        entries.push({
+          link: `${file}#${encodeURI(anchor)}`,
+          labels,
+          language: data.language,
+          where: [sources.length > 1 ? data.name : "", labels.every((label) => section.includes(label)) ? kind : section].filter(Boolean).join(" \u203a "),
+          only,
+          numbers: keys || "",
+          prose: text || "",
+          names: labels.map(folded),
+          keys: keys ? keys.toLowerCase().split(" ").map(parsedKey) : [],
+          text: text ? folded(text) : "",
+          context: folded(`${data.name} ${data.id} ${kind} ${KINDS[kind] || ""} ${section} ${start.replace(/\//g, " ")}`),
+          order: entries.length
+        });
+      }
+    }
+  }
+
+  function load() {
+    if (waiting !== null) { return; }
+    waiting = sources.length;
+    for (const source of sources) {
+      const script = document.createElement("script");
+      script.src = source;
+      script.onload = () => { waiting -= 1; apply(); };
+      script.onerror = () => { status.textContent = `The search data ${source} cannot be read.`; };
+      document.head.append(script);
+    }
+  }
+
+  // ---- the panel ----
+
+  function element(tag, text, style, language) {
+    const node = document.createElement(tag);
+    node.textContent = text;
+    if (style) { node.className = style; }
+    if (language) { node.lang = language; }
+    return node;
+  }
+
+  // The part of a text around the first match of a word, or its beginning.
+  function excerpt(entry, terms) {
+    const lower = entry.prose.toLowerCase();
+    const at = Math.max(0, ...terms.map((term) => lower.indexOf(term.text)));
+    const first = at > AROUND ? entry.prose.indexOf(" ", at - AROUND) + 1 : 0;
+    const part = entry.prose.slice(first, first + 3 * AROUND);
+    return (first ? "\u2026" : "") + part + (first + part.length < entry.prose.length ? "\u2026" : "");
+  }
+
+  function item({ entry, terms }) {
+    const link = document.createElement("a");
+    link.href = entry.link;
+    const head = element("span", "", "hit");
+    head.append(element("code", entry.labels[0]));
+    for (const label of entry.labels.slice(1)) { head.append(" ", element("span", label, "label", entry.language)); }
+    if (entry.only) { head.append(" ", element("span", `only ${entry.only}`, "badge")); }
+    const numbers = entry.numbers.replace(/\+(\d+)\*(\d+)/g, " and $2 elements").replace("and 1 elements", "");
+    link.append(head, element("span", [numbers, entry.where].filter(Boolean).join(" \u00b7 "), "quiet"));
+    if (entry.prose) { link.append(element("span", excerpt(entry, terms))); }
+    const node = document.createElement("li");
+    node.append(link);
+    return node;
+  }
+
+  function apply() {
+    const query = box.value;
+    const hits = matches(query);
+    list.replaceChildren(...hits.slice(0, MOST).map(item));
+    list.hidden = !hits.length;
+    const count = hits.length === 1 ? "1 result" : `${hits.length} results`;
+    const whole = waiting ? `${count} so far` : count;
+    status.textContent = !query.trim() ? "" : hits.length > MOST ? `${whole}, the first ${MOST} here` : whole;
+  }
+
+  function close() {
+    box.value = "";
+    apply();
+  }
+
+  function move(event, step) {
+    const stops = [box, ...list.querySelectorAll("a")];
+    const at = stops.indexOf(document.activeElement);
+    if (at < 0 || stops.length < 2) { return; }
+    event.preventDefault();
+    stops[Math.min(Math.max(at + step, 0), stops.length - 1)].focus();
+  }
+
+  const isTyping = (node) => node.matches("input, textarea, select") || node.isContentEditable;
+
+  document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) { return; }
+    const within = panel.contains(document.activeElement);
+    if (event.key === "/" && !isTyping(document.activeElement)) {
+      event.preventDefault();
+      box.focus();
+      box.select();
+    } else if (event.key === "Escape" && within) {
+      close();
+      box.focus();
+    } else if (within && event.key === "ArrowDown") {
+      move(event, 1);
+    } else if (within && event.key === "ArrowUp") {
+      move(event, -1);
+    } else if (event.key === "Enter" && document.activeElement === box && !list.hidden) {
+      event.preventDefault();
+      list.querySelector("a").click();
+    }
+  });
+  box.addEventListener("focus", load);
+  box.addEventListener("input", () => { load(); apply(); });
+  list.addEventListener("click", (event) => {
+    if (!event.ctrlKey && !event.metaKey && !event.shiftKey && event.target.closest("a")) { close(); }
+  });
+
+  // ---- links to facts ----
+
+  // A link to a fact that the page does not have searches for its name.
+  function arrive() {
+    let anchor = location.hash.slice(1);
+    try { anchor = decodeURIComponent(anchor); } catch { /* it is no escape, but text */ }
+    if (!anchor) { return; }
+    const target = document.getElementById(anchor);
+    if (target) {
+      target.tabIndex = -1;
+      target.focus({ preventScroll: true });
+      return;
+    }
+    box.value = anchor.split("/").pop().replace(/_/g, " ");
+    load();
+    apply();
+    box.focus();
+  }
+
+  window.fieldspecSearch = {
+    add(data) {
+      const source = document.currentScript.getAttribute("src");
+      add({ ...data, folder: source.slice(0, source.lastIndexOf("/") + 1) });
+    }
+  };
+  window.addEventListener("hashchange", arrive);
+  panel.hidden = false;
+  arrive();
+  if (box.value) { load(); }
+})();

@@ -1,0 +1,66 @@
+"""What makes pages a site: the search box, the scripts, the way up, and what a page may load."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Sequence
+from hashlib import sha256
+
+from fieldspec.backends.docs import search_index
+from fieldspec.classes import dataclass
+from fieldspec.html_text import escaped
+
+SCRIPTS = ("search.js", "tables.js")
+"""The scripts of all pages, copied as they are."""
+
+PLACEHOLDER = "address, name, label, code"
+
+
+@dataclass(frozen=True, slots=True)
+class PagePlace:
+    """Where a page stands: the way from it to the top folder, what its search reads, and its name there.
+
+    `page` is the name of a version's page, else empty. `parents` are the links above it, by their texts.
+    """
+
+    top: str
+    sources: tuple[str, ...]
+    page: str = ""
+    parents: tuple[tuple[str, str], ...] = ()
+
+
+def device_place(device: str, page: str = "", is_index: bool = False) -> PagePlace:
+    """The place of a page of a device, by the device's name."""
+    parents = (("All devices", "../index.html"),)
+    return PagePlace("../", (search_index.NAME,), page, parents if is_index else (*parents, (device, "index.html")))
+
+
+def policy(style: str, scripts: bool) -> str:
+    """The Content-Security-Policy of a page with one style sheet in it: nothing but that, and scripts beside it."""
+    digest = b64encode(sha256(style.encode("utf-8")).digest()).decode("ascii")
+    sources = {
+        "default-src": "'none'",
+        "style-src": f"'sha256-{digest}'",
+        "script-src": "'self'" if scripts else "",
+        "img-src": "data:",
+        "base-uri": "'none'",
+        "form-action": "'none'",
+    }
+    return "; ".join(f"{name} {source}" for name, source in sources.items() if source)
+
+
+def panel(place: PagePlace) -> str:
+    """The way up and the search box, which is hidden where no script runs."""
+    ways = "".join([f'<a href="{escaped(link)}">{escaped(text)}</a>' for text, link in place.parents])
+    return (
+        (f'<p class="parents">{ways}</p>\n' if ways else "")
+        + f'<div id="search" data-sources="{escaped(" ".join(place.sources))}" data-page="{escaped(place.page)}"'
+        + ' role="search" hidden>\n<label for="query">Search <kbd>/</kbd></label>\n'
+        + f'<input id="query" type="search" autocomplete="off" spellcheck="false" placeholder="{PLACEHOLDER}">\n'
+        + '<p id="found" role="status"></p>\n<ul id="results" aria-label="Results" hidden></ul>\n</div>\n'
+    )
+
+
+def scripts(place: PagePlace, names: Sequence[str] = SCRIPTS) -> str:
+    """The elements that load the scripts."""
+    return "".join([f'<script src="{escaped(place.top + name)}" defer></script>\n' for name in names])

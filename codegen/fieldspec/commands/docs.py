@@ -1,0 +1,43 @@
+"""`fieldspec docs`: builds the documentation, serves it on this machine, and opens it in a browser."""
+
+from __future__ import annotations
+
+import argparse
+import webbrowser
+from pathlib import Path
+
+from fieldspec.carriers.carrier import CarrierError
+from fieldspec.carriers.pages import PageServer
+from fieldspec.commands.build import build
+from fieldspec.commands.usage import UsageError
+
+OUTPUT = "docs"
+PORTS = range(1 << 16)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Builds and serves until interrupted. Exit code 1 for findings, with nothing served. Raises UsageError."""
+    if arguments.port not in PORTS:
+        raise UsageError(f"--port {arguments.port} is no port; use 0 to {PORTS[-1]}, 0 for one that is free")
+    options = argparse.Namespace(
+        specs=arguments.specs, out=arguments.out, devices=(), to=OUTPUT, check=False, no_cache=False, watch=False
+    )
+    if code := build(options):
+        return code
+    folder = Path(arguments.out) / OUTPUT
+    if not (folder / "index.html").is_file():
+        raise UsageError("there is no device, so there are no pages")
+    try:
+        server = PageServer(folder, arguments.port)
+    except CarrierError as error:
+        raise UsageError(f"{error}; choose another one with --port, or 0 for one that is free") from None
+    try:
+        print(f"serving {folder} at {server.address}, until interrupted", flush=True)
+        if not arguments.no_open and not webbrowser.open(server.address):
+            print("there is no browser to open it", flush=True)
+        server.serve()
+    except KeyboardInterrupt:
+        return 0
+    finally:
+        server.close()
+    return 0
