@@ -52,6 +52,9 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
 def _hazards(occupant: Occupant) -> list[str]:
     """What a person should know before a value is written."""
     fact = occupant.outer if isinstance(occupant.outer, Register) else None
+    facts = (occupant.fact, occupant.outer)
+    handlings = [own for item in facts if (own := getattr(item, "handling", None)) is not None]
+    endurance = next((own.endurance for own in handlings if own.endurance), "")
     hazards = []
     if occupant.trigger:
         hazards.append("writing it starts something")
@@ -59,10 +62,10 @@ def _hazards(occupant: Occupant) -> list[str]:
         hazards.append("the manual does not say that it can be written")
     if fact is not None and fact.restart:
         hazards.append("it takes effect after a restart")
-    if fact is not None and fact.handling.memory == "nonvolatile":
+    if next((own.memory for own in handlings if own.memory), "") == "nonvolatile":
         hazards.append("it is stored for good")
-    if fact is not None and fact.handling.endurance not in ("", "unlimited"):
-        hazards.append(f"its memory endures {fact.handling.endurance} writes")
+    if endurance not in ("", "unlimited"):
+        hazards.append(f"its memory endures {'a limited number of' if endurance == 'limited' else endurance} writes")
     return hazards
 
 
