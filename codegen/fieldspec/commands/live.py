@@ -47,7 +47,10 @@ def run(arguments: argparse.Namespace) -> int:
     """Carries out one verb. Exit code 1 where the device refuses something or does not answer. Raises UsageError."""
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
-    if not any(layout.device.register_access(message) is not None for message in layout.device.messages.values()):
+    accesses = [
+        layout.device.register_access(m) or layout.device.bit_access(m) for m in layout.device.messages.values()
+    ]
+    if not any(accesses):
         raise UsageError(f"live reads and writes registers, and {layout.device.id} has none")
     dry = arguments.dry_run and arguments.verb_of_device == "write"
     try:
@@ -169,12 +172,15 @@ def _dump(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> in
         raise UsageError("name one file to write, or - for standard output")
     plan = blocks(client.layout, _readable(client.layout))
     with progress(sum(block.words for block in plan), "reading") as done:
-        values = list(read(client, plan, done))
+        values = [(block.space, value) for block in plan for value in read(client, [block], done)]
     words = {}
-    for value in values:
+    for space, value in values:
         for offset, word in enumerate(value.words):
-            words[value.occupant.address + offset] = word
-    text = "address,value\n" + "".join(f"0x{address:04X},{words[address]}\n" for address in sorted(words))
+            words[space, value.occupant.address + offset] = word
+    several = client.layout.device.several_spaces
+    head = "space,address,value" if several else "address,value"
+    rows = [f"{f'{space},' * several}0x{address:04X},{words[space, address]}" for space, address in sorted(words)]
+    text = "".join(f"{line}\n" for line in [head, *rows])
     if arguments.arguments[0] == "-":
         print(text, end="")
     else:
@@ -182,7 +188,7 @@ def _dump(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> in
             Path(arguments.arguments[0]).write_text(text, "utf-8", newline="\n")
         except OSError as error:
             raise UsageError(f"cannot write {arguments.arguments[0]}: {error.strerror}") from None
-    refused = [value.occupant.path for value in values if value.refusal]
+    refused = [value.occupant.path for _, value in values if value.refusal]
     note = f", {len(refused)} values refused: {', '.join(refused[:5])}" if refused else ""
     print(f"{len(words)} words{note}", file=sys.stderr)
     return int(bool(refused))

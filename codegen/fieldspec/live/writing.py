@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.explain.registers import FORBIDS, Occupant
+from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import MeaningError, raw_value
 from fieldspec.live.client import Client, RefusedError
-from fieldspec.live.reading import Reading, message_for, read_words, reading
+from fieldspec.live.reading import Reading, is_bit, message_for, read_words, reading
 from fieldspec.model.registers import Register
 from fieldspec.reference.records import CodecError, encoded_value, value_construct
 
@@ -35,7 +36,7 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
         raise WriteError(f"{occupant.path} {why}")
     if occupant.reserved:
         raise WriteError(f"{occupant.path} is reserved")
-    if occupant.skip or occupant.value.size % 2:
+    if not is_bit(occupant) and (occupant.skip or occupant.value.size % 2):
         raise WriteError(f"{occupant.path} shares a word with something else, and is not written alone")
     value = occupant.value.for_writing()
     try:
@@ -75,8 +76,13 @@ def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, ob
     access = message.accesses if message is not None else None
     if message is None or access is None:
         raise WriteError(f"no message of the device writes {chosen.occupant.path}")
-    content: object = list(chosen.words) if access.count else chosen.words[0]
-    values: dict[str, object] = {access.start: chosen.occupant.address, access.values: content}
+    values: dict[str, object] = {access.start: chosen.occupant.address}
+    if client.layout.device.bit_access(message) is None:
+        values[access.values] = list(chosen.words) if access.count else chosen.words[0]
+    elif access.set is None:
+        values |= {access.count: len(chosen.words), access.values: list(packed_bits(chosen.words))}
+    else:
+        values[access.values] = access.set if chosen.words[0] else access.clear
     try:
         return message.name, values, client.request(message.name, values)
     except CodecError as error:
