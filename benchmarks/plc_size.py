@@ -79,10 +79,10 @@ def _sizes(path: Path, blocks: dict[str, list[str]]) -> dict[str, int]:
         subprocess.run(
             ["arm-none-eabi-gcc", *FLAGS, *include, "-c", str(folder / "all.c"), "-o", str(target)], check=True
         )
-        listed = subprocess.run(
+        listing = subprocess.run(
             ["arm-none-eabi-nm", "-S", str(target)], check=True, capture_output=True, text=True
         ).stdout
-    rows = (line.split() for line in listed.splitlines())
+    rows = (line.split() for line in listing.splitlines())
     return {row[3]: int(row[1], 16) for row in rows if len(row) == 4}
 
 

@@ -33,6 +33,7 @@ FILES = (
     "python_framer",
     "python_import",
     "python_many",
+    "javascript",
     "c_instructions",
     "c_cortex",
     "compiler",

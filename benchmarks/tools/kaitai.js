@@ -1,4 +1,5 @@
-// Prints the Python that Kaitai Struct makes of a .ksy file: node kaitai.js FILE [--read-write]
+// Prints the code that Kaitai Struct makes of a .ksy file, Python unless said otherwise:
+// node kaitai.js FILE [--read-write | --javascript]
 const fs = require("fs");
 const yaml = require("js-yaml");
 
@@ -24,7 +25,7 @@ function compilerOf(changes) {
 }
 
 compilerOf(form === "--read-write" ? WRITING : [])
-  .compile("python", schema, null, false)
+  .compile(form === "--javascript" ? "javascript" : "python", schema, null, false)
   .then((files) => Object.values(files).forEach((file) => process.stdout.write(file)))
   .catch((error) => {
     console.error(error);

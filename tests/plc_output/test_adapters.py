@@ -51,9 +51,9 @@ POINTED = re.compile(
 
 def blocks(language: str, page: str) -> dict[str, str]:
     """The blocks and programs of a page by their names."""
-    found = re.findall(rf"^```{language}\n(.*?)^```$", (DOCS / page).read_text("utf-8"), re.MULTILINE | re.DOTALL)
+    texts = re.findall(rf"^```{language}\n(.*?)^```$", (DOCS / page).read_text("utf-8"), re.MULTILINE | re.DOTALL)
     named_blocks = {}
-    for block in found:
+    for block in texts:
         match = re.match(r'(?:FUNCTION_BLOCK|PROGRAM) "?(\w+)', block)
         if match:
             named_blocks[match.group(1)] = block

@@ -9,7 +9,7 @@ from typing import Any
 from fieldspec.backends.fact_texts import described
 from fieldspec.backends.js.declaration import Declaration, Names
 from fieldspec.backends.js.naming import property_scope
-from fieldspec.backends.js.text import comment, flag, literal, object_of
+from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.checksums import checksum_named
@@ -161,8 +161,8 @@ def _escape(frame: FrameLayout) -> str:
     if escape.method == "cobs":
         return "cobs"
     if escape.method == "insert":
-        return f"inserting({list(escape.pattern)}, {escape.inserted})"
-    return f"replacing({[list(pair) for pair in escape.pairs]})"
+        return f"{PURE} inserting({list(escape.pattern)}, {escape.inserted})"
+    return f"{PURE} replacing({[list(pair) for pair in escape.pairs]})"
 
 
 def checksum_function(algorithm: str, order: str) -> str:
@@ -180,7 +180,7 @@ def checksum_function(algorithm: str, order: str) -> str:
             "reflectOut": flag(kind.reflect_out),
             "finalXor": f"0x{kind.final_xor:X}n",
         }
-        return f"crcOf({object_of(parameters)})"
+        return f"{PURE} crcOf({object_of(parameters)})"
     parameters = {
         "method": literal(kind.method),
         "width": str(kind.width),
@@ -189,7 +189,7 @@ def checksum_function(algorithm: str, order: str) -> str:
         "unitSize": str(kind.unit_size),
         "order": literal(order),
     }
-    return f"totalOf({object_of(parameters)})"
+    return f"{PURE} totalOf({object_of(parameters)})"
 
 
 def _intervals(ranges: Ranges | None) -> str:

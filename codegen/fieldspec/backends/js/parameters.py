@@ -5,7 +5,7 @@ from __future__ import annotations
 from fieldspec.backends.fact_texts import described
 from fieldspec.backends.js.declaration import Declaration, Names
 from fieldspec.backends.js.naming import property_scope
-from fieldspec.backends.js.text import comment, flag, literal, object_of
+from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
 from fieldspec.backends.js.units import unit_of
 from fieldspec.backends.js.values import Slot
 from fieldspec.model.registers import Parameter, ParameterSet, Subindex
@@ -50,7 +50,7 @@ def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names) -> str
     facts = object_of({key: expression for key, expression in more.items() if expression})
     identity = [literal(row.name), str(row.number), str(parameter_set.base), literal(row.access)]
     call = ", ".join([*identity, read, write, facts])
-    return f"parameter({call})" if row.count == 1 else f"parameters({row.count}, {call})"
+    return f"{PURE} parameter({call})" if row.count == 1 else f"{PURE} parameters({row.count}, {call})"
 
 
 def _subindex(row: Parameter, subindex: Subindex, names: Names) -> str:

@@ -8,6 +8,9 @@ from collections.abc import Iterable, Mapping
 
 WIDTH = 110
 
+PURE = "/* @__PURE__ */"
+"""Marks a call without effects, which a bundler drops where nothing uses its result."""
+
 
 def literal(text: str) -> str:
     """A text in double quotes, in ASCII, which also stands safely within HTML."""

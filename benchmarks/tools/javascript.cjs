@@ -1,0 +1,91 @@
+// Times the generated JavaScript beside hand-written code and Kaitai Struct: node javascript.cjs MODULES POINT REQUEST
+// MODULES is the folder of the generated modules, POINT and REQUEST are files that kaitai.js has printed. Prints a row of
+// numbers for each comparison: name, peer, and the median of nanoseconds of both, and of their ratio.
+const path = require("path");
+const { pathToFileURL } = require("url");
+const KaitaiStream = require("kaitai-struct/KaitaiStream");
+
+const [modules, pointFile, requestFile] = process.argv.slice(2);
+const ROUNDS = 25;
+const LEAST = 4e6;
+
+function timed(action, number) {
+  const start = process.hrtime.bigint();
+  let sink = 0;
+  for (let turn = 0; turn < number; turn++) sink += action();
+  if (sink === -1) console.log(sink);
+  return Number(process.hrtime.bigint() - start) / number;
+}
+
+function enough(action) {
+  let number = 1000;
+  while (timed(action, number) * number < LEAST) number *= 2;
+  return number;
+}
+
+const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1];
+
+function row(name, ours, peer, theirs) {
+  const [first, second] = [enough(ours), enough(theirs)];
+  const pairs = Array.from({ length: ROUNDS }, (_, turn) => {
+    if (turn % 2) return [timed(ours, first), timed(theirs, second)];
+    const its = timed(theirs, second);
+    return [timed(ours, first), its];
+  });
+  const numbers = [median(pairs.map(([a]) => a)), median(pairs.map(([, b]) => b)), median(pairs.map(([a, b]) => a / b))];
+  console.log(JSON.stringify([name, peer, ...numbers]));
+}
+
+function crc16(bytes, stop) {
+  let crc = 0xffff;
+  for (let at = 0; at < stop; at++) {
+    crc ^= bytes[at];
+    for (let bit = 0; bit < 8; bit++) crc = crc & 1 ? (crc >> 1) ^ 0xa001 : crc >> 1;
+  }
+  return crc;
+}
+
+function telegramByHand(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  return {
+    statusWord1: view.getUint16(0), positioningStatusWord1: view.getUint16(2), positioningStatusWord2: view.getUint16(4),
+    statusWord2: view.getUint16(6), messageWord: view.getUint16(8), positionActualA: view.getInt32(10),
+    speedActualB: view.getInt32(14), faultCode: view.getUint16(18), warningCode: view.getUint16(20),
+  };
+}
+
+function telegramBytesByHand(value) {
+  const bytes = new Uint8Array(24);
+  const view = new DataView(bytes.buffer);
+  view.setUint16(0, value.statusWord1);
+  view.setUint16(2, value.positioningStatusWord1);
+  view.setUint16(4, value.positioningStatusWord2);
+  view.setUint16(6, value.statusWord2);
+  view.setUint16(8, value.messageWord);
+  view.setInt32(10, value.positionActualA);
+  view.setInt32(14, value.speedActualB);
+  view.setUint16(18, value.faultCode);
+  view.setUint16(20, value.warningCode);
+  return bytes;
+}
+
+(async () => {
+  const load = (device) => import(pathToFileURL(path.join(modules, device, "index.js")));
+  const [hiwin, ck10] = [await load("hiwin-e"), await load("ck10")];
+  const { Point } = require(pointFile);
+  const { Request } = require(requestFile);
+  const telegram = Uint8Array.from({ length: 24 }, (_, at) => at * 7);
+  const value = hiwin.Telegram111Response.decode(telegram);
+  row("decode telegram 111", () => hiwin.Telegram111Response.decode(telegram).statusWord1, "a DataView by hand",
+    () => telegramByHand(telegram).statusWord1);
+  row("encode telegram 111, all values checked", () => hiwin.Telegram111Response.encode(value)[1],
+    "a DataView by hand, unchecked", () => telegramBytesByHand(value)[1]);
+  const point = new Uint8Array(64);
+  row("decode a point", () => ck10.Point.decode(point).position, "Kaitai Struct 0.11",
+    () => new Point(new KaitaiStream(point.buffer)).position);
+  const frame = ck10.rtu.encodeRequest({ unitAddress: 1 }, ck10.ReadRegisters, { address: 1000, wordCount: 2 });
+  row("decode a frame", () => ck10.rtu.decodeRequest(frame).data.address, "Kaitai Struct 0.11, CRC by hand", () => {
+    const request = new Request(new KaitaiStream(frame.buffer));
+    return request.check === crc16(frame, 6) ? request.start : -2;
+  });
+})();
