@@ -426,3 +426,33 @@ def test_a_foreign_journal_stops_an_upload(
     assert live(tc100, "points", "upload", path, "--yes") == 2
     assert expected in capsys.readouterr().err
     assert writes == []
+
+
+@pytest.mark.parametrize(
+    ("device", "values", "expected"),
+    [
+        ("tc100", {"servo_on": 0}, ""),
+        ("tc100", {"servo_on": 1}, "the servo is on: servo_on is "),
+        ("tc100", {"servo_on": 0, "action_status": 1}, "the device may be busy: action_status is moving"),
+        ("ck10", {"motion_status": 1 << 20}, "the servo is on: motion_status is servo_on"),
+    ],
+)
+def test_the_state_of_a_device_is_known_before_a_write(
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    device: str,
+    values: Mapping[str, int],
+    expected: str,
+) -> None:
+    path = points_file(tmp_path, "2,5", head="Index,position")
+    with (
+        simulation(device, ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as simulated_device,
+        open(os.devnull, encoding="utf-8") as nobody,
+    ):
+        monkeypatch.setattr("sys.stdin", nobody)
+        monkeypatch.setattr(simulated_device.simulation.engine, "refresh", lambda: None)
+        set_values(simulated_device, values)
+        assert live(simulated_device, "points", "upload", path, "--table", "points", name=device) == 2
+    error = capsys.readouterr().err
+    assert expected in error if expected else "servo" not in error and "busy" not in error

@@ -20,6 +20,7 @@ from fieldspec.lists.sheet import ListError, Sheet, letters
 from fieldspec.live.client import Client
 from fieldspec.live.list_reading import ListFinding, entries
 from fieldspec.live.reading import Reading, blocks, read, reading
+from fieldspec.live.states import active_states
 from fieldspec.live.transfer import Change, TransferError, changes, transfer
 from fieldspec.live.value_files import file_content, file_sheet, suffix
 from fieldspec.live.value_lists import INDEX, NAME, cell, elements, left_out, settings, settings_list, table_list
@@ -187,6 +188,8 @@ class _Upload:
             own = [change.path for change in plan if hazard in change.chosen.hazards]
             more = f" and {len(own) - 3} more" if len(own) > 3 else ""
             print(f"{', '.join(own[:3])}{more}: {hazard}", file=sys.stderr)
+        for text in active_states(self.client):
+            print(text, file=sys.stderr)
         if not confirmed(self.arguments):
             return 1
         return self._write(wanted, plan)
