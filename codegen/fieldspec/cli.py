@@ -305,7 +305,7 @@ def _parser() -> argparse.ArgumentParser:
     simulate = verb("simulate", "serve a device that is simulated from its spec")
     simulate.late_arguments = ("fieldspec.commands.device_options", "add_simulate")
 
-    live = verb("live", "read, write, watch, dump or scan a device")
+    live = verb("live", "read, write, watch, scan, back up or restore a device")
     live.late_arguments = ("fieldspec.commands.device_options", "add_live")
 
     versions = verb("versions", "list the versions of a device and what depends on them")

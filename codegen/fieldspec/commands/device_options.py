@@ -40,10 +40,13 @@ def add_live(live: argparse.ArgumentParser) -> None:
     live.add_argument(
         "verb_of_device",
         metavar="VERB",
-        choices=("read", "write", "watch", "dump", "scan"),
+        choices=("read", "write", "watch", "dump", "scan", "points", "backup", "restore", "compare"),
         help="one of %(choices)s",
     )
-    names = "names or roles to read or watch, NAME=VALUE to write, the FILE of a dump, ranges to scan"
+    names = (
+        "names or roles to read or watch, NAME=VALUE to write, ranges to scan, "
+        "`download FILE` or `upload FILE` for points, the FILE of the other verbs"
+    )
     live.add_argument("arguments", nargs="*", metavar="ARGUMENT", help=names)
     where = "a serial port, socket://HOST:PORT, tcp://HOST:PORT or udp://HOST:PORT"
     live.add_argument("--port", metavar="WHERE", help=where)
@@ -59,7 +62,9 @@ def add_live(live: argparse.ArgumentParser) -> None:
     )
     live.add_argument("--every", type=float, default=0.5, metavar="SECONDS", help="watch: the time between reads")
     live.add_argument("--count", type=int, default=0, metavar="NUMBER", help="watch: end after so many reads")
-    live.add_argument("--dry-run", action="store_true", help="write: print the frames and send nothing")
-    live.add_argument("--yes", action="store_true", help="write: do not ask about what starts something or is stored")
+    live.add_argument("--dry-run", action="store_true", help="show what would be written, and write nothing")
+    live.add_argument("--yes", action="store_true", help="write without a question")
+    live.add_argument("--table", metavar="NAME", help="points: the table (default: the only one, or as the file says)")
+    live.add_argument("--any-version", action="store_true", help="take a file that is for another version")
     live.add_argument("--trace", action="store_true", help="print all frames to standard error")
     live.add_argument("--format", choices=("text", "json"), default="text")

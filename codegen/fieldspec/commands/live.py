@@ -1,4 +1,4 @@
-"""`fieldspec live`: reads, writes, watches, dumps and scans a device."""
+"""`fieldspec live`: the verbs that talk to a device, and how it is reached."""
 
 from __future__ import annotations
 
@@ -6,8 +6,7 @@ import argparse
 import json
 import re
 import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from fieldspec.carriers.carrier import Carrier, CarrierError
@@ -15,12 +14,14 @@ from fieldspec.carriers.sockets import Connection, Datagrams
 from fieldspec.carriers.terminals import SerialPort
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands import specs
+from fieldspec.commands.live_output import confirmed, meaning, number, print_values, progress
+from fieldspec.commands.live_transfer import TRANSFERS, transfer_values
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.registers import Occupant
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.live.client import Client, NoAnswerError, RefusedError, Timing
-from fieldspec.live.reading import Reading, all_occupants, blocks, read
+from fieldspec.live.reading import all_occupants, blocks, read
 from fieldspec.live.scanning import compared, scan, usual_ranges
 from fieldspec.live.writing import (
     Assignment,
@@ -46,7 +47,10 @@ def run(arguments: argparse.Namespace) -> int:
     """Carries out one verb. Exit code 1 where the device refuses something or does not answer. Raises UsageError."""
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
-    if not any(layout.device.register_access(message) is not None for message in layout.device.messages.values()):
+    accesses = [
+        layout.device.register_access(m) or layout.device.bit_access(m) for m in layout.device.messages.values()
+    ]
+    if not any(accesses):
         raise UsageError(f"live reads and writes registers, and {layout.device.id} has none")
     dry = arguments.dry_run and arguments.verb_of_device == "write"
     try:
@@ -135,66 +139,12 @@ def _is_harmless(occupant: Occupant) -> bool:
     return occupant.access in ("ro", "rw") and not (handling is not None and handling.clears_on_read)
 
 
-@contextmanager
-def _progress(total: int, what: str) -> Iterator[Callable[[int], None]]:
-    """A progress bar on a terminal; nothing elsewhere."""
-    if not sys.stderr.isatty():
-        yield lambda words: None
-        return
-    from rich.console import Console
-    from rich.progress import Progress
-
-    with Progress(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(what, total=total)
-        yield lambda words: bar.advance(task, words)
-
-
-def _meaning(value: Reading) -> str:
-    """The meaning of a value in a few words."""
-    decoded = value.decoded
-    if decoded is None:
-        return f"refused: {value.refusal}"
-    names = [meaning.name or f"bit {meaning.bits}" for meaning in decoded.meanings]
-    raw = decoded.text or (decoded.number if isinstance(decoded.number, str) else "")
-    return ", ".join(text for text in (raw, " ".join(names), decoded.verdict) if text and text != "right")
-
-
-def _number(value: Reading) -> str:
-    number = value.decoded.number if value.decoded is not None else None
-    return "" if number is None or isinstance(number, str) else str(number)
-
-
-def _print(values: Sequence[Reading], form: str) -> int:
-    if form == "json":
-        rows = [
-            {
-                "name": value.occupant.path,
-                "address": value.occupant.address,
-                "words": list(value.words),
-                "value": None if value.decoded is None else _json(value.decoded.number),
-                "meaning": _meaning(value),
-                "refused": value.refusal or None,
-            }
-            for value in values
-        ]
-        print(json.dumps(rows, ensure_ascii=False, indent=1), flush=True)
-    else:
-        table = tuple((v.occupant.path, f"0x{v.occupant.address:04X}", _number(v), _meaning(v)) for v in values)
-        print_blocks([Table(("name", "address", "value", "meaning"), table)])
-        sys.stdout.flush()
-    return int(any(value.refusal for value in values))
-
-
-def _json(number: object) -> object:
-    return number.hex() if isinstance(number, bytes) else number
-
-
 def _read(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> int:
     chosen = _chosen(client.layout, arguments.arguments) if arguments.arguments else _readable(client.layout)
     plan = blocks(client.layout, chosen)
-    with _progress(sum(block.words for block in plan), "reading") as done:
+    with progress(sum(block.words for block in plan), "reading") as done:
         values = list(read(client, plan, done))
-    return _print(values, arguments.format)
+    return print_values(values, arguments.format)
 
 
 def _watch(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> int:
@@ -209,7 +159,7 @@ def _watch(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> i
         values = [value for value in read(client, plan) if before.get(value.occupant.path) != value.words]
         before |= {value.occupant.path: value.words for value in values}
         if values:
-            _print(values, arguments.format)
+            print_values(values, arguments.format)
         rounds += 1
         if not arguments.count or rounds < arguments.count:
             clock.sleep(arguments.every)
@@ -221,13 +171,16 @@ def _dump(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> in
     if len(arguments.arguments) != 1:
         raise UsageError("name one file to write, or - for standard output")
     plan = blocks(client.layout, _readable(client.layout))
-    with _progress(sum(block.words for block in plan), "reading") as done:
-        values = list(read(client, plan, done))
+    with progress(sum(block.words for block in plan), "reading") as done:
+        values = [(block.space, value) for block in plan for value in read(client, [block], done)]
     words = {}
-    for value in values:
-        for number, word in enumerate(value.words):
-            words[value.occupant.address + number] = word
-    text = "address,value\n" + "".join(f"0x{address:04X},{words[address]}\n" for address in sorted(words))
+    for space, value in values:
+        for offset, word in enumerate(value.words):
+            words[space, value.occupant.address + offset] = word
+    several = client.layout.device.several_spaces
+    head = "space,address,value" if several else "address,value"
+    rows = [f"{f'{space},' * several}0x{address:04X},{words[space, address]}" for space, address in sorted(words)]
+    text = "".join(f"{line}\n" for line in [head, *rows])
     if arguments.arguments[0] == "-":
         print(text, end="")
     else:
@@ -235,7 +188,7 @@ def _dump(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> in
             Path(arguments.arguments[0]).write_text(text, "utf-8", newline="\n")
         except OSError as error:
             raise UsageError(f"cannot write {arguments.arguments[0]}: {error.strerror}") from None
-    refused = [value.occupant.path for value in values if value.refusal]
+    refused = [value.occupant.path for _, value in values if value.refusal]
     note = f", {len(refused)} values refused: {', '.join(refused[:5])}" if refused else ""
     print(f"{len(words)} words{note}", file=sys.stderr)
     return int(bool(refused))
@@ -267,18 +220,13 @@ def _write(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> i
         for item in chosen:
             print(f"{item.occupant.path}: {_frame(client, item)}")
         return 0
-    if any(item.hazards for item in chosen) and not arguments.yes:
-        if not sys.stdin.isatty():
-            raise UsageError("nothing is written: confirm what stands above with --yes")
-        print("Write? [y/N] ", end="", file=sys.stderr, flush=True)
-        if sys.stdin.readline().strip().lower() not in ("y", "yes"):
-            print("nothing was written", file=sys.stderr)
-            return 1
+    if any(item.hazards for item in chosen) and not confirmed(arguments):
+        return 1
     code = 0
-    for number, item in enumerate(chosen):
+    for at, item in enumerate(chosen):
         reason, holds = _outcome(client, item)
         if reason:
-            before = ", ".join(other.occupant.path for other in chosen[:number]) or "nothing"
+            before = ", ".join(other.occupant.path for other in chosen[:at]) or "nothing"
             print(f"fieldspec: {item.occupant.path} {reason}; written before it: {before}", file=sys.stderr)
             return 1
         code = code or int(not holds)
@@ -307,9 +255,9 @@ def _outcome(client: Client, item: Assignment) -> tuple[str, bool]:
         print_blocks([Line(f"{path}: sent; it cannot be read back")])
         return "", True
     if differs(item, now):
-        print_blocks([Line(f"{path}: the device holds {_number(now) or now.refusal} {_meaning(now)}")])
+        print_blocks([Line(f"{path}: the device holds {number(now) or now.refusal} {meaning(now)}")])
         return "", False
-    print_blocks([Line(f"{path}: {_number(now)} {_meaning(now)}".rstrip())])
+    print_blocks([Line(f"{path}: {number(now)} {meaning(now)}".rstrip())])
     return "", True
 
 
@@ -318,7 +266,7 @@ def _scan(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> in
     layout = client.layout
     space = layout.device.space_name("")
     ranges = [_range(text) for text in arguments.arguments] or usual_ranges(layout, space)
-    with _progress(sum(map(len, ranges)), "scanning") as done:
+    with progress(sum(map(len, ranges)), "scanning") as done:
         result = scan(client, space, ranges, done)
     versions = [compared(specs.layout_of(spec, version), result) for version in spec.versions()]
     own = next(item for item in versions if item.version == layout.device.version)
@@ -363,4 +311,5 @@ VERBS: dict[str, Callable[[Client, DeviceSpec, argparse.Namespace], int]] = {
     "watch": _watch,
     "dump": _dump,
     "scan": _scan,
+    **dict.fromkeys(TRANSFERS, transfer_values),
 }

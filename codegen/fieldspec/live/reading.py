@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.explain.registers import Occupant, Span, occupants
 from fieldspec.explain.values import DecodedValue, decode_value
+from fieldspec.layout.bits import unpacked_bits
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.read_plan import ReadBlock, read_plan
-from fieldspec.live.client import Client, RefusedError
+from fieldspec.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.model.record import Message
+
+if TYPE_CHECKING:
+    from typing import Literal
 
 _LAST = 0x10000
 
@@ -67,15 +71,20 @@ def _within(layout: DeviceLayout, block: ReadBlock, space: str, occupant: Occupa
 
 
 def message_for(layout: DeviceLayout, operation: str, space: str, words: int) -> Message | None:
-    """The message that reads or writes some words of a space; one without a count where it is for one word alone."""
+    """The message that reads or writes some words or bits of a space; one without a count where it is for one alone."""
     device = layout.device
     known = []
     for message in device.messages.values():
-        access = device.register_access(message)
+        access = device.register_access(message) or device.bit_access(message)
         if access is not None and access.operation == operation and device.space_name(access.space) == space:
             known.append((not access.count, message))
     alone = next((message for single, message in known if single and words == 1), None)
     return alone or next((message for single, message in known if not single), None)
+
+
+def is_bit(occupant: Occupant) -> bool:
+    """Whether a value is a register of one bit."""
+    return occupant.value.type.name == "bit"
 
 
 def read(client: Client, plan: Iterable[Block], done: Callable[[int], None] | None = None) -> Iterator[Reading]:
@@ -108,20 +117,26 @@ def _read_block(client: Client, block: Block) -> Iterator[Reading]:
 
 
 def read_words(client: Client, space: str, start: int, count: int) -> list[int]:
-    """The words from an address on. Raises NoAnswerError, RefusedError and CarrierError."""
+    """The words, or the bits as 0 and 1, from an address on. Raises NoAnswerError, RefusedError and CarrierError."""
     message = message_for(client.layout, "read", space, count)
     access = message.accesses if message is not None else None
     if message is None or access is None:
         raise RefusedError(0, "no message of the device reads registers")
     values = {access.start: start, **({access.count: count} if access.count else {})}
     content = client.ask(message.name, values).values[access.values]
+    if client.layout.device.bit_access(message) is not None:
+        bits = [int(content == access.set)] if access.set is not None else list(unpacked_bits(bytes(content)))
+        if len(bits) < count:
+            raise NoAnswerError(f"the answer has {len(bits)} bits instead of {count}")
+        return bits[:count]
     return list(content) if isinstance(content, list) else [content]
 
 
 def reading(layout: DeviceLayout, occupant: Occupant, words: Sequence[int]) -> Reading:
-    """The meaning of the words of a value."""
-    order = "big" if layout.device.byte_order == "big" else "little"
-    data = b"".join(word.to_bytes(2, "big" if order == "big" else "little") for word in words)
+    """The meaning of the words of a value, or of the 0 or 1 of a bit."""
+    order: Literal["big", "little"] = "big" if layout.device.byte_order == "big" else "little"
+    width = 1 if is_bit(occupant) else 2
+    data = b"".join(word.to_bytes(width, order) for word in words)
     data = data[occupant.skip : occupant.skip + occupant.value.size]
     value = occupant.value.as_answer(occupant.trigger)
     decoded = decode_value(layout.device, value, data, occupant.order, occupant.swapped, occupant.reserved)

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.explain.registers import FORBIDS, Occupant
+from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import MeaningError, raw_value
 from fieldspec.live.client import Client, RefusedError
-from fieldspec.live.reading import Reading, message_for, read_words, reading
+from fieldspec.live.reading import Reading, is_bit, message_for, read_words, reading
 from fieldspec.model.registers import Register
 from fieldspec.reference.records import CodecError, encoded_value, value_construct
 
@@ -35,7 +36,7 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
         raise WriteError(f"{occupant.path} {why}")
     if occupant.reserved:
         raise WriteError(f"{occupant.path} is reserved")
-    if occupant.skip or occupant.value.size % 2:
+    if not is_bit(occupant) and (occupant.skip or occupant.value.size % 2):
         raise WriteError(f"{occupant.path} shares a word with something else, and is not written alone")
     value = occupant.value.for_writing()
     try:
@@ -52,6 +53,9 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
 def _hazards(occupant: Occupant) -> list[str]:
     """What a person should know before a value is written."""
     fact = occupant.outer if isinstance(occupant.outer, Register) else None
+    facts = (occupant.fact, occupant.outer)
+    handlings = [own for item in facts if (own := getattr(item, "handling", None)) is not None]
+    endurance = next((own.endurance for own in handlings if own.endurance), "")
     hazards = []
     if occupant.trigger:
         hazards.append("writing it starts something")
@@ -59,10 +63,10 @@ def _hazards(occupant: Occupant) -> list[str]:
         hazards.append("the manual does not say that it can be written")
     if fact is not None and fact.restart:
         hazards.append("it takes effect after a restart")
-    if fact is not None and fact.handling.memory == "nonvolatile":
+    if next((own.memory for own in handlings if own.memory), "") == "nonvolatile":
         hazards.append("it is stored for good")
-    if fact is not None and fact.handling.endurance not in ("", "unlimited"):
-        hazards.append(f"its memory endures {fact.handling.endurance} writes")
+    if endurance not in ("", "unlimited"):
+        hazards.append(f"its memory endures {'a limited number of' if endurance == 'limited' else endurance} writes")
     return hazards
 
 
@@ -72,8 +76,13 @@ def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, ob
     access = message.accesses if message is not None else None
     if message is None or access is None:
         raise WriteError(f"no message of the device writes {chosen.occupant.path}")
-    content: object = list(chosen.words) if access.count else chosen.words[0]
-    values: dict[str, object] = {access.start: chosen.occupant.address, access.values: content}
+    values: dict[str, object] = {access.start: chosen.occupant.address}
+    if client.layout.device.bit_access(message) is None:
+        values[access.values] = list(chosen.words) if access.count else chosen.words[0]
+    elif access.set is None:
+        values |= {access.count: len(chosen.words), access.values: list(packed_bits(chosen.words))}
+    else:
+        values[access.values] = access.set if chosen.words[0] else access.clear
     try:
         return message.name, values, client.request(message.name, values)
     except CodecError as error:

@@ -28,10 +28,14 @@ def seed(engine: Engine, dump: Dump) -> tuple[int, int]:
             unused += 1
             continue
         number = entry.values[0]
+        bit = next((o for o in present if o.value.type.name == "bit"), None)
         wide = next((o for o in present if o.address == entry.address and o.words > 1), None)
         if len(entry.values) == 1 and wide is not None and (entry.words == wide.words or not 0 <= number <= 0xFFFF):
             memory.write(space, wide, number)
             words = wide.words
+        elif bit is not None and len(entry.values) == 1:
+            memory.write(space, bit, int(number != 0))
+            words = 1
         else:
             words = len(entry.values)
             for address, word in enumerate(entry.values, entry.address):

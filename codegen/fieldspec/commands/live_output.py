@@ -1,0 +1,83 @@
+"""What the verbs of `fieldspec live` print and ask."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+
+from fieldspec.commands.terminal import print_blocks
+from fieldspec.commands.usage import UsageError
+from fieldspec.live.reading import Reading
+from fieldspec.render.blocks import Table
+
+
+@contextmanager
+def progress(total: int, what: str) -> Iterator[Callable[[int], None]]:
+    """A progress bar on a terminal; nothing elsewhere."""
+    if not sys.stderr.isatty():
+        yield lambda words: None
+        return
+    from rich.console import Console
+    from rich.progress import Progress
+
+    with Progress(console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task(what, total=total)
+        yield lambda words: bar.advance(task, words)
+
+
+def meaning(value: Reading) -> str:
+    """The meaning of a value in a few words."""
+    decoded = value.decoded
+    if decoded is None:
+        return f"refused: {value.refusal}"
+    names = [meaning.name or f"bit {meaning.bits}" for meaning in decoded.meanings]
+    raw = decoded.text or (decoded.number if isinstance(decoded.number, str) else "")
+    return ", ".join(text for text in (raw, " ".join(names), decoded.verdict) if text and text != "right")
+
+
+def number(value: Reading) -> str:
+    """The raw value as a number; empty for a text and for a refused value."""
+    number = value.decoded.number if value.decoded is not None else None
+    return "" if number is None or isinstance(number, str) else str(number)
+
+
+def print_values(values: Sequence[Reading], form: str) -> int:
+    """Prints values as a table or as JSON: exit code 1 where the device refused one."""
+    if form == "json":
+        rows = [
+            {
+                "name": value.occupant.path,
+                "address": value.occupant.address,
+                "words": list(value.words),
+                "value": None if value.decoded is None else _json(value.decoded.number),
+                "meaning": meaning(value),
+                "refused": value.refusal or None,
+            }
+            for value in values
+        ]
+        print(json.dumps(rows, ensure_ascii=False, indent=1), flush=True)
+    else:
+        table = tuple((v.occupant.path, f"0x{v.occupant.address:04X}", number(v), meaning(v)) for v in values)
+        print_blocks([Table(("name", "address", "value", "meaning"), table)])
+        sys.stdout.flush()
+    return int(any(value.refusal for value in values))
+
+
+def _json(number: object) -> object:
+    return number.hex() if isinstance(number, bytes) else number
+
+
+def confirmed(arguments: argparse.Namespace) -> bool:
+    """Whether a person agrees to write. Raises UsageError where nobody can be asked."""
+    if arguments.yes:
+        return True
+    if not sys.stdin.isatty():
+        raise UsageError("nothing is written: confirm what stands above with --yes")
+    print("Write? [y/N] ", end="", file=sys.stderr, flush=True)
+    if sys.stdin.readline().strip().lower() in ("y", "yes"):
+        return True
+    print("nothing was written", file=sys.stderr)
+    return False

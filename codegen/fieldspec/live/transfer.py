@@ -1,0 +1,82 @@
+"""Brings a device to what a list asks for: compares, writes what differs, and verifies each value."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from fieldspec.carriers.carrier import CarrierError
+from fieldspec.classes import dataclass
+from fieldspec.live.client import Client, NoAnswerError, RefusedError
+from fieldspec.live.reading import Reading, blocks, read
+from fieldspec.live.writing import Assignment, WriteError, differs, read_back, write
+
+Progress = Callable[[int], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """A value that differs: what the device has, and what is to be there."""
+
+    before: Reading
+    chosen: Assignment
+
+    @property
+    def path(self) -> str:
+        """The path of the value."""
+        return self.chosen.occupant.path
+
+
+class TransferError(Exception):
+    """A value was not transferred. `uncertain` says that nobody knows whether the device has it."""
+
+    def __init__(self, path: str, detail: str, uncertain: bool = False) -> None:
+        super().__init__(f"{path} {detail}")
+        self.uncertain = uncertain
+
+
+def changes(client: Client, wanted: Sequence[Assignment], done: Progress | None = None) -> list[Change]:
+    """The values that differ from what the device has, in the order of the list.
+
+    A value that the device refuses to show is among them, with its refusal. Raises NoAnswerError and CarrierError.
+    """
+    plan = blocks(client.layout, [(chosen.space, chosen.occupant) for chosen in wanted])
+    present = {value.occupant.path: value for value in read(client, plan, done)}
+    pairs = [(present[chosen.occupant.path], chosen) for chosen in wanted]
+    return [Change(value, chosen) for value, chosen in pairs if differs(chosen, value)]
+
+
+def transfer(
+    client: Client, plan: Sequence[Change], before: Callable[[Change], None], after: Callable[[Change], None]
+) -> None:
+    """Writes all changes in their order, each verified before the next one.
+
+    `before` is called before a request that may change the device, `after` when the value has been read back. Raises
+    TransferError at the first value that the device does not take over.
+    """
+    for change in plan:
+        before(change)
+        try:
+            _settle(client, change)
+        except (NoAnswerError, CarrierError) as error:
+            raise TransferError(change.path, f"may be written or not: {error}", uncertain=True) from None
+        except (RefusedError, WriteError) as error:
+            raise TransferError(change.path, f"is not written: {error}") from None
+        after(change)
+
+
+def _settle(client: Client, change: Change) -> None:
+    """Writes a value once. Where no answer comes, the device itself says whether it has the value."""
+    lost = ""
+    try:
+        write(client, change.chosen)
+    except NoAnswerError as error:
+        lost = str(error)
+    now = read_back(client, change.chosen)
+    if now is None or not differs(change.chosen, now):
+        return
+    if now.refusal:
+        raise TransferError(change.path, f"cannot be read back: {now.refusal}", uncertain=True)
+    if lost and now.words == change.before.words:
+        raise TransferError(change.path, f"is not written: {lost}")
+    number = now.decoded.number if now.decoded is not None else None
+    raise TransferError(change.path, f"is not taken over: the device has {number!r} instead")

@@ -1,0 +1,458 @@
+"""Points and settings go from a simulated device to files and back; breaks at every step leave a known state."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+
+import pytest
+
+from fieldspec.cli import main
+from fieldspec.commands.journal_file import JournalFile
+from fieldspec.explain.registers import Occupant
+from fieldspec.layout.values import Raw
+from fieldspec.live.client import Client
+from fieldspec.live.journal import journal_state
+from fieldspec.live.list_reading import entries
+from fieldspec.live.reading import reading
+from fieldspec.live.value_files import file_content, file_sheet
+from fieldspec.live.value_lists import elements, table_list
+from fieldspec.testing import SimulatedDevice, simulation
+from simulators import SPECS, parts_of
+
+HEAD = "Device,Version,Table,Index,"
+WRITES = (0x06, 0x10)
+
+
+@pytest.fixture
+def tc100() -> Iterator[SimulatedDevice]:
+    with simulation("tc100", ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
+        yield device
+
+
+def command(device: SimulatedDevice, *arguments: str, name: str = "tc100") -> list[str]:
+    """The arguments of a verb."""
+    place = device.place.replace("tcp://", "socket://")
+    return ["live", name, *arguments, "--port", place, "--timeout", "0.3", "--specs", SPECS]
+
+
+def live(device: SimulatedDevice, *arguments: str, name: str = "tc100") -> int:
+    """The exit code of a verb."""
+    return main(command(device, *arguments, name=name))
+
+
+def placed(device: SimulatedDevice, path: str) -> tuple[str, Occupant]:
+    """What has a path in the memory of a device."""
+    known = device.simulation.engine.memory.occupants.items()
+    return next((space, own) for (space, _), present in known for own in present if own.path == path)
+
+
+def value_of(device: SimulatedDevice, path: str) -> Raw:
+    """The raw value of a register, or of a field of a point."""
+    return device.simulation.engine.memory.read(*placed(device, path))
+
+
+def set_values(device: SimulatedDevice, values: Mapping[str, int]) -> None:
+    """Sets registers and fields of points."""
+    for path, raw in values.items():
+        device.simulation.engine.memory.write(*placed(device, path), raw)
+
+
+def speeds(device: SimulatedDevice) -> list[Raw]:
+    """The speeds of the first five points."""
+    return [value_of(device, f"points[{number}].speed") for number in range(1, 6)]
+
+
+def points_file(folder: Path, *lines: str, head: str = f"{HEAD}speed,wait_time") -> str:
+    """A CSV file with points."""
+    path = folder / "points.csv"
+    path.write_text("\n".join([head, *lines]) + "\n", "utf-8")
+    return str(path)
+
+
+def five_points(folder: Path) -> str:
+    """A CSV file with five points that differ in their speed from those at delivery, one of them also in its wait."""
+    return points_file(folder, *(f"tc100,2.0,points,{n},{10 * n} %,{'25 ms' if n == 2 else ''}" for n in range(1, 6)))
+
+
+def writes_of(device: SimulatedDevice) -> list[bytes]:
+    """A list that gets all requests to write."""
+    writes: list[bytes] = []
+    device.simulation.listeners.append(
+        lambda now, link, way, data, text: writes.append(data) if way == "request" and data[1] in WRITES else None
+    )
+    return writes
+
+
+def test_points_go_to_a_file_and_back(tc100: SimulatedDevice, tmp_path: Path) -> None:
+    path = tmp_path / "points.csv"
+    points = {"points[3].position": -1250, "points[3].torque_limit": 335, "points[7].next_point": 9}
+    set_values(tc100, points)
+    assert live(tc100, "points", "download", str(path)) == 0
+    row = list(csv.DictReader(io.StringIO(path.read_text("utf-8"))))[2]
+    assert (row["Index"], row["mode"]) == ("3", "relative_move")
+    assert (row["torque_limit"], row["next_point"]) == ("33.5 %", "end")
+    assert row["position"] == "'-1250 pulse"
+    assert "reserved_5" not in row
+    set_values(tc100, {"points[3].position": 5, "points[3].torque_limit": 1000, "points[7].next_point": -1})
+    assert live(tc100, "compare", str(path)) == 1
+    writes = writes_of(tc100)
+    assert live(tc100, "points", "upload", str(path), "--yes") == 0
+    assert len(writes) == 3
+    assert {name: value_of(tc100, name) for name in points} == points
+    assert not Path(f"{path}.journal").exists()
+
+
+@pytest.mark.parametrize("ending", ["csv", "xlsx", "json", "yaml"])
+def test_a_file_means_the_words_that_it_is_written_from(ending: str) -> None:
+    layout, _ = parts_of("tc100")
+    words = [0, 3, 0xFFFF, 0x8000, 335]
+    placed_values = [pair for pair in elements(layout, "points") if pair[1].path.startswith("points[1")]
+    values = []
+    for number, (_, occupant) in enumerate(placed_values):
+        value = reading(layout, occupant, [words[number % 5]] * occupant.words)
+        wrong = value.decoded is not None and value.decoded.verdict
+        values.append(reading(layout, occupant, [1] * occupant.words) if wrong else value)
+    content = file_content(f"a.{ending}", table_list(layout, "points", values))
+    wanted, findings = entries(layout, file_sheet(f"a.{ending}", content))
+    assert findings == []
+    assert [(item.occupant.path, item.words) for item in wanted] == [(v.occupant.path, v.words) for v in values]
+
+
+def test_settings_are_restored_over_a_pseudo_terminal(tmp_path: Path) -> None:
+    path = tmp_path / "settings.json"
+    with simulation("tc100", ports={"rtu": "pty"}, folder=SPECS) as device:
+        options = ("--port", device.place, "--specs", SPECS)
+        set_values(device, {"points[1].wait_time": 123, "motion_speed": 41})
+        assert main(["live", "tc100", "backup", str(path), *options]) == 0
+        names = {row["Name"] for row in json.loads(path.read_text("utf-8"))}
+        assert "points[1].wait_time" in names
+        assert not names & {"servo", "motion_command", "parameter_storage", "write_enable_key", "action_status"}
+        set_values(device, {"points[1].wait_time": 0, "motion_speed": 7})
+        assert main(["live", "tc100", "restore", str(path), "--yes", *options]) == 0
+        assert value_of(device, "points[1].wait_time") == 123
+        assert value_of(device, "motion_speed") == 41
+
+
+def test_points_of_another_device_are_transferred_by_table(tmp_path: Path) -> None:
+    path = str(tmp_path / "points.csv")
+    Path(path).write_text("Index,position,command\n5,-20 pulse,1\n", "utf-8")
+    with simulation("ck10", ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
+        assert live(device, "points", "upload", path, "--table", "points", "--yes", name="ck10") == 0
+        assert value_of(device, "points[5].position") == -20
+
+
+def test_a_dry_run_prints_the_plan_and_writes_nothing(
+    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    path = five_points(tmp_path)
+    writes = writes_of(tc100)
+    assert live(tc100, "points", "upload", path, "--dry-run") == 0
+    output = capsys.readouterr()
+    assert "points[1].speed" in output.out
+    assert "100 %" in output.out
+    assert "01 06 90 13 00 0A" in output.out
+    assert "6 of 6 values differ" in output.err
+    assert writes == []
+    assert not Path(f"{path}.journal").exists()
+
+
+def test_nothing_is_written_without_consent(
+    tc100: SimulatedDevice,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+) -> None:
+    with open(os.devnull, encoding="utf-8") as nobody:
+        monkeypatch.setattr("sys.stdin", nobody)
+        writes = writes_of(tc100)
+        assert live(tc100, "points", "upload", five_points(tmp_path)) == 2
+    assert "confirm what stands above with --yes" in capsys.readouterr().err
+    assert writes == []
+
+
+class Killed(BaseException):
+    """The end of a process, as far as a test within it can have one."""
+
+
+def killed_at(step: int, monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
+    """Ends a run at its step: before or after each line of the journal, and before or after each request."""
+    steps = [0]
+
+    def stop() -> None:
+        steps[0] += 1
+        if steps[0] == step:
+            raise Killed
+
+    def around(owner: type, name: str, relevant: Callable[..., bool]) -> None:
+        original = getattr(owner, name)
+
+        def stopping(self: object, *arguments: object) -> object:
+            if not relevant(*arguments):
+                return original(self, *arguments)
+            stop()
+            result = original(self, *arguments)
+            stop()
+            return result
+
+        monkeypatch.setattr(owner, name, stopping)
+
+    around(JournalFile, "begin", lambda change: True)
+    around(JournalFile, "verify", lambda change: True)
+    around(Client, "_answer", lambda message, frame: frame[1] in WRITES)
+    return lambda: steps[0]
+
+
+def test_an_upload_that_is_killed_at_any_step_is_resumed(
+    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    path = points_file(tmp_path, "tc100,2.0,points,2,20 %,25 ms")
+    delivered = {"points[2].speed": 100, "points[2].wait_time": 0}
+    step, ended = 0, False
+    while not ended:
+        step += 1
+        set_values(tc100, delivered)
+        with pytest.MonkeyPatch.context() as patch:
+            steps_of = killed_at(step, patch)
+            try:
+                assert live(tc100, "points", "upload", path, "--yes") == 0
+                ended = True
+            except Killed:
+                assert "the same command continues" in capsys.readouterr().err
+            assert steps_of() == step - ended
+        journal = Path(f"{path}.journal")
+        state = journal_state(journal.read_bytes()) if journal.exists() else None
+        changed = {name for name, value in delivered.items() if value_of(tc100, name) != value}
+        if state is not None:
+            assert set(state.verified) <= changed <= {*state.verified, state.path}
+        if not ended:
+            writes = writes_of(tc100)
+            assert live(tc100, "points", "upload", path, "--yes") == 0
+            assert len(writes) == 2 - len(changed)
+            tc100.simulation.listeners.pop()
+        assert [value_of(tc100, name) for name in delivered] == [20, 25]
+        assert not journal.exists()
+    assert step == 2 * 6 + 1
+
+
+@pytest.mark.parametrize("number", [1, 4])
+def test_a_process_that_is_killed_on_the_line_leaves_a_journal(
+    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path, number: int
+) -> None:
+    path = five_points(tmp_path)
+    writes: list[bytes] = []
+    running: list[subprocess.Popen[bytes]] = []
+
+    def kill(now: float, link: str, way: str, data: bytes, text: str) -> None:
+        if way == "request" and data[1] in WRITES:
+            writes.append(data)
+            if len(writes) == number:
+                running[0].send_signal(signal.SIGKILL)
+
+    tc100.simulation.listeners.append(kill)
+    running.append(
+        subprocess.Popen([sys.executable, "-m", "fieldspec", *command(tc100, "points", "upload", path, "--yes")])
+    )
+    assert running[0].wait(60) == -signal.SIGKILL
+    state = journal_state(Path(f"{path}.journal").read_bytes())
+    assert state is not None
+    assert len(state.verified) == number - 1
+    assert state.path
+    assert live(tc100, "points", "upload", path, "--yes") == 0
+    assert f"it was writing {state.path}, which has" in capsys.readouterr().err
+    assert speeds(tc100) == [10, 20, 30, 40, 50]
+    assert value_of(tc100, "points[2].wait_time") == 25
+
+
+@pytest.mark.parametrize(
+    ("fault", "details", "expected"),
+    [
+        ("exception", {"reason": "value_invalid"}, "acceleration_time is not written: exception 3"),
+        ("no_answer", {"count": 0}, "may be written or not: acceleration_time"),
+        (
+            "stuck_bit",
+            {"signal": "registers/acceleration_time", "value": 3},
+            "is not taken over: the device has 3 instead",
+        ),
+        ("connection_lost", {}, "may be written or not: acceleration_time"),
+    ],
+)
+def test_a_failed_upload_says_what_was_written(
+    tc100: SimulatedDevice,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    fault: str,
+    details: dict[str, object],
+    expected: str,
+) -> None:
+    def strike(now: float, link: str, way: str, data: bytes, text: str) -> None:
+        if way == "response" and data[1] == 0x03 and data[3:5] == b"\x00\x0a":
+            tc100.simulation.listeners.remove(strike)
+            tc100.fault(fault, **details)
+
+    path = str(tmp_path / "settings.csv")
+    Path(path).write_text("Name,Value\nmotion_speed,10\nacceleration_time,500\nhoming_speed,7\n", "utf-8")
+    tc100.simulation.listeners.append(strike)
+    assert live(tc100, "restore", path, "--yes") == 1
+    error = capsys.readouterr().err
+    assert expected in error
+    assert "written and verified: motion_speed\n" in error
+    assert "homing_speed" in error.partition("not as the file says: ")[2]
+    assert Path(f"{path}.journal").exists()
+
+
+def test_a_lost_answer_is_settled_by_reading_back(tc100: SimulatedDevice, tmp_path: Path) -> None:
+    def strike(now: float, link: str, way: str, data: bytes, text: str) -> None:
+        if way == "response" and data[1] == 0x03 and data[3:5] == b"\x00\x0a":
+            tc100.simulation.listeners.remove(strike)
+            tc100.fault("truncated")
+
+    tc100.simulation.listeners.append(strike)
+    assert live(tc100, "points", "upload", five_points(tmp_path), "--yes") == 0
+    assert speeds(tc100) == [10, 20, 30, 40, 50]
+
+
+def test_all_findings_of_a_file_are_reported_at_once(
+    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    path = points_file(
+        tmp_path,
+        "ck10,2.0,points,1,50 %,5,5",
+        "tc100,1.0,points,2,101 %,fast,5",
+        "tc100,2.0,points,128,50 %,5,",
+        "tc100,2.0,points,3,50 %,,",
+        "tc100,2.0,points,3,51 %,,",
+        "tc100,2.0,programs,3,51 %,,",
+        head=f"{HEAD}speed,wait_time,sped",
+    )
+    requests: list[bytes] = []
+    tc100.simulation.listeners.append(lambda now, link, way, data, text: requests.append(data))
+    assert live(tc100, "points", "upload", path, "--yes") == 1
+    error = capsys.readouterr().err
+    for expected in (
+        f"{path}:A2: is for the device ck10, not tc100",
+        f"{path}:B3: is for the version 1.0, not 2.0; --any-version takes it nevertheless",
+        f"{path}:E3: out_of_range: points[2].speed is 101",
+        f"{path}:F3: points[2].wait_time: `fast` is no number",
+        f"{path}:G2: there is no points[1].sped; did you mean points[1].speed?",
+        f"{path}:D4: there is no points[128]; there are 1..127",
+        f"{path}:E6: points[3].speed stands in row 5 too",
+        f"{path}:C7: there is no table programs; there are points",
+        "nothing was written",
+    ):
+        assert expected in error
+    assert requests == []
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "expected"),
+    [
+        ("a.csv", "Name,Value\nservo,servo_on\n", "a.csv:A2: servo commands the device"),
+        ("a.csv", "Name,Value\naction_status,1\n", "a.csv:A2: action_status can only be read"),
+        ("a.csv", "Name,Value\nwrite_enable_key,1\n", "a.csv:A2: write_enable_key commands the device"),
+        ("a.csv", "Name,Value\npoints[1].reserved_5,1\n", "a.csv:A2: points[1].reserved_5 is reserved"),
+        ("a.csv", "Name,Value\n,5\n", "a.csv:A2: a value without a name"),
+        ("a.csv", "Name,Value\nmotion_speed,\n", "no row below has a value"),
+        ("a.csv", "Name,Value,Comment\nmotion_speed,5,x\n", "a.csv:C1: a list of settings has no column Comment"),
+        ("a.csv", "Name,Value,Name\nmotion_speed,5,\n", "the heading Name stands here twice"),
+        ("a.csv", "name,value\nmotion_speed,5\n", "write the heading as Name"),
+        ("a.yaml", "- {Name: motion_speed, Value: 400}\n", "a.yaml:1: out_of_range: motion_speed is 400"),
+        ("a.json", '[{"Name": "motion_sped", "Value": 4}]', "a.json:item 1: there is no motion_sped; did you mean"),
+    ],
+)
+def test_what_no_list_may_write_is_a_finding(
+    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path, name: str, content: str, expected: str
+) -> None:
+    (tmp_path / name).write_text(content, "utf-8")
+    assert live(tc100, "restore" if "ame" in content else "upload", str(tmp_path / name)) in (1, 2)
+    assert expected in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "content", "expected"),
+    [
+        (("points",), "", "say `points download FILE` or `points upload FILE`"),
+        (("points", "upload"), "", "say `points download FILE`"),
+        (("backup",), "", "name one file to write"),
+        (("backup", "a.txt"), "", "must end in one of .csv, .xlsx, .json, .yaml, .yml"),
+        (("restore", "a.csv"), "Index,speed\n1,5\n", "is a list for `points upload`, by its headings"),
+        (("points", "upload", "a.csv"), "Name,Value\nmotion_speed,5\n", "is a list for `restore`, by its headings"),
+        (("points", "download", "a.csv", "--table", "programs"), "", "there is no table programs"),
+        (("compare", "a.yaml"), "a: [1", "is no YAML"),
+        (("compare", "a.yaml"), "a: 1", "is YAML but not a list of mappings"),
+        (("compare", "a.csv"), " ", "is empty"),
+        (("compare", "b.csv"), "", "cannot read"),
+    ],
+)
+def test_wrong_use_is_refused(
+    tc100: SimulatedDevice,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    arguments: tuple[str, ...],
+    content: str,
+    expected: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    if content:
+        Path(arguments[-1]).write_text(content, "utf-8")
+    assert live(tc100, *arguments) == 2
+    assert expected in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("content", "expected"),
+    [
+        ("speed\n", "is no journal; move it away"),
+        (
+            '{"journal": 1, "unit": {"device": "tc100", "unit": 2}, "digest": ""}\n',
+            "an unfinished transfer to device tc100",
+        ),
+    ],
+)
+def test_a_foreign_journal_stops_an_upload(
+    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path, content: str, expected: str
+) -> None:
+    path = five_points(tmp_path)
+    Path(f"{path}.journal").write_text(content, "utf-8")
+    writes = writes_of(tc100)
+    assert live(tc100, "points", "upload", path, "--yes") == 2
+    assert expected in capsys.readouterr().err
+    assert writes == []
+
+
+@pytest.mark.parametrize(
+    ("device", "values", "expected"),
+    [
+        ("tc100", {"servo_on": 0}, ""),
+        ("tc100", {"servo_on": 1}, "the servo is on: servo_on is "),
+        ("tc100", {"servo_on": 0, "action_status": 1}, "the device may be busy: action_status is moving"),
+        ("ck10", {"motion_status": 1 << 20}, "the servo is on: motion_status is servo_on"),
+    ],
+)
+def test_the_state_of_a_device_is_known_before_a_write(
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    device: str,
+    values: Mapping[str, int],
+    expected: str,
+) -> None:
+    path = points_file(tmp_path, "2,5", head="Index,position")
+    with (
+        simulation(device, ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as simulated_device,
+        open(os.devnull, encoding="utf-8") as nobody,
+    ):
+        monkeypatch.setattr("sys.stdin", nobody)
+        monkeypatch.setattr(simulated_device.simulation.engine, "refresh", lambda: None)
+        set_values(simulated_device, values)
+        assert live(simulated_device, "points", "upload", path, "--table", "points", name=device) == 2
+    error = capsys.readouterr().err
+    assert expected in error if expected else "servo" not in error and "busy" not in error
