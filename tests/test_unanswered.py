@@ -19,7 +19,7 @@ MODULE = module_of(CALLER)
 LINKS = codec(CALLER).links
 RESET = bytes.fromhex("01 08 05 E7 C3")
 WRITTEN = bytes.fromhex("01 06 00 01 20 19")
-STATUS = bytes.fromhex("FF FF 01 03 00 04")
+STATUS = bytes.fromhex("FF FF 01 02 00 03")
 
 
 class Line:
