@@ -56,7 +56,7 @@ def records(layout: DeviceLayout) -> dict[str, RecordLayout]:
     """The records and message bodies of a device, which are decoded without a frame."""
     records = dict(layout.records)
     for message in layout.messages.values():
-        records |= {data.name: data for data in (message.request, message.response)}
+        records |= {data.name: data for data in message.bodies}
     return records
 
 

@@ -26,7 +26,7 @@ from fieldspec.reference.records import decoded, encoded
 from layouts import SPECS, TEST_SPECS, newest
 
 REAL_DEVICES = ["ck10", "esc11", "hiwin-e", "tc100"]
-INVENTED_DEVICES = ["gadget", "gizmo", "glider-x", "sealer", "beacon", "servo2", "widget"]
+INVENTED_DEVICES = ["gadget", "gizmo", "glider-x", "sealer", "beacon", "servo2", "caller", "widget"]
 DEVICES = [*((SPECS, device) for device in REAL_DEVICES), *((TEST_SPECS, device) for device in INVENTED_DEVICES)]
 TRIES = 60
 NUMBERS = {name.removeprefix("err_"): number for number, name in enumerate(status_names())}

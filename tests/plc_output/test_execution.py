@@ -56,7 +56,7 @@ def test_every_response_of_an_example_is_parsed_to_its_values(prover: Proof) -> 
         link = layout.links[example.link]
         if not framed(link) or example.direction != "response":
             continue
-        for message in link.messages.values():
+        for message in link.carried("response").values():
             try:
                 meaning = reference.links[link.name].decode(example.frame, "response", message.name)
             except CodecError as error:
@@ -161,7 +161,7 @@ def test_messages_agree_with_the_reference_on_random_values(prover: Proof) -> No
 def framed_messages(link: LinkLayout, direction: str) -> list[MessageLayout]:
     """The messages whose fields are called other than the parts before them: the reference takes both by name."""
     heads = {part.name for part in link.frame(direction).header}
-    messages = link.messages.values() if framed(link) else ()
+    messages = link.carried(direction).values() if framed(link) else ()
     return [message for message in messages if not heads & {field.name for field in message.data(direction).fields}]
 
 

@@ -108,12 +108,12 @@ class Driver:
                 if link.frame(direction).role("code") is not None:
                     cases.append(self._frame_case(link, direction, ""))
                 else:
-                    cases += [self._frame_case(link, direction, message) for message in link.messages]
+                    cases += [self._frame_case(link, direction, message) for message in link.carried(direction)]
         text = _MAIN.replace("FUNCTIONS", functions).replace("CASES", "\n        ".join(cases))
         return f"{included}#include <stdio.h>\n#include <string.h>\n{text}"
 
     def _records(self) -> list[RecordLayout]:
-        data = [body for message in self.layout.messages.values() for body in (message.request, message.response)]
+        data = [body for message in self.layout.messages.values() for body in message.bodies]
         return [*self.layout.records.values(), *data]
 
     # Printing values
@@ -218,7 +218,7 @@ class Driver:
         flag = "(int)opened.error" if error is not None else "0"
         printing += f' printf("|%d|", {flag}); printf({code}); printf("|");'
         bodies = []
-        for name, layout_message in link.messages.items():
+        for name, layout_message in link.carried(direction).items():
             if message in ("", name):
                 record = layout_message.data(direction)
                 encode = self.naming.function("link", link.name, "encode", name, direction)

@@ -31,7 +31,16 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
     for message in drawn:
         if "broadcast" not in message and draft.chance(5):
             message["broadcast"] = True
+            if "code" in message and message.get("accesses", {}).get("operation") != "read":
+                _leave_unanswered(draft, message, message.get("links", coded_links))
     return drawn
+
+
+def _leave_unanswered(draft: Draft, message: Spec, links: list[str]) -> None:
+    """The message is answered on some of its links, or never."""
+    message["answered_on"] = draft.some(links) if draft.chance(50) else []
+    if not message["answered_on"]:
+        message.pop("response", None)
 
 
 def _code(draft: Draft, codes: set[int]) -> int:

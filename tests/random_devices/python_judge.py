@@ -82,7 +82,7 @@ class Python:
         link, direction, message = query.path
         if direction == "request" or message:
             return
-        messages = self.layout.links[link].messages.values()
+        messages = self.layout.links[link].carried("response").values()
         own = next(m for m in messages if record_class(self.module, m.response) is type(content))
         answer = link_of(self.module, link).decode_response(query.data, record_class(self.module, own.request))
         same = answer.message == content or repr(answer.message) == repr(content)
@@ -155,7 +155,7 @@ class Python:
         return Answer(values=text, again=again)
 
     def _record_of(self, direction: str, content: Any) -> RecordLayout:
-        records = (message.data(direction) for message in self.layout.messages.values())
+        records = (m.data(direction) for link in self.layout.links.values() for m in link.carried(direction).values())
         return next(record for record in records if record_class(self.module, record) is type(content))
 
     def _record(self, query: Query) -> Answer:

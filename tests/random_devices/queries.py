@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference import CodecError, DeviceCodec, codec
@@ -154,12 +155,29 @@ def frame_queries(layout: DeviceLayout, dice: random.Random, count: int) -> Iter
         (link.name, direction, message)
         for link in layout.links.values()
         for direction in ("request", "response")
-        for message in link.messages
+        for message in _queried(link, direction)
     ]
     reference = codec(layout)
     for number in range(count if places else 0):
         link, direction, message = places[number % len(places)]
         yield from _frame_queries(layout, reference, link, direction, message, dice)
+
+
+def _queried(link: LinkLayout, direction: str) -> list[str]:
+    """The messages in one direction. Responses to what is not answered are tried where their codes show them."""
+    carried = link.carried(direction)
+    return list(link.messages if carried and link.frame(direction).role("code") is not None else carried)
+
+
+def _unanswered(layout: DeviceLayout, link: str, message: str, dice: random.Random) -> Query:
+    """A response to what is not answered, which every codec refuses."""
+    shape, code = layout.links[link].response, layout.messages[message].message.code
+    part = shape.role("code")
+    assert part is not None
+    assert code is not None
+    parts = bytearray(dice.randbytes(shape.header_size + shape.trailer_size))
+    parts[part.offset : part.offset + part.size] = code.to_bytes(part.size, "big" if part.order == "big" else "little")
+    return Query("frame", (link, "response", ""), sealed(layout, link, shape, bytes(parts), dice))
 
 
 def _frame_queries(
@@ -168,6 +186,9 @@ def _frame_queries(
     shape, line = layout.links[link].frame(direction), layout.links[link].link
     coded = shape.role("code") is not None
     asked = "" if coded else message
+    if message not in layout.links[link].carried(direction):
+        yield _unanswered(layout, link, message, dice)
+        return
     record = layout.messages[message].data(direction)
     error = line.exception_response if direction == "response" and dice.random() < 0.15 else None
     if error is not None:

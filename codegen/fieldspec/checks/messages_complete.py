@@ -1,12 +1,12 @@
 """On links with codes, every message has its own code. On links without codes, a message has its own number
-or none.
+or none. A message is answered only on links on which it is sent.
 
 Why: a decoder identifies a message by its code, and people identify it by its number.
 
 Example: two commands with the code 0x44 on one link, or two telegrams with the number 111.
 
 Cure: Add the code, or correct one of them and write an erratum if the manual prints it that way. A message
-that is sent only on links without codes names them under `links`.
+that is sent only on links without codes names them under `links`. What reads is answered wherever it is sent.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ def messages_complete(device: Device) -> Iterator[Diagnostic]:
         yield from _coded(device, link) if coded(link) else _numbered(device, link)
     for message in device.messages.values():
         yield from _check_supplements(device, message)
+        yield from _check_answers(device, message)
 
 
 def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
@@ -53,6 +54,32 @@ def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:
             text = f"{message.name} and {other.name} have the number {message.number}"
             there = label(other.place, "number", other.name)
             yield finding(_CODE, message.place, "number", text, "correct one of the numbers", there)
+
+
+def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
+    """A message is answered only where it is sent, and one that reads is answered wherever it is sent."""
+    if message.answered_on is None:
+        return
+    for name in message.answered_on:
+        link = device.links.get(name)
+        if link is not None and not sent_on(link, message):
+            text = f"{message.name} is answered on {name}, but not sent there"
+            yield finding(_CODE, message.place, "answered_on", text, "leave the link out, or add it to `links`")
+    sent = [link.name for link in device.links.values() if sent_on(link, message)]
+    silent = [name for name in sent if not message.is_answered_on(name)]
+    if not silent:
+        return
+    if message.accesses is not None and message.accesses.operation == "read":
+        text = f"{message.name} reads, but is not answered on {', '.join(silent)}"
+        yield finding(_CODE, message.place, "answered_on", text, "remove `accesses`, or `answered_on`")
+    if message.number is not None and message.code is None:
+        text = f"{message.name} has no code: its request and its response are sent without each other"
+        yield finding(_CODE, message.place, "answered_on", text, "remove `answered_on`")
+    printed = ("frame_length", message.response_length), ("data_words", message.response_words)
+    for key, stated in printed:
+        if stated is not None and not message.is_answered:
+            text = f"{message.name} is never answered, but `{key}` has a response"
+            yield finding(_CODE, message.place, key, text, "remove the response there, or `answered_on`")
 
 
 def _check_supplements(device: Device, message: Message) -> Iterator[Diagnostic]:

@@ -144,6 +144,7 @@ def _of_flags(device: Device, flags: Flags) -> Iterator[Diagnostic]:
 
 def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
     yield from _check_names(message.place, "links", "link", message.links, device.links)
+    yield from _check_names(message.place, "answered_on", "link", message.answered_on or (), device.links)
     yield from _check_names(message.place, "supplements", "message", message.supplements, device.messages)
     yield from _within(device, message.request, message.request, None)
     yield from _within(device, message.response, message.request, message.request)

@@ -167,11 +167,13 @@ class Log:
             self.asked_in = number if self.asked else 0
 
     def _request(self, reading: ChosenReading) -> OpenRequest | None:
-        """The frame as the request that the next response answers; None for other frames and broadcasts."""
+        """The frame as the request that the next response answers; None for what nobody answers."""
         request = reading.explanation
         if request.direction != "request" or (reading.wrong and request.reasons != ("unknown_code",)):
             return None
         link = self.layout.links[request.link]
+        if request.message in link.messages and request.message not in link.carried("response"):
+            return None
         if reading.chosen == "likeliest" and link.response.role("code") is None and link.request.role("code") is None:
             return None  # nothing shows that it is a request
         unit_address, addresses = link.request.role("unit_address"), link.link.unit_addresses

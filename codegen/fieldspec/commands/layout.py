@@ -63,7 +63,7 @@ def _records(layout: DeviceLayout) -> Iterator[tuple[RecordLayout, Fact, set[str
         yield record, record.record, {record.name, *tables}
     for message in layout.messages.values():
         model_message = message.message
-        for data in (message.request, message.response):
+        for data in message.bodies:
             if data.fields:
                 number = {str(model_message.number)} if model_message.number is not None else set()
                 yield data, model_message, {data.name, model_message.name, *number}

@@ -113,7 +113,7 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
     for link in layout.links.values():
         for direction in ("request", "response"):
             guessed = link.frame(direction).role("code") is None
-            names = _of_length(link, direction, frame) if steps is _FITTING else list(link.messages)
+            names = _of_length(link, direction, frame) if steps is _FITTING else list(link.carried(direction))
             for message in names if guessed else ("",):
                 explanation = explained(layout, link.name, direction, frame, message)
                 reasons = frozenset((*explanation.reasons, _GUESSED) if guessed else explanation.reasons)
@@ -132,9 +132,9 @@ def _of_length(link: LinkLayout, direction: str, frame: bytes) -> list[str]:
     length = len(unwrapped(link.link, frame).data)
     escape = link.frame(direction).escape
     if escape is not None:
-        bounds = ((name, lengths(link, direction, name)) for name in link.messages)
+        bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
         return [name for name, (_, most) in bounds if most is None or length <= escape.most(most)]
-    bounds = ((name, lengths(link, direction, name)) for name in link.messages)
+    bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
     return [name for name, (least, most) in bounds if least <= length and (most is None or length <= most)]
 
 
@@ -160,7 +160,7 @@ class _Frame:
         self.sent_data, self.surplus = self._without_surplus(self.wrapped.data)
         self.data = self._original(self.sent_data) if self.shape.escape is not None else self.sent_data
         self.named = message or (asked.message if asked else "")
-        self.sent = layout.links[link].messages
+        self.sent = layout.links[link].carried(direction)
         self.message: MessageLayout | None = self.sent.get(self.named)
         self.error = False
         self.values: dict[str, Raw] = {}
@@ -308,7 +308,8 @@ class _Frame:
             self.error = True
             code &= ~refusal.flag
             self.values[part.name] = code
-        self.message = self.layout.links[self.link.name].message_with_code(code)
+        carried = "request" if self.error else self.direction
+        self.message = self.layout.links[self.link.name].message_with_code(code, carried)
         if self.message is None:
             if self.error:
                 return replace(read, meanings=(Meaning("", "", f"the code {code:#04x} is refused", ""),))

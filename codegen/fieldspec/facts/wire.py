@@ -155,8 +155,12 @@ def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Iterator[Fa
     yield from _lengths(message, code)
     for number, name in enumerate(message.supplements):
         yield row("supplement", f"{message.place.path}/supplements/{number}", message.sources, code=code, name=name)
-    for direction in ("request", "response"):
-        yield from fields(f"{kind}_field", message_layout.data(direction), code, direction=direction)
+    for number, name in enumerate(message.answered_on or ()):
+        yield row("answered_on", f"{message.place.path}/answered_on/{number}", message.sources, code=code, name=name)
+    if not message.is_answered:
+        yield row("never_answered", f"{message.place.path}/answered_on", message.sources, code=code, name=message.name)
+    for direction, record in zip(("request", "response"), message_layout.bodies, strict=False):
+        yield from fields(f"{kind}_field", record, code, direction=direction)
 
 
 def _address_cells(field: FieldLayout, base: int | None) -> FactRow:

@@ -28,6 +28,11 @@ class MessageLayout:
         """The data in one direction, `request` or `response`."""
         return self.request if direction == "request" else self.response
 
+    @property
+    def bodies(self) -> tuple[RecordLayout, ...]:
+        """The data that frames carry: of the request, and of the response if the device answers on any link."""
+        return (self.request, self.response) if self.message.is_answered else (self.request,)
+
 
 @dataclass(frozen=True, slots=True)
 class PartLayout:
@@ -150,9 +155,15 @@ class LinkLayout:
     response: FrameLayout
     messages: Mapping[str, MessageLayout]
 
-    def message_with_code(self, code: int) -> MessageLayout | None:
-        """The message with a code, None if there is none."""
-        return next((message for message in self.messages.values() if message.message.code == code), None)
+    def message_with_code(self, code: int, direction: str = "request") -> MessageLayout | None:
+        """The message with a code in one direction, None if there is none."""
+        return next((message for message in self.carried(direction).values() if message.message.code == code), None)
+
+    def carried(self, direction: str) -> Mapping[str, MessageLayout]:
+        """The messages in one direction: all requests, and the responses to those that are answered on the link."""
+        if direction == "request" or all(message.message.answered_on is None for message in self.messages.values()):
+            return self.messages
+        return {name: message for name, message in self.messages.items() if message.message.is_answered_on(self.name)}
 
     def frame(self, direction: str) -> FrameLayout:
         """The frame in one direction."""

@@ -81,6 +81,9 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
             stations,
             list(link_layout.messages),
         )
+        unanswered = link_layout.messages.keys() - link_layout.carried("response").keys()
+        if unanswered:
+            yield "unanswered", sorted(unanswered)
         if link.escape is not None:
             yield "escape", link.escape
         for frame in (link_layout.request, link_layout.response):
@@ -130,7 +133,7 @@ def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
     for message_layout in messages.values():
         message = message_layout.message
         yield "message", message.name, message.code, message.number, message.broadcast, _access(message.accesses)
-        for data in (message_layout.request, message_layout.response):
+        for data in message_layout.bodies:
             yield from _record(data)
 
 

@@ -70,6 +70,16 @@ class Client:
             self.head[part.name] = self.head.get(part.name, 0) % most + 1
         return self.frames.encode("request", message, {**self.head, **values})
 
+    def is_answered(self, message: str) -> bool:
+        """Whether the device answers a message on this link."""
+        return message in self.frames.link.carried("response")
+
+    def send(self, message: str, values: Mapping[str, Any]) -> None:
+        """Sends a request that the device does not answer. Raises CodecError and CarrierError."""
+        frame = self.request(message, values)
+        self._drain()
+        self._write(frame)
+
     def ask(self, message: str, values: Mapping[str, Any], retries: int | None = None) -> Decoded:
         """The response to a request.
 
@@ -87,10 +97,7 @@ class Client:
 
     def _answer(self, message: str, frame: bytes) -> Decoded:
         self._drain()
-        self.clock.sleep(self.timing.pause)
-        if self.trace is not None:
-            self.trace("request", frame)
-        self.carrier.write(frame)
+        self._write(frame)
         deadline = self.clock.now() + self.timing.timeout
         if self.framer is not None:
             self.framer.reset()
@@ -106,6 +113,12 @@ class Client:
                 if decoded is not None:
                     return decoded
         raise NoAnswerError(f"{received} bytes came, and no answer" if received else "no answer")
+
+    def _write(self, frame: bytes) -> None:
+        self.clock.sleep(self.timing.pause)
+        if self.trace is not None:
+            self.trace("request", frame)
+        self.carrier.write(frame)
 
     def _drain(self) -> None:
         """Drops what an earlier request has left on the line."""

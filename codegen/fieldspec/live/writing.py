@@ -93,10 +93,13 @@ def write(client: Client, chosen: Assignment) -> None:
     """Writes a value, once: a request that is sent again could start something twice.
 
     Raises WriteError, NoAnswerError, RefusedError and CarrierError. After NoAnswerError nobody knows whether it was
-    written.
+    written, nor where the device does not answer the message.
     """
     name, values, _ = request_frame(client, chosen)
-    client.ask(name, values, retries=0)
+    if client.is_answered(name):
+        client.ask(name, values, retries=0)
+    else:
+        client.send(name, values)
 
 
 def read_back(client: Client, chosen: Assignment) -> Reading | None:

@@ -98,8 +98,9 @@ class Message(Fact):
     """A code, the data of its request and of its response.
 
     A message without a code may have a `number` by which people know it. It is sent on `links`, which are all
-    of the device's where they are empty, and never without one of those that it `supplements`. The lengths are
-    the frame's in bytes, and the words those of the data, as printed.
+    of the device's where they are empty, and never without one of those that it `supplements`. It is answered on
+    those of `answered_on`, which is None for all. The lengths are the frame's in bytes, and the words those of the
+    data, as printed.
     """
 
     title: str
@@ -107,6 +108,7 @@ class Message(Fact):
     code: int | None
     number: int | None
     links: tuple[str, ...]
+    answered_on: tuple[str, ...] | None
     supplements: tuple[str, ...]
     request: Record
     response: Record
@@ -117,3 +119,12 @@ class Message(Fact):
     broadcast: bool
     handling: Handling
     accesses: RegisterAccess | None
+
+    @property
+    def is_answered(self) -> bool:
+        """Whether the device answers it on any link."""
+        return self.answered_on != ()
+
+    def is_answered_on(self, link: str) -> bool:
+        """Whether the device answers it on a link."""
+        return self.answered_on is None or link in self.answered_on

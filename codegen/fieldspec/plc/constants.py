@@ -138,7 +138,7 @@ def _messages(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             if number is not None:
                 hexadecimal = word == "code"
                 yield Draft(f"{model.name}_{word}", UINT, number, cited(model.title, model), model, hexadecimal)
-        for data in (message.request, message.response):
+        for data in message.bodies:
             if data.size:
                 remark = "bytes of its data"
                 yield Draft(f"{data.name}_size", UINT, data.size, remark, model, derived=True)

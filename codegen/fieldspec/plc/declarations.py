@@ -149,7 +149,7 @@ class _Declaring:
             if fixed(record):
                 yield self._of_record(record, "record", record.record, titled(record.record))
         for message in telegrams(self.layout):
-            for data in (message.request, message.response):
+            for data in message.bodies:
                 if data.size and fixed(data):
                     title = message.message.title or Name.of(message.name).title()
                     yield self._of_record(data, "telegram", message.message, title)
@@ -210,7 +210,7 @@ class _Declaring:
         memory, packed = MEMORIES[self.dialect.target], self.dialect.bits == "packed"
         spec_images, named = (Images(self.layout, naming, packed) for naming in (SpecNaming(), _Naming(self)))
         for message in telegrams(self.layout):
-            for data in (message.request, message.response):
+            for data in message.bodies:
                 if data.size and fixed(data):
                     title = message.message.title or Name.of(message.name).title()
                     image = named.of(data, "telegram", message.message, cited(title, message.message))

@@ -154,15 +154,17 @@ class FrameCodec:
         part = shape.role("code")
         error = self.link.link.exception_response
         if part is None:
-            announced = self.link.messages.get(message)
+            announced = self.link.carried(shape.direction).get(message)
             if announced is None:
+                if message in self.link.messages:
+                    raise CodecError("unknown_code", f"{message} is not answered on {self.link.name}")
                 raise CodecError("unknown_code", "the frame carries no code: say which message it belongs to")
             return announced, announced.data(shape.direction), False
         code = head[part.name]
         if error is not None and shape.direction == "response" and code & error.flag:
             head[part.name] = code & ~error.flag
             return self.link.message_with_code(code & ~error.flag), self.layout.records[error.record], True
-        announced = self.link.message_with_code(code)
+        announced = self.link.message_with_code(code, shape.direction)
         if announced is None:
             raise CodecError("unknown_code", f"no message has the code {code:#04x}", part.offset)
         if message and announced.name != message:
@@ -182,6 +184,8 @@ class FrameCodec:
         announced = self.link.messages.get(message)
         if announced is None and not (error and code is not None):
             raise CodecError("unknown_code", f"there is no message {message!r}")
+        if not error and announced is not None and message not in self.link.carried(direction):
+            raise CodecError("unknown_code", f"{message} is not answered on {self.link.name}")
         refusal = self.link.link.exception_response
         if error and refusal is None:
             raise CodecError("unknown_code", f"the link {self.link.name} has no error replies")
@@ -319,7 +323,7 @@ class DeviceCodec:
     def records(self) -> dict[str, construct.Struct]:
         """The records and the data of messages as construct Structs; those are under `<message>_request` and so on."""
         messages = self.layout.messages.values()
-        data = (record for message in messages for record in (message.request, message.response))
+        data = (record for message in messages for record in message.bodies)
         return {record.name: record_struct(record) for record in (*self.layout.records.values(), *data)}
 
 

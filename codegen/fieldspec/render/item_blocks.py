@@ -77,8 +77,8 @@ def _parts(link: Link, direction: str) -> str:
 
 
 def _message(layout: DeviceLayout, message: MessageLayout) -> Iterator[Block]:
-    links = [link.link for link in layout.links.values() if message.name in link.messages]
-    for direction in ("request", "response"):
+    for direction, _ in zip(("request", "response"), message.bodies, strict=False):
+        links = [link.link for link in layout.links.values() if message.name in link.carried(direction)]
         names = dict.fromkeys(link.direction_name(direction) for link in links)
         yield Line(f"{' or '.join(names) or direction} data", "bold")
         yield from _record(layout, message.data(direction))

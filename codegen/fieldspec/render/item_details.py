@@ -140,11 +140,14 @@ def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Details:
     yield "code", "" if message.code is None else f"0x{message.code:02X}"
     yield "number", "" if message.number is None else str(message.number)
     yield "beside", " or ".join(message.supplements)
+    if message.answered_on is not None:
+        yield "answered", f"on {', '.join(message.answered_on)}" if message.answered_on else "never"
     for link in layout.links.values():
         if message_layout.name in link.messages and len(layout.links) > 1 and message.links:
             yield "sent on", link.name
         if message_layout.name in link.messages and message.code is None:
-            sizes = ((way, lengths(link, way, message_layout.name)) for way in _DIRECTIONS)
+            ways = [way for way in _DIRECTIONS if message_layout.name in link.carried(way)]
+            sizes = ((way, lengths(link, way, message_layout.name)) for way in ways)
             yield "bytes", ", ".join(f"{link.link.direction_name(way)} {_bounds(*size)}" for way, size in sizes)
 
 

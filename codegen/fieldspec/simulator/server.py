@@ -72,6 +72,10 @@ class Server:
             if not broadcast:
                 return Answer(b"", f"for unit {head[addressed.name]}")
         code = head[coded.name] if (coded := shape.role("code")) is not None else None
+        asked = frames.link.message_with_code(code) if code is not None else frames.link.messages.get(message)
+        silent = "broadcast" if broadcast else ""
+        if asked is not None and asked.name not in frames.link.carried("response"):
+            silent = silent or "not answered"
         try:
             if forced:
                 raise Refusal(forced, "by a fault")
@@ -80,14 +84,14 @@ class Server:
                 return Answer(b"", "broadcast, not accepted")
             body = self._carried_out(announced, values)
             self.engine.refresh()
-            if not broadcast:
+            if not silent:
                 return self._encoded(frames, head, announced, values, body)
         except _Damaged as damaged:
             return Answer(b"", f"damaged: {damaged}")
         except Refusal as refusal:
             answer = self._refused(frames, head, code, refusal)
-            return Answer(b"", f"broadcast: {refusal}") if broadcast else answer
-        return Answer(b"", f"broadcast: {announced.name}")
+            return Answer(b"", f"{silent}: {refusal}") if silent else answer
+        return Answer(b"", f"{silent}: {announced.name}")
 
     def _accepts_broadcast(self) -> bool:
         parts = [part for part in self.engine.behaviour.of_kind("accept") if part.subject == "broadcast"]
@@ -315,7 +319,8 @@ class Server:
 
     def _marked(self, frames: FrameCodec, head: Mapping[str, Any], marked: str, text: str) -> Answer:
         """A response without data, with a bit set in its header."""
-        empty = next((message for message in frames.link.messages.values() if not message.response.fields), None)
+        answered = frames.link.carried("response").values()
+        empty = next((message for message in answered if not message.response.fields), None)
         if empty is None:
             return Answer(b"", f"{text}; the device is silent")
         cells = self.engine.cells.of(marked)

@@ -64,7 +64,8 @@ export interface Message<N extends string, Q, R> {
   readonly code: number | null;
   readonly number: number | null;
   readonly request: RecordCodec<Q>;
-  readonly response: RecordCodec<R>;
+  /** Null if the device never answers. */
+  readonly response: [R] extends [never] ? null : RecordCodec<R>;
 }
 
 /** A message with the data of a request. */

@@ -17,12 +17,12 @@ export function frames({ name, start, end, hex, request, response, unitAddresses
 
 /**
  * A link with its frames and the messages that it carries. `exception` has the flag in the code and the record of an
- * exception response, or is null.
+ * exception response, or is null. `unanswered` are the messages to which the device sends no response.
  */
-export function link(shapes, messages, exception) {
+export function link(shapes, messages, exception, unanswered = []) {
   const byCode = new Map();
   for (const entry of messages) if (entry.code !== null && !byCode.has(entry.code)) byCode.set(entry.code, entry);
-  const context = { ...shapes, messages: new Set(messages), byCode, exception };
+  const context = { ...shapes, messages: new Set(messages), byCode, exception, unanswered: new Set(unanswered) };
   const { name, request, response, unitAddresses } = shapes;
   return Object.freeze({
     name,
@@ -34,6 +34,7 @@ export function link(shapes, messages, exception) {
     },
     /** The frame of a response. Throws CodecError. */
     encodeResponse(header, entry, data) {
+      expectAnswer(context, entry);
       return encoded(context, response, header, codeOf(context, response, entry), entry.response, data);
     },
     /** The frame of an exception response to a code. Throws CodecError. */
@@ -76,6 +77,10 @@ function frame({ header, trailer, checksums, escape, escapeStart, escapeStop }) 
 function codeOf(context, { code }, entry) {
   if (!context.messages.has(entry)) throw new CodecError("unknown_code", `${context.name} does not carry ${entry?.name}`);
   return code === null ? null : entry.code;
+}
+
+function expectAnswer({ name, unanswered }, entry) {
+  if (unanswered.has(entry)) throw new CodecError("unknown_code", `${entry.name} is not answered on ${name}`);
 }
 
 function expectedException({ name, exception }) {
@@ -271,6 +276,7 @@ function decoded(context, shape, bytes, entry, direction) {
     if (!context.messages.has(entry)) {
       throw new CodecError("unknown_code", "the frame carries no code: pass the message that it belongs to");
     }
+    if (direction === "response") expectAnswer(context, entry);
     return { kind: direction, name: entry.name, header, message: entry, data: entry[direction].read(data, shape.headerSize, end) };
   }
   const offset = place(shape.code.offset, data.length);
@@ -283,7 +289,7 @@ function decoded(context, shape, bytes, entry, direction) {
     return { kind: "exception", name: answered?.name ?? null, header, message: answered, code: asked, data: record };
   }
   const known = context.byCode.get(code);
-  if (known === undefined) {
+  if (known === undefined || (direction === "response" && context.unanswered.has(known))) {
     throw new CodecError("unknown_code", `no message has the code 0x${code.toString(16).padStart(2, "0")}`, offset);
   }
   if (entry !== undefined && entry !== known) {

@@ -152,7 +152,7 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
                 for name, number in (("bit_set", access.set), ("bit_clear", access.clear))
             ]
         yield block
-        for data in (layout_of_message.request, layout_of_message.response):
+        for data in layout_of_message.bodies:
             yield declare_record(naming, layout.device, data, comment())
 
 

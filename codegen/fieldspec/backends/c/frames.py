@@ -51,6 +51,7 @@ from fieldspec.backends.c.statements import (
     Body,
     CompileIf,
     If,
+    Return,
     Statement,
     Variable,
     assign,
@@ -239,10 +240,13 @@ def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
             If(error, (without_flag,)),
         )
         guard.append(negate(error))
-    codes = sorted({m.message.code for m in link.messages.values() if m.message.code is not None})
-    if codes:
+    carried = link.carried(frame.direction).values()
+    codes = sorted({m.message.code for m in carried if m.message.code is not None})
+    if codes or (link.messages and not carried):
         tests = [*guard, *(different(code, unsigned(known)) for known in codes)]
-        body += refuse(naming, all_of(tests), "err_unknown_code")
+        body += (
+            refuse(naming, all_of(tests), "err_unknown_code") if tests else (Return(naming.status("err_unknown_code")),)
+        )
     return body
 
 

@@ -53,6 +53,8 @@ def declare_messages(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> 
     declarations: list[Declaration] = []
     for message in link.messages.values():
         for direction in DIRECTIONS:
+            if message.name not in link.carried(direction):
+                continue
             code = message.message.code if link.frame(direction).role("code") is not None else None
             data = message.data(direction)
             declarations += [BLANK, *_declare_message(naming, link, direction, data, message.name, code)]

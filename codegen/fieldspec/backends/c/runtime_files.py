@@ -127,5 +127,4 @@ def all_records(layout: DeviceLayout) -> Iterator[RecordLayout]:
     """The records of a device, then the data of its messages."""
     yield from layout.records.values()
     for message in layout.messages.values():
-        yield message.request
-        yield message.response
+        yield from message.bodies

@@ -159,12 +159,15 @@ def _frame_code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
 def _refused_body(layout: DeviceLayout, example: Example) -> RecordLayout | None:
     """The record in the body of a frame that may be wrong, None where nothing says which it is."""
     link = layout.links[example.link]
+    unanswered = example.message in link.messages and example.message not in link.carried(example.direction)
+    if unanswered and not example.exception_response:
+        return None
     if example.message:
         return body_of(layout, link.name, example.direction, example.message, example.exception_response)
     code, is_error = _frame_code(link, example)
     if is_error and link.link.exception_response is not None:
         return layout.records[link.link.exception_response.record]
-    message = link.message_with_code(code) if code is not None else None
+    message = link.message_with_code(code, example.direction) if code is not None else None
     return message.data(example.direction) if message is not None else None
 
 

@@ -51,7 +51,7 @@ def _message(context: Context, message_layout: MessageLayout) -> Section:
     blocks.append(Facts(tuple(_facts(context, message_layout))))
     sent = [link for link in context.layout.links.values() if message_layout.name in link.messages]
     for number, link in enumerate(sent):
-        for direction in DIRECTIONS:
+        for direction in (way for way in DIRECTIONS if message.name in link.carried(way)):
             blocks.append(_frame(context, message_layout, link, direction, "messages/" if number == 0 else ""))
     title = message.title or " ".join(message.name.split("_")).capitalize()
     code_pieces: Line = () if message.code is None else (code(_code(context, message.code)), text_piece(" "))
@@ -86,6 +86,9 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
         yield "Number", ((code(str(message.number)),),)
     if message.links:
         yield "Sent on", (joined((code(name, f"#links/{name}"),) for name in message.links),)
+    if message.answered_on is not None:
+        answered = ((code(name, f"#links/{name}"),) for name in message.answered_on)
+        yield "Answered", ((text_piece("on "), *joined(answered)) if message.answered_on else (text_piece("never"),),)
     if message.supplements:
         beside = joined((code(name, f"#messages/{name}"),) for name in message.supplements)
         yield "Sent beside", ((*beside, text_piece(", never alone")),)

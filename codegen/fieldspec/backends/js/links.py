@@ -37,15 +37,17 @@ def carries(link: LinkLayout, message: MessageLayout) -> bool:
 def declare_message(message: MessageLayout, names: Names) -> Declaration:
     """The object of a message, whose request and response have been declared."""
     name, own = names.messages[message.name], message.message
-    request, response = names.records[message.request.name], names.records[message.response.name]
+    request = names.records[message.request.name]
+    response = names.records[message.response.name] if own.is_answered else "null"
     number = f", {own.number}" if own.number is not None else ""
     code = "null" if own.code is None else f"0x{own.code:02X}"
     arguments = f"{literal(message.name)}, {code}, {request}, {response}{number}"
+    answered = response if own.is_answered else "never"
     return Declaration(
         [f"export const {name} = /* @__PURE__ */ message({arguments});", ""],
         [
             *comment(described(own.title or Name.of(message.name).title(), own)),
-            f"export declare const {name}: Message<{literal(message.name)}, {request}, {response}>;",
+            f"export declare const {name}: Message<{literal(message.name)}, {request}, {answered}>;",
             "",
         ],
     )
@@ -86,7 +88,9 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     code += ["});", ""]
     flag = "null" if exception is None else f"{{ flag: {exception.flag}, record: {names.records[exception.record]} }}"
     carried_names = ", ".join(names.messages[message.name] for message in carried)
-    code += [f"export const {name} = /* @__PURE__ */ link({frames}, [{carried_names}], {flag});", ""]
+    unanswered = [names.messages[m.name] for m in carried if m.name not in link.carried("response")]
+    more = f", [{', '.join(unanswered)}]" if unanswered else ""
+    code += [f"export const {name} = /* @__PURE__ */ link({frames}, [{carried_names}], {flag}{more});", ""]
     headers = {direction: _header_type(link.frame(direction)) for direction in ("request", "response")}
     record = names.records[exception.record] if exception is not None else "never"
     messages = " | ".join(f"typeof {names.messages[message.name]}" for message in carried) or "never"
@@ -96,7 +100,8 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
         "",
     ]
     for direction in ("request", "response"):
-        row = _framer(link, direction, carried, names, frames)
+        sent = [message for message in carried if message.name in link.carried(direction)]
+        row = _framer(link, direction, sent, names, frames)
         if row is not None:
             framer = names.scope.take(f"{Name.of(link.name).camel()}{direction.capitalize()}Framer")
             code += [f"export const {framer} = () => {row};", ""]

@@ -61,7 +61,7 @@ def declarations(layout: DeviceLayout) -> list[Declaration]:
     for name in layout.records:
         names.records[name] = scope.take(Name.of(name).pascal(), f"{Name.of(name).pascal()}Record")
     for message in layout.messages.values():
-        for body in (message.request, message.response):
+        for body in message.bodies:
             names.records[body.name] = scope.take(Name.of(body.name).pascal(), f"{Name.of(body.name).pascal()}Data")
         names.messages[message.name] = scope.take(
             Name.of(message.name).pascal(), f"{Name.of(message.name).pascal()}Message"
@@ -93,7 +93,7 @@ def _bodies(message: MessageLayout, names: Names) -> list[Declaration]:
     title = message.message.title or Name.of(message.name).title()
     return [
         declare_record(body, names.records[body.name], names, sentence(f"{title}: the {direction}"))
-        for direction, body in (("request", message.request), ("response", message.response))
+        for direction, body in zip(("request", "response"), message.bodies, strict=False)
     ]
 
 

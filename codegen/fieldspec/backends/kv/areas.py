@@ -269,6 +269,8 @@ def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> 
         return
     several = sum(message.name in other.messages for other in layout.links.values()) > 1
     for direction, sign in (("request", ">"), ("response", "<")):
+        if message.name not in link.carried(direction):
+            continue
         shape, data = link.frame(direction), message.data(direction)
         whole = None if data.size is None else shape.header_size + data.size + shape.trailer_size
         length = shape.role("length")

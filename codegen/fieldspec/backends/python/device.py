@@ -133,7 +133,7 @@ def _exchange(message: MessageLayout, words: Words, scope: Scope) -> Exchange:
         shape(message.request, words, MESSAGE),
         shape(message.response, words, MESSAGE),
         _class(message.request.name, "Message", scope),
-        _class(message.response.name, "Message", scope),
+        _class(message.response.name, "Message", scope) if message.message.is_answered else "",
     )
 
 
@@ -149,14 +149,17 @@ def _messages(exchange: Exchange, links: list[LinkView], layout: DeviceLayout) -
     number = "" if message.number is None else f"{known} {message.number}."
     beside = f"It is sent beside {' or '.join(message.supplements)}." if message.supplements else ""
     views = []
-    for direction in ("response", "request"):
+    silent = [link.name for link in carrying if not message.is_answered_on(link.name)]
+    quiet = f"It is not answered on {', '.join(silent)}." if silent else ""
+    quiet = quiet if message.is_answered else "It is never answered."
+    for direction in ("response", "request") if message.is_answered else ("request",):
         shaped, name = exchange.side(direction)
         names = {link.direction_name(direction) for link in carrying} - {direction}
         named = f"the {direction} ({', '.join(sorted(names))})" if names else f"the {direction}"
-        more = " ".join(text for text in (code, number, group, beside, sentence(message.doc)) if text)
+        more = " ".join(text for text in (code, number, group, beside, quiet, sentence(message.doc)) if text)
         doc = record_doc(shaped.record, shaped.stored, f"{title}: {named}", more)
         directions = [link.request if direction == "request" else link.response for link in links]
-        frames = [view for side in directions for view in side.exchanges if view.message == name]
+        frames = [view for side in directions if side for view in side.exchanges if view.message == name]
         views.append(
             MessageView(
                 record=_viewed(shaped, name, doc),

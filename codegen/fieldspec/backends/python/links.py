@@ -69,6 +69,7 @@ class DirectionView:
     exchanges: list[ExchangeView]
     wrapper: str
     head_parts: list[PartView]
+    writer: str
     before: str
     after: str
     call: str
@@ -108,7 +109,7 @@ class WrapperView:
 
 @dataclass(frozen=True, slots=True)
 class LinkView:
-    """A link."""
+    """A link. `response` is None if nothing is answered on it."""
 
     name: str
     type: str
@@ -116,10 +117,16 @@ class LinkView:
     stations: str
     broadcast: str
     marked: bool
+    unanswered: bool
     wrappers: list[WrapperView]
     request: DirectionView
-    response: DirectionView
+    response: DirectionView | None
     error: ErrorView | None
+
+    @property
+    def sides(self) -> list[DirectionView]:
+        """The directions in which there are frames."""
+        return [self.request, self.response] if self.response is not None else [self.request]
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,14 +154,23 @@ def link_view(
     carried = [exchange for exchange in exchanges if carries(link, exchange.message)]
     stations = link.link.unit_addresses
     views = {
-        direction: _direction(link, direction, carried, records, words, pascal, scope)
+        direction: _direction(
+            link,
+            direction,
+            [exchange for exchange in carried if exchange.message.name in link.carried(direction)],
+            records,
+            words,
+            pascal,
+            scope,
+        )
         for direction in ("request", "response")
+        if direction == "request" or link.carried(direction) or not link.messages
     }
-    error = _error(link, words, pascal, scope) if coded else None
+    error = _error(link, words, pascal, scope) if coded and "response" in views else None
     wrappers = [
-        _wrapper(views[direction].wrapper, direction, ["message: _M"], views[direction].head_parts)
-        for direction in ("request", "response")
-        if views[direction].head_parts
+        _wrapper(view.wrapper, direction, ["message: _M"], view.head_parts)
+        for direction, view in views.items()
+        if view.head_parts
     ]
     if error is not None and views["response"].head_parts:
         wrappers.append(
@@ -170,9 +186,10 @@ def link_view(
         stations=pairs(stations.ranges if stations else None) or "()",
         broadcast=str(stations.broadcast) if stations else "None",
         marked=bool(link.link.start or link.link.end or link.link.encoding == "hex_ascii"),
+        unanswered=len(link.carried("response")) < len(link.messages),
         wrappers=wrappers,
         request=views["request"],
-        response=views["response"],
+        response=views.get("response"),
         error=error,
     )
 
@@ -262,6 +279,7 @@ def _direction(
         head_parts=parts,
         before="station: int, " if station else "",
         after="".join(f", {part.name}: {part.type}" for part in parts).replace(", ", ", *, ", 1),
+        writer=f"_to_{link.name}",
         call=", ".join(["station"] * bool(station) + [part.name for part in parts]),
         construction=", ".join([station_expression, "{}", *(part.expression for part in parts)]),
         code=f"head[{frame.header.index(code)}]" if code else "",

@@ -166,7 +166,7 @@ def _digits(number: int, parameter_set: ParameterSet) -> str:
 def _carrier(layout: DeviceLayout, parameter_set: ParameterSet) -> FieldLayout | None:
     """The field of a message that carries the values of a set, all in one type."""
     for message in layout.messages.values():
-        for record in (message.request, message.response):
+        for record in message.bodies:
             for field in record.fields:
                 part = field.value.parameter if field.value else None
                 if (

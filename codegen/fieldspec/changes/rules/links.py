@@ -226,9 +226,10 @@ def _renamed(comparison: Comparison, message: Message, name: str) -> str:
 
 
 def sending_changed(comparison: Comparison) -> Iterator[Change]:
-    """A message is sent on other links, or together with other messages.
+    """A message is sent or answered on other links, or is sent together with other messages.
 
     Why: the device does not understand the message on a link that is gone, and may not accept it with other messages.
+    A program waits for an answer that does not come, or takes it for the answer to something else.
 
     Example: `links: [rtu, ascii]` that becomes `links: [rtu]`.
 
@@ -238,16 +239,24 @@ def sending_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.of(Message):
         links = tuple(comparison.renamed_to("links", name) for name in _links(comparison.old, pair.old))
+        answered = tuple(comparison.renamed_to("links", name) for name in _answered_on(comparison.old, pair.old))
         beside = tuple(comparison.renamed_to("messages", name) for name in pair.old.supplements)
         for key, what, old, new, fallback in (
             ("links", "where it is sent", links, _links(comparison.new, pair.new), pair.new.links),
+            ("answered_on", "where it is answered", answered, _answered_on(comparison.new, pair.new), None),
             ("supplements", "what it is sent with", beside, pair.new.supplements, pair.new.supplements),
         ):
             stated = getattr(pair.old, key) or fallback
+            if key == "answered_on":
+                stated = (pair.old.answered_on, pair.new.answered_on) != (None, None)
             if stated and sorted(old) != sorted(new):
-                lost = key == "links" and bool(set(old) - set(new))
+                lost = key == "answered_on" or (key == "links" and bool(set(old) - set(new)))
                 text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("sending_changed", Effect.WIRE if lost else Effect.BEHAVIOUR, pair, key, text, old, new)
+
+
+def _answered_on(device: Device, message: Message) -> tuple[str, ...]:
+    return tuple(name for name in _links(device, message) if message.is_answered_on(name))
 
 
 def _links(device: Device, message: Message) -> tuple[str, ...]:

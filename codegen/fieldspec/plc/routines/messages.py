@@ -66,7 +66,8 @@ def message_routines(world: World, link: LinkLayout) -> Iterator[Routine]:
         return
     for message in link.messages.values():
         yield _build(world, link, message)
-        yield _parse(world, link, message)
+        if message.name in link.carried("response"):
+            yield _parse(world, link, message)
 
 
 def _declared(draft: Draft, world: World, message: MessageLayout, record: RecordLayout, role: str) -> Fields:
@@ -329,7 +330,7 @@ def telegrams(layout: DeviceLayout) -> list[MessageLayout]:
 def telegram_routines(world: World) -> Iterator[Routine]:
     """The functions of all telegrams, for each direction in which they have a fixed size."""
     for message in telegrams(world.layout):
-        for data in (message.request, message.response):
+        for data in message.bodies:
             if not data.size:
                 continue
             for unit in ("bytes", "words") if data.size % 2 == 0 else ("bytes",):

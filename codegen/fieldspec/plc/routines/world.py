@@ -216,14 +216,14 @@ def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
             shape = link.frame(direction)
             around = shape.header_size + shape.trailer_size
             if around:
-                bodies = [message.data(direction).most or 0 for message in link.messages.values()]
+                bodies = [message.data(direction).most or 0 for message in link.carried(direction).values()]
                 yield (around + max(bodies, default=0)) * width + marks
 
 
 def _register_lists(layout: DeviceLayout) -> Iterator[int]:
     for message in layout.messages.values():
         access = layout.device.register_access(message.message)
-        for data in (message.request, message.response):
+        for data in message.bodies:
             field = data.named(access.values) if access is not None else None
             if field is not None and field.field.repeat is not None:
                 yield field.field.repeat.high * field.size
@@ -232,7 +232,7 @@ def _register_lists(layout: DeviceLayout) -> Iterator[int]:
 def _bit_lists(layout: DeviceLayout) -> Iterator[int]:
     for message in layout.messages.values():
         access = layout.device.bit_access(message.message)
-        for data in (message.request, message.response):
+        for data in message.bodies:
             field = data.named(access.values) if access is not None else None
             if field is not None and field.field.repeat is not None:
                 yield field.field.repeat.high
@@ -256,8 +256,7 @@ def every_record(layout: DeviceLayout) -> Iterator[RecordLayout]:
     """All records, and the data of all messages."""
     yield from layout.records.values()
     for message in layout.messages.values():
-        yield message.request
-        yield message.response
+        yield from message.bodies
 
 
 def _raw_types(layout: DeviceLayout) -> Iterator[tuple[str, Elementary]]:

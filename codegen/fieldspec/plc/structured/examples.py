@@ -66,8 +66,11 @@ class _Uses:
         return self.by_name[self.world.routine(deed, *link_words(self.world, link), message.name)]
 
     def _exchange(self, link: LinkLayout, message: MessageLayout) -> list[str]:
+        built = call_lines(self._function("build", link, message), self.spelling)
+        if message.name not in link.carried("response"):
+            return [*built, "// send the first iLength bytes of aFrame; the device does not answer"]
         return [
-            *call_lines(self._function("build", link, message), self.spelling),
+            *built,
             "// send the first iLength bytes of aFrame, receive the answer into it, and set iLength to its bytes",
             *call_lines(self._function("parse", link, message), self.spelling),
         ]

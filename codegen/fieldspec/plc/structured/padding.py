@@ -27,7 +27,7 @@ def padded(declared: Declarations) -> tuple[Struct, ...]:
 def _record(layout: DeviceLayout, struct: Struct) -> RecordLayout | None:
     if struct.kind == "record":
         return layout.records[struct.key]
-    data = (record for message in layout.messages.values() for record in (message.request, message.response))
+    data = (record for message in layout.messages.values() for record in message.bodies)
     return next((record for record in data if struct.kind == "telegram" and record.name == struct.key), None)
 
 

@@ -87,6 +87,7 @@ def message(entry: Entry, reused: Reused) -> Message:
         code=entry.integer("code"),
         number=entry.integer("number"),
         links=entry.texts("links"),
+        answered_on=_answered_on(entry),
         supplements=entry.texts("supplements"),
         request=_data(entry, "request", reused),
         response=_data(entry, "response", reused),
@@ -98,6 +99,17 @@ def message(entry: Entry, reused: Reused) -> Message:
         handling=entry.handling(),
         accesses=_access(access) if access else None,
     )
+
+
+def _answered_on(entry: Entry) -> tuple[str, ...] | None:
+    """The links on which a message is answered, None for all. One that never is has no response."""
+    if "answered_on" not in entry.own:
+        return None
+    links = entry.texts("answered_on")
+    if not links and "response" in entry.own:
+        text = "the message is never answered, but it has a `response`"
+        entry.refuse("wrong_form", "response", text, "remove `response`, or name the links under `answered_on`")
+    return links
 
 
 def _access(entry: Entry) -> RegisterAccess:

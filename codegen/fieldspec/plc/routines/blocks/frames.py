@@ -216,7 +216,9 @@ class _Sending:
     def _exchange(self, operand: Operand) -> Exchange:
         assert isinstance(operand.fact, Message)
         for link in own_links(self.world.layout):
-            message = link.messages.get(operand.fact.name)
+            message = link.carried("response").get(operand.fact.name)
+            if message is None and operand.fact.name in link.messages:
+                raise NoBlock(f"{operand.fact.name} is not answered on {link.name}")
             if message is not None:
                 return exchange_of(self.world, link, message, self.by_name)
         raise NoBlock(f"{operand.fact.name} is on no link with frames")
