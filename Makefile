@@ -3,6 +3,8 @@
 # make test-fast   the tests that take less than a minute together: no compilers, no browser, no large inputs
 # make test-night  all tests with other random inputs each time, and twenty times as many of them
 # make fuzz    fuzz the C headers of all devices at the same time, for a minute each
+# make fuzz-bytes  fuzz the generated Python and JavaScript: coverage-guided for SECONDS=60 for each device, damaged frames, random bytes
+# make mutants  put slips into the specs of the devices, one at a time, and count which checks, proofs, manuals and vectors notice
 # make fuzz-specs   compare all codecs on random devices for a minute, or SECONDS=600; what they disagree on becomes a case
 # make plants  run the examples of docs/plc.md and the blocks for a million random scans each, against simulated devices
 # make plc-sizes  write docs/plc-sizes.md: code and data of the function blocks on a Cortex-M3
@@ -30,8 +32,11 @@ NPM := $(shell command -v npm 2>/dev/null)
 UV := uv==0.13.8
 
 SBOM := build/sbom
+FUZZER := build/fuzz/environment
+INSTALLED_FUZZER := $(FUZZER)/.installed
+NOISE := 2000000
 
-.PHONY: build test test-fast test-night fuzz fuzz-specs plants plc-sizes capabilities accept soak soak-device dist sbom bench pins clean
+.PHONY: build test test-fast test-night fuzz fuzz-bytes mutants fuzz-specs plants plc-sizes capabilities accept soak soak-device dist sbom bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -50,6 +55,16 @@ test-night: $(INSTALLED) $(if $(NPM),$(TOOLS))
 
 fuzz: $(INSTALLED)
 	$(BIN)/python tests/c_output/fuzz.py
+
+# The fuzzer has an environment of its own, which needs Linux or macOS and a Python for which atheris has wheels.
+fuzz-bytes: build $(INSTALLED_FUZZER)
+	$(FUZZER)/bin/python tests/hostile_bytes/fuzz.py $(or $(SECONDS),60)
+	$(BIN)/python tests/hostile_bytes/noise.py
+	set -e; for device in ck10 esc11 hiwin-e tc100; do \
+	  node --expose-gc tests/hostile_bytes/noise.mjs generated $$device $(NOISE); done
+
+mutants: $(INSTALLED)
+	$(BIN)/python tests/mutants.py $(or $(EACH),40) $(or $(SEED),1)
 
 fuzz-specs: $(INSTALLED)
 	$(BIN)/python tests/random_devices/fuzz.py $(or $(SECONDS),60) $(SEED)
@@ -103,6 +118,9 @@ pins: $(INSTALLED)
 	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.10 --generate-hashes \
 	  --no-emit-index-url --no-emit-find-links --custom-compile-command "make pins" \
 	  requirements/sbom.in --output-file requirements/sbom.txt
+	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.11 --generate-hashes \
+	  --no-emit-index-url --no-emit-find-links --custom-compile-command "make pins" \
+	  requirements/fuzz.in --output-file requirements/fuzz.txt
 
 clean:
 	rm -rf $(VENV) $(BENCH) $(PEERS)/node_modules tests/tools/node_modules build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
@@ -127,6 +145,11 @@ $(INSTALLED_PEERS): requirements/bench.txt pyproject.toml
 	$(PYTHON) -m venv $(BENCH)
 	$(BENCH)/$(notdir $(BIN))/python -m pip --disable-pip-version-check install --quiet --require-hashes --requirement $<
 	$(BENCH)/$(notdir $(BIN))/python -m pip --disable-pip-version-check install --quiet --no-build-isolation --no-deps --editable .
+	@touch $@
+
+$(INSTALLED_FUZZER): requirements/fuzz.txt
+	$(PYTHON) -m venv $(FUZZER)
+	$(FUZZER)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes --requirement $<
 	@touch $@
 
 $(PEERS)/node_modules/.package-lock.json: $(PEERS)/package.json $(PEERS)/package-lock.json

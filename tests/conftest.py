@@ -16,6 +16,7 @@ SLOW = (
     "c_output",
     "device",
     "docs_output",
+    "hostile_bytes",
     "js_output",
     "plc_memory",
     "plc_output",
@@ -38,7 +39,11 @@ SLOW = (
     "test_generated.py",
     "test_inputs_bounded.py",
     "test_interruptions.py",
+<<<<<<< HEAD
     "test_overviews.py",
+=======
+    "test_mutants.py",
+>>>>>>> trust
     "test_plugins.py",
     "test_python_conversions.py",
     "test_python_frames.py",

@@ -1,9 +1,10 @@
-"""Every bit is within its word, and the word fits every value that uses it.
+"""Every bit is within its word, the word fits every value that uses it, and one of them is as wide as the word.
 
 Why: a bit that the word does not have cannot be read. Either the word is too narrow or the bit number is
-wrong.
+wrong. A word that is wider than all its values has a wrong type, or they have.
 
-Example: bit 16 in a word of type `u16`, or a bit field with bit 9 that a `u8` uses.
+Example: bit 16 in a word of type `u16`, a bit field with bit 9 that a `u8` uses, or one of type `u32` that only a `u16`
+uses.
 
 Cure: Correct the type or the bit number, and write an erratum if the manual prints it that way.
 """
@@ -32,12 +33,17 @@ def bits_within_width(device: Device) -> Iterator[Diagnostic]:
                     "correct the number or the type",
                     label(word.place, "type", word.type.name),
                 )
+    widest: dict[str, int] = {}
     for fact, value in values(device):
         used = device.flags.get(value.flags)
-        if used is None or not used.bits:
+        if used is None:
+            continue
+        widest[used.name] = max(widest.get(used.name, 0), value.type.size)
+        if not used.bits:
             continue
         highest = max(used.bits, key=lambda bit: bit.last)
         if value.type.kind is not Kind.INTEGER or highest.last >= 8 * value.type.size:
+            widest[used.name] = used.type.size  # one of the two is wrong, which one finding says
             yield finding(
                 "bits_within_width",
                 fact.place,
@@ -46,3 +52,10 @@ def bits_within_width(device: Device) -> Iterator[Diagnostic]:
                 "correct the type, or name the right bit field",
                 label(highest.place, "bit", f"{highest.name}"),
             )
+    for name, size in widest.items():
+        word = device.flags[name]
+        # A word of three bytes has no type of its own.
+        if word.type.size > next(whole for whole in (1, 2, 4, 8, size) if whole >= size):
+            text = f"{name} is {word.type.name}, wider than every value that uses it"
+            help = f"the widest of them has {8 * size} bits; correct its type or that of the word"
+            yield finding("bits_within_width", word.place, "type", text, help)
