@@ -39,11 +39,8 @@ SLOW = (
     "test_generated.py",
     "test_inputs_bounded.py",
     "test_interruptions.py",
-<<<<<<< HEAD
-    "test_overviews.py",
-=======
     "test_mutants.py",
->>>>>>> trust
+    "test_overviews.py",
     "test_plugins.py",
     "test_python_conversions.py",
     "test_python_frames.py",
