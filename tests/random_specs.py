@@ -36,6 +36,7 @@ FORMS: dict[str, tuple[str, ...]] = {
     "unit": ("mm", "%", "furlong", "*/", "0.1%"),
     "symbol": ("mm", "furlong", "{{"),
     "ucum": ("mm", "{step}"),
+    "fact": ("registers/a", "messages/a/response/b", "x", "registers/a b"),
     "factor": ("1/1000", "7"),
     "section": ("8.2", "1"),
     "sections": ("8.2", "1"),

@@ -152,12 +152,12 @@ def test_a_line_may_state_only_the_direction_of_the_next_one(text: str, directio
 @pytest.mark.parametrize(
     ("text", "why"),
     [
-        ("hello", "it has no bytes"),
+        ("hello", "there are no bytes in it"),
         ("01 06 ?? 1E", "`??` is not a byte in hexadecimal digits"),
         ("01 06 1G", "`1G` is not a byte in hexadecimal digits"),
         ("0106201", "`0106201` has an odd number of digits"),
         ("TX: 01 0xx", "`0xx` is not a byte in hexadecimal digits"),
-        ("0x", "it has no bytes"),
+        ("0x", "there are no bytes in it"),
     ],
 )
 def test_an_unreadable_line_is_reported(text: str, why: str) -> None:

@@ -81,7 +81,7 @@ def alike(left: Any, other: Any, met: set[tuple[int, int]]) -> bool:
 
 @pytest.mark.parametrize(("folder", "device"), DEVICES, ids=[device for _, device in DEVICES])
 def test_a_layout_read_from_the_cache_is_equal_to_the_original(folder: Path, device: str) -> None:
-    files = spec_files.files(folder, frozenset([device]))
+    files = spec_files.files(SPECS, frozenset([device])) | spec_files.files(folder, frozenset([device]))
     spec = project.read(files, frozenset([device])).devices[device]
     for version in {spec.versions()[0], spec.versions()[-1]}:
         layout = layout_of(spec, version)

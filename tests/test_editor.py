@@ -35,7 +35,6 @@ KEYS = {
 ROW = "registers:\n  - group: a\n    rows:\n      - at: 1\n        name: b\n"
 VALUES = {
     "access": (f"{ROW}        access: {CURSOR}\n", "access"),
-    "unit": (f"{ROW}        unit: {CURSOR}\n", "unit"),
     "type": (f"{ROW}        type: {CURSOR}\n", "type"),
 }
 

@@ -74,7 +74,7 @@ LISTS: dict[str, tuple[Callable[[], bytes], str]] = {
     "many rows": (lambda: workbook("<sheetData>", 200_000, "<row/>", "</sheetData>"), "has more than 100000 rows"),
     "a cell far away": (
         lambda: workbook('<sheetData><row r="99999"><c r="ALL99999"><v>1</v></c></row></sheetData>'),
-        "has 99999 rows with 1000 columns, which is more than 500000 cells; remove what stands far away",
+        "has 99999 rows with 1000 columns, which is more than 500000 cells; remove what is far away",
     ),
     "a cell at the end": (
         lambda: workbook('<sheetData><row r="1048576"><c r="XFD1048576"/></row></sheetData>'),

@@ -144,7 +144,7 @@ FINDINGS = {
     "a range of words": ("wrong_form", ROW.format("range: «any»"), "low..high"),
     "an address that is too high": ("wrong_value", ROW.replace("at: 1", "at: «0x10000»").format("words: 1"), "address"),
     "a negative address": ("wrong_value", ROW.replace("at: 1", "at: «-1»").format("words: 1"), "address"),
-    "a count of one": ("wrong_value", ROW.format("count: «1»"), "follow each other"),
+    "a count of one": ("wrong_value", ROW.format("count: «1»"), "consecutive equal registers"),
     "a list that must not be empty": ("wrong_size", "enums: [{name: a, members: «[]»}]\n", "lowest first"),
     "a key that is missing": (
         "missing_key",

@@ -18,7 +18,7 @@ CALLER = newest(TEST_SPECS, "caller")
 MODULE = module_of(CALLER)
 LINKS = codec(CALLER).links
 RESET = bytes.fromhex("01 08 05 E7 C3")
-WRITTEN = bytes.fromhex("01 06 00 01 20 19")
+WRITE_FRAME = bytes.fromhex("01 06 00 01 20 19")
 STATUS = bytes.fromhex("FF FF 01 02 00 03")
 
 
@@ -71,8 +71,8 @@ def test_a_response_to_what_is_not_answered_is_not_encoded() -> None:
 
 
 def test_what_is_answered_on_one_link_is_decoded_there() -> None:
-    assert LINKS["bus"].decode(WRITTEN, "response").values == {"address": 1}
-    assert MODULE.bus.decode_response(WRITTEN, MODULE.WriteRequest).message == MODULE.WriteResponse(1)
+    assert LINKS["bus"].decode(WRITE_FRAME, "response").values == {"address": 1}
+    assert MODULE.bus.decode_response(WRITE_FRAME, MODULE.WriteRequest).message == MODULE.WriteResponse(1)
 
 
 def test_python_has_no_responses_where_there_are_none() -> None:

@@ -85,7 +85,9 @@ static device_codec_status to_raw(double quantity, double reference, uint8_t *ra
 
 
 def test_every_file_has_a_program() -> None:
-    assert sorted(PROGRAMS) == sorted(path.name for path in RUNTIME.iterdir())
+    # The forms have words that are replaced, so only the headers made of them compile.
+    names = {path.name for path in RUNTIME.iterdir() if not path.name.endswith("_forms.h")}
+    assert set(PROGRAMS) == names
 
 
 @pytest.mark.parametrize("compiler", ["gcc", "clang", "g++", "tcc"])

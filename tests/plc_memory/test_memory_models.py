@@ -117,7 +117,8 @@ def test_the_bytes_of_every_example_hold_its_values_where_the_model_has_them(
 
 def empty(layout: DeviceLayout) -> int:
     """How many examples have no data."""
-    return sum(not body(layout, example) for example in layout.device.examples.values() if example.message)
+    examples = (example for example in layout.device.examples.values() if example.message and not example.refused)
+    return sum(not body(layout, example) for example in examples)
 
 
 def shifted(placed_member: Placed) -> bool:

@@ -19,7 +19,8 @@ def run(arguments: argparse.Namespace) -> int:
     Raises UsageError.
     """
     spec, version = specs.spec_at(arguments.specs, arguments.device)
-    tree = spec.tree_at(version).without("uses")
+    # What the versions state of their changes is in the tree, applied.
+    tree = spec.tree_at(version).without("uses").without("changes")
     for section, key in _EXPANDED.items():
         section_items = tree.values.get(section)
         if isinstance(section_items, Sequence):

@@ -124,7 +124,7 @@ class LinkView:
     error: ErrorView | None
 
     @property
-    def sides(self) -> list[DirectionView]:
+    def directions(self) -> list[DirectionView]:
         """The directions in which there are frames."""
         return [self.request, self.response] if self.response is not None else [self.request]
 
