@@ -14,6 +14,9 @@ TEXTS = ("", "x", "伺服", "on", "1", "-1", "0..5", "*/", "{{", "\n", "a=1", "2
 NUMBER_TEXTS = ("0.01", "-0.5", "1", "0", "0.00000000000000000001", "99999999999999999999", "-40")
 """Numbers as texts, so that none is rounded before it is read."""
 
+PATHS = ("registers/a", "axis/position")
+"""Texts for keys with a form of their own that is not in `FORMS`: most of them are paths."""
+
 FORMS: dict[str, tuple[str, ...]] = {
     "name": NAMES,
     "identifier": ("a", "b-1", "c.d"),
@@ -36,7 +39,6 @@ FORMS: dict[str, tuple[str, ...]] = {
     "unit": ("mm", "%", "furlong", "*/", "0.1%"),
     "symbol": ("mm", "furlong", "{{"),
     "ucum": ("mm", "{step}"),
-    "fact": ("registers/a", "messages/a/response/b", "x", "registers/a b"),
     "factor": ("1/1000", "7"),
     "section": ("8.2", "1"),
     "sections": ("8.2", "1"),
@@ -78,7 +80,7 @@ def _of(part: Schema, key: str, chance: random.Random, depth: int) -> Any:
     defined = schema()["$defs"] if "properties" not in part else {}
     form = next((form for name, form in FORMS.items() if part is defined.get(name)), None)
     if form is None and "pattern" in part:
-        form = FORMS[key]
+        form = FORMS.get(key, PATHS)
     if form is not None and part.get("type") == ["string", "array"] and chance.random() < 0.5:
         return [chance.choice(form)]
     if form is not None and part.get("type") == ["number", "string"] and chance.random() < 0.5:

@@ -63,7 +63,7 @@ def test_what_is_no_number_stands_for_an_absent_value() -> None:
     nan = PROBE.DISTANCE.decode(bytes.fromhex("00007FC0"))
     assert PROBE.DISTANCE.in_unit(nan) is None
     assert PROBE.DISTANCE.encode(nan) == bytes.fromhex("00007FC0")
-    sample = PROBE.Sample.decode(bytes.fromhex("00007FC00000FFFF00003F80" + "00" * 32))
+    sample = PROBE.Sample.decode(bytes.fromhex("00007FC0" + "00" * 32 + "0000FFFF00003F80"))
     assert (sample.distance_mm, sample.widths_value) == (None, [None, 1.0])
     sample.distance = 301.0
     with pytest.raises(CodecError, match="out_of_range"):

@@ -87,7 +87,7 @@ class JavaScript:
                 record = self.layout.records[exception.record]
             else:
                 record = self.layout.messages[data["name"]].data(query.path[1])
-            head = "".join(f"{_plain(data['header'][key])};" for _, key, _ in self._parts(query))
+            head = "".join(f"{_scalar(data['header'][key])};" for _, key, _ in self._parts(query))
             code = data["code"] if link.frame(query.path[1]).role("code") is not None else None
             values = f"{head}|{int(data['kind'] == 'exception')}|{code}|"
             values += flat(record, values_of(record, data["data"]))
@@ -128,7 +128,7 @@ def values_of(record: RecordLayout, data: Mapping[str, Any]) -> dict[str, Any]:
     chosen = record
     if record.selector is not None:
         key = next(member.key for member in members_of(record) if member.field.name == record.selector.name)
-        chosen = record.of_number(_plain(data[key])) or record
+        chosen = record.of_number(_scalar(data[key])) or record
     result = {}
     for member in members_of(chosen):
         field = member.field
@@ -160,14 +160,14 @@ def _number(item: Any, size: int) -> Any:
     return item
 
 
-def _plain(item: Any) -> Any:
+def _scalar(item: Any) -> Any:
     if isinstance(item, dict) and "$n" in item:
         return int(item["$n"])
     return item
 
 
 def _typed(value: Value, item: Any) -> Any:
-    item = _plain(item)
+    item = _scalar(item)
     if isinstance(item, dict):
         return bytes.fromhex(item["$b"]) if "$b" in item else float(item["$f"])
     return float(item) if value.type.kind is Kind.FLOAT else item

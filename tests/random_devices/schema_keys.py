@@ -44,6 +44,7 @@ ANYWHERE = {
 }
 """Keys that many facts may have."""
 MAPPINGS = {
+    "link.escape": "Random devices have no escaped frames; the tests of escapes cover each method with foreign codecs.",
     "behaviour": SIMULATED,
     "behaviour_action": SIMULATED,
     "behaviour_value": SIMULATED,
@@ -100,6 +101,7 @@ KEYS = {
     }.items()
 } | {
     ("link.unit_addresses", "rule"): DOCUMENTATION,
+    ("link", "escape"): MAPPINGS["link.escape"],
     ("fact", "name"): "It is what the facts of the other mappings have.",
     ("link", "message_name"): DOCUMENTATION,
     ("link", "direction_names"): DOCUMENTATION,

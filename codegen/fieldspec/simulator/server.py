@@ -1,7 +1,4 @@
-"""Answers frames: decodes a request, carries it out, and encodes the response.
-
-All bytes are decoded and encoded by the reference codec.
-"""
+"""Answers frames: decodes a request by the reference codec, carries it out, and encodes the response."""
 
 from __future__ import annotations
 
@@ -394,11 +391,10 @@ def _signed(raw: Any, size: int, signed: bool) -> Any:
 
 def _in_type(raw: Any, field: FieldLayout) -> Any:
     """A raw value as the type of a field has it."""
-    value = field.value
-    if value is None or not isinstance(raw, int | float) or value.type.letter in ("s", "f"):
+    if (value := field.value) is None or not isinstance(raw, int | float) or value.type.letter in ("s", "f", "d"):
         return raw
     if value.type.name.startswith("bool"):
         return bool(raw)
     if raw < 0 and not value.type.signed:
-        return _signed(round(raw), value.size, False)
+        raw = _signed(round(raw), value.size, False)
     return min(max(round(raw), value.type.low), value.type.high)

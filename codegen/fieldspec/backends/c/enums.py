@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from decimal import Decimal
-from fractions import Fraction
-
 from fieldspec.backends.c.declarations import (
     BLANK,
     Comment,
@@ -53,7 +50,8 @@ from fieldspec.backends.c.expressions import (
 from fieldspec.backends.c.expressions import (
     Member as StructMember,
 )
-from fieldspec.backends.c.naming import Naming, Noun
+from fieldspec.backends.c.naming import Naming
+from fieldspec.backends.c.scales import define_fractions
 from fieldspec.backends.c.statements import CountUp, If, Return, Statement, Table, Variable, discard
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, Member
@@ -62,7 +60,6 @@ from fieldspec.model.value import Kind, Value
 # What the constants of an enum may be: an int, which has 16 bits on small machines.
 _LEAST, _LARGEST = -(2**15) + 1, 2**15 - 1
 _LARGEST_CODE = 2**63 - 1
-_GREATEST_FRACTION = 2**63 - 1
 
 # Enums that are no tables of codes, and have no texts but their members' comments.
 _KINDS_WITHOUT_TEXTS = ("enum", "function", "type")
@@ -355,19 +352,6 @@ def _signed_number(word: Flags, bit: Bit, number: Expression) -> tuple[Type, Exp
     kind = Type(f"int{8 * size}_t")
     moved = Cast(kind.name, Group(Operation("^", (number, integer(sign, size, signed=False)))))
     return kind, Operation("-", (moved, integer(sign, size)))
-
-
-def define_fractions(
-    naming: Naming, noun: Noun, names: tuple[str, ...], scale: Decimal | Fraction, offset: Decimal
-) -> list[Declaration]:
-    """`#define GADGET_REG_SPEED_SCALE_NUMERATOR INT64_C(1)`: a scale and an offset as fractions, where they matter."""
-    constants: list[Declaration] = []
-    for name, exact, implied in (("scale", scale, 1), ("offset", offset, 0)):
-        fraction = Fraction(exact)
-        if fraction != implied and max(abs(fraction.numerator), fraction.denominator) <= _GREATEST_FRACTION:
-            for part, number in (("numerator", fraction.numerator), ("denominator", fraction.denominator)):
-                constants.append(Define(naming.macro(noun, *names, f"{name}_{part}"), integer(number, 8)))
-    return constants
 
 
 def _declare_states(naming: Naming, word: Flags, kind: Type) -> list[Declaration]:

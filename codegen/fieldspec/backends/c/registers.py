@@ -13,7 +13,7 @@ from fieldspec.backends.c.declarations import (
     describe_fact,
     describe_value,
 )
-from fieldspec.backends.c.enums import define_fractions, enum_type, integer_reason
+from fieldspec.backends.c.enums import enum_type, integer_reason
 from fieldspec.backends.c.expressions import (
     IN,
     INPUT_BYTES,
@@ -47,6 +47,7 @@ from fieldspec.backends.c.expressions import (
 )
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.runtime_files import is_bit
+from fieldspec.backends.c.scales import define_fractions
 from fieldspec.backends.c.statements import Body, Variable, assign
 from fieldspec.backends.c.values import (
     WireValue,

@@ -49,7 +49,8 @@ def indexed(field: Slots, owner: str, at: int) -> list[str]:
     if (field.is_raw or field.deferred) and field.stored:
         source = sources(field, at)
         return [f"{owner}.{field.slot} = {f'list({source})' if field.is_list else source}"]
-    return [f"{local(field)} = {sources(field, at)}"]
+    source = sources(field, at)
+    return [f"{local(field)} = {f'list({source})' if field.is_list else source}"]
 
 
 def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
