@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import random
+import re
 from typing import Any
 
 from fieldspec.schema import Schema, resolved, schema
@@ -80,7 +81,7 @@ def _of(part: Schema, key: str, chance: random.Random, depth: int) -> Any:
     defined = schema()["$defs"] if "properties" not in part else {}
     form = next((form for name, form in FORMS.items() if part is defined.get(name)), None)
     if form is None and "pattern" in part:
-        form = FORMS.get(key, PATHS)
+        form = tuple(text for text in FORMS.get(key, ()) if re.search(part["pattern"], text)) or PATHS
     if form is not None and part.get("type") == ["string", "array"] and chance.random() < 0.5:
         return [chance.choice(form)]
     if form is not None and part.get("type") == ["number", "string"] and chance.random() < 0.5:
