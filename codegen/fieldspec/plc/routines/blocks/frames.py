@@ -87,7 +87,7 @@ def message_block(world: World, exchange: Exchange) -> Routine:
     name = world.block(*several, "send", exchange.message.name)
     block = LineDraft(world, name, f"messages of {exchange.link.name}", FRAMES)
     block.limit()
-    asked: dict[str, Expression] = {}
+    asked: dict[str, Variable] = {}
     for declared in (*exchange.build.of_role("input"), *exchange.build.of_role("in_out")):
         if declared.variable.name != "aFrame":
             asked[declared.variable.name] = _lent(block, declared)
@@ -95,8 +95,11 @@ def message_block(world: World, exchange: Exchange) -> Routine:
     for declared in (*exchange.parse.of_role("output"), *exchange.parse.of_role("in_out")):
         text = declared.variable.name
         if text != "aFrame":
-            same = text in asked and declared.role == "in_out"
-            answered[text] = asked[text] if same else _answer(block, declared, text in asked)
+            lent = asked.get(text)
+            if lent is not None and declared.role == "in_out" and lent.type == declared.variable.type:
+                answered[text] = lent
+            else:
+                answered[text] = _answer(block, declared, lent is not None)
     add_exchange(block, exchange, asked, answered, [block.go(2)])
     message = exchange.message.message
     title = message.title or Name.of(message.name).title()
@@ -114,7 +117,8 @@ def _lent(block: LineDraft, declared: Declared) -> Variable:
 
 def _answer(block: LineDraft, declared: Declared, repeated: bool) -> Variable:
     name = f"{declared.variable.name}Answered" if repeated else declared.variable.name
-    return block.declared_once(name, declared.variable.type, "local" if repeated else declared.role, declared.remark)
+    role = "local" if repeated and declared.role == "output" else declared.role
+    return block.declared_once(name, declared.variable.type, role, declared.remark)
 
 
 def message_task(world: World, operands: Operands, by_name: Mapping[str, Routine], task: Task) -> Routine:
