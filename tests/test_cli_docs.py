@@ -47,7 +47,11 @@ def test_pages_are_built_and_served_until_an_interrupt(specs: Path, tmp_path: Pa
             assert answer(address, "/", host="elsewhere.example:80")[0] == 403
         finally:
             process.send_signal(signal.SIGINT)
-        assert process.wait(20) == 0
+            try:
+                code = process.wait(20)
+            finally:
+                process.kill()
+        assert code == 0
 
 
 @pytest.mark.parametrize(
