@@ -65,7 +65,8 @@ settings.register_profile("random", derandomize=False, deadline=None, print_blob
 settings.load_profile("fixed")
 
 
-# A shell that starts the tests in the background has them ignore interrupts, which the commands under test would inherit.
+# A shell that starts the tests in the background has them ignore interrupts, which the commands under test would
+# inherit.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
