@@ -68,7 +68,7 @@ def _files(folder: Path, root: Path) -> dict[str, bytes]:
 
 
 def _projects() -> dict[str, dict[str, bytes]]:
-    """The files of each made-up device, of each case that passes, and of some real ones; the quickest to build first."""
+    """The files of made-up devices, of cases that pass and of some real devices, the quickest to build first."""
     shared = _files(SPECS / "protocols", SPECS) | _files(TEST_SPECS / "protocols", TEST_SPECS)
     devices = {path.parent.name: _files(path.parent, TEST_SPECS) for path in TEST_SPECS.glob("*/device.yaml")}
     cases = {}
