@@ -87,7 +87,7 @@ def _timeout(layout: DeviceLayout, link: LinkLayout) -> float | None:
     carried = {f"messages/{name}" for name in link.messages}
     operands = Operands(layout.device)
     known = [
-        _seconds(limits[step.timeout])
+        seconds(limits[step.timeout])
         for task in layout.device.tasks
         for step in task.steps
         if step.action == "send"
@@ -97,7 +97,7 @@ def _timeout(layout: DeviceLayout, link: LinkLayout) -> float | None:
     return max((time for time in known if time is not None), default=None)
 
 
-def _seconds(limit: Limit) -> float | None:
+def seconds(limit: Limit) -> float | None:
     """The most that a limit permits, in seconds; None where it is no time."""
     factor = _UNITS.get(limit.unit)
     return None if factor is None or limit.most is None else round(float(limit.most) * factor, 9)

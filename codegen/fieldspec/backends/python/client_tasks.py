@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fieldspec.backends.fact_texts import described, sentence
+from fieldspec.backends.python.client_links import seconds
 from fieldspec.backends.python.client_names import CODEC, Argument, ClientNames, NoTask, is_scaled, raw_number, wanted
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.naming import TYPES, Scope
@@ -20,6 +21,8 @@ from fieldspec.model.value import Value
 from fieldspec.model.watches import JOG, REFUSAL, before_effect, end_steps, is_last_wait, watches
 from fieldspec.names import Name
 
+_LIMIT = 60.0
+"""The seconds that a task may take where the manual does not print them."""
 ARGUMENTS = frozenset({"self", "limit", "task"})
 """The names that no argument of a task may have."""
 
@@ -68,6 +71,13 @@ class TaskDraft:
             raise NoTask(f"{name} means two things")
         return self.arguments[name]
 
+    def _limit(self, waits: Sequence[Step]) -> float:
+        """The seconds that a task may take: those of its waits where the manual prints all of them."""
+        limits = {limit.place.path: limit for limit in self.layout.device.limits}
+        known = [seconds(limits[step.timeout]) if step.timeout in limits else None for step in waits]
+        printed = [time for time in known if time is not None]
+        return sum(printed) if len(printed) == len(known) else _LIMIT
+
     def doc(self) -> list[str]:
         """The paragraphs of the docstring."""
         steps = "; ".join(step_text(step) for step in self.task.steps)
@@ -80,11 +90,12 @@ class TaskDraft:
 
         `ending` are the steps that end it where one from `first` on has failed.
         """
-        limited = any(step.action == "wait" for step in self.task.steps) and not jog
+        waits = [step for step in self.task.steps if step.action == "wait"]
+        limited = bool(waits) and not jog
         typed = [f"{argument.name}: {argument.type}" for argument in self.arguments.values()]
         passed = [f"{argument.name}={argument.name}" for argument in self.arguments.values()]
         if limited:
-            typed.append("limit: float = 60.0")
+            typed.append(f"limit: float = {self._limit(waits)!r}")
             passed.append("limit=limit")
         arguments = [literal(self.task.name), "limit" if limited else "None", *watched, *more]
         lines = item_lines(f"task = self.{make}(", arguments, ")", 8)
