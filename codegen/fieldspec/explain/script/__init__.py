@@ -17,6 +17,8 @@ RUNTIME = (
     "readings",
     "lines",
     "log",
+    "entries",
+    "encoding",
     "explainer",
 )
 """The modules in an order in which each imports only earlier ones and those of `SHARED`. No name is declared twice."""
