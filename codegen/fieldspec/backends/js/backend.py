@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from fieldspec.backends.js.module import module_texts
 from fieldspec.backends.js.text import comment, literal
+from fieldspec.backends.js.usages import usages as usages
 from fieldspec.backends.templates import text
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name, version_word
