@@ -73,6 +73,7 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         "enums": list(enums.values()),
         "flags": list(flags.values()),
         "records": records,
+        "exchanges": exchanges,
         "messages": messages,
         "links": links,
         "conversions": [conversion_view(conversion, device, scope) for conversion in device.conversions.values()],
