@@ -15,7 +15,7 @@ from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, 
 from fieldspec.plc.routines.blocks.ports import AXIS, FRAMES, member, own_links
 from fieldspec.plc.routines.blocks.standard import ERRORS, chain, meanings
 from fieldspec.plc.routines.blocks.tasks import (
-    JOG,
+    LASTING,
     REFUSAL,
     TAKING_OVER,
     before_effect,
@@ -149,7 +149,7 @@ class _Sending:
         if before_effect(task):
             raise NoBlock("it waits before it has sent anything")
         ends = end_steps(task)
-        if not block.levelled and task.kind != JOG:
+        if not block.levelled and task.kind not in LASTING:
             block.limit()
         begins: dict[int, int] = {}
         at = 0
