@@ -16,9 +16,10 @@ def link(draft: Draft, coded: bool) -> Spec:
     line = draft.fact(encoding=draft.pick(("binary", "binary", "hex_ascii")), byte_order=draft.byte_order)
     if draft.word_order:
         line["word_order"] = draft.word_order
-    for mark in ("start", "end"):
-        if draft.chance(35):
-            line[mark] = draft.pick(("3A", "02", "0D 0A", "AA 55 AA"))
+    if draft.chance(15):
+        line["delimiters"] = {"request": _delimiters(draft), "response": _delimiters(draft)}
+    else:
+        line |= _delimiters(draft)
     line["request"] = parts(draft, line, coded, {})
     code = next((part for part in line["request"] if part.get("role") == "code"), None)
     same = draft.chance(50)
@@ -36,6 +37,11 @@ def link(draft: Draft, coded: bool) -> Spec:
     if draft.chance(5):
         line["serial"] = {"baud": [9600], "parity": ["even"]}
     return line
+
+
+def _delimiters(draft: Draft) -> Spec:
+    """The bytes that open and close frames, both or one of them or none."""
+    return {mark: draft.pick(("3A", "02", "0D 0A", "AA 55 AA")) for mark in ("start", "end") if draft.chance(35)}
 
 
 def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:

@@ -203,7 +203,7 @@ def _frame_queries(
         frame = reference.links[link].encode(direction, message, {**head, **values}, error=bool(error), code=code)
         yield Query("frame", (link, direction, asked), frame)
         yield Query("frame", (link, direction, asked), spoiled(frame, dice))
-        parts = bytearray(spoiled(reference.links[link].parts(frame), dice))
+        parts = bytearray(spoiled(reference.links[link].parts(frame, direction), dice))
     except CodecError:
         parts = bytearray(dice.randbytes(shape.header_size + shape.trailer_size))
     if dice.random() < 0.5:

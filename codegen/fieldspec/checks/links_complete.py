@@ -172,10 +172,11 @@ def _escapable(link: Link) -> Iterator[Diagnostic]:
             text = f"the body of the {direction} of {link.name} is not escaped"
             yield finding(_CODE, link.place, "escape", text, "name the first and the last part around the body")
     whole = not escape.first and not escape.last
-    bounded = {"replace": bool(link.end) and (link.end[0] in {byte for byte, _, _ in escape.pairs})}
-    bounded |= {"cobs": link.end[:1] == b"\0", "insert": True}
-    if whole and link.end and not bounded[escape.method]:
-        mark = link.end.hex(" ").upper()
-        text = f"the end mark {mark} of {link.name} may occur within a frame, because the escape does not change it"
-        help = "escape the first byte of the mark, or name the escaped parts by `from` and `to`"
-        yield finding(_CODE, link.place, "escape", text, help)
+    for end in dict.fromkeys((link.end, link.response_end)):
+        bounded = {"replace": bool(end) and (end[0] in {byte for byte, _, _ in escape.pairs})}
+        bounded |= {"cobs": end[:1] == b"\0", "insert": True}
+        if whole and end and not bounded[escape.method]:
+            mark = end.hex(" ").upper()
+            text = f"the end mark {mark} of {link.name} may occur within a frame, because the escape does not change it"
+            help = "escape the first byte of the mark, or name the escaped parts by `from` and `to`"
+            yield finding(_CODE, link.place, "escape", text, help)

@@ -81,6 +81,8 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
             stations,
             list(link_layout.messages),
         )
+        if not link.has_common_delimiters:
+            yield "response_delimiters", *(mark.hex() for mark in link.delimiters("response"))
         unanswered = link_layout.messages.keys() - link_layout.carried("response").keys()
         if unanswered:
             yield "unanswered", sorted(unanswered)

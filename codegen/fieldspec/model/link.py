@@ -79,13 +79,17 @@ class Serial:
 class Link(Fact):
     """A frame: `start`, the parts, encoded and escaped, `end`. Requests go to the device, responses come from it.
 
-    `message_name`, `request_name` and `response_name` are the manual's names of a message and of the two directions.
+    The delimiters of a response are `response_start` and `response_end`, those of a request `start` and `end`; mostly
+    they are the same. `message_name`, `request_name` and `response_name` are the manual's names of a message and of the
+    two directions.
     """
 
     title: str
     encoding: str
     start: bytes
     end: bytes
+    response_start: bytes
+    response_end: bytes
     byte_order: str
     word_order: str
     request: tuple[Part, ...]
@@ -124,6 +128,15 @@ class Link(Fact):
             return None
         first = names.index(self.escape.first) if self.escape.first else 0
         return first, names.index(self.escape.last) if self.escape.last else len(parts) - 1
+
+    def delimiters(self, direction: str) -> tuple[bytes, bytes]:
+        """The bytes that open and close a frame in one direction."""
+        return (self.start, self.end) if direction == "request" else (self.response_start, self.response_end)
+
+    @property
+    def has_common_delimiters(self) -> bool:
+        """Whether the frames of both directions have the same delimiters."""
+        return self.delimiters("request") == self.delimiters("response")
 
     def parts(self, direction: str) -> tuple[Part, ...]:
         """The parts of a frame in one direction."""

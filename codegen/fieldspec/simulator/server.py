@@ -46,9 +46,9 @@ class Server:
         self.answers = {part.subject: part for part in engine.behaviour.of_kind("answer")}
 
     def answer(self, link: str, frame: bytes, message: str = "", forced: str = "") -> Answer:
-        """The answer to a frame. `message` names the message where the frame does not; `forced` is a reason to refuse.
+        """The answer to a frame; the engine has been advanced to the present.
 
-        The engine must have been advanced to the present.
+        `message` names the message where the frame does not; `forced` is a reason to refuse.
         """
         frames = self.codecs[link]
         shape = frames.link.request
@@ -69,7 +69,7 @@ class Server:
             if not broadcast:
                 return Answer(b"", f"for unit {head[addressed.name]}")
         code = head[coded.name] if (coded := shape.role("code")) is not None else None
-        asked = frames.link.message_with_code(code) if code is not None else frames.link.messages.get(message)
+        asked = frames.link.announced(code, parts[shape.header_size : len(parts) - shape.trailer_size], message)
         silent = "broadcast" if broadcast else ""
         if asked is not None and asked.name not in frames.link.carried("response"):
             silent = silent or "not answered"

@@ -11,18 +11,19 @@ export function message(name, code, request, response, number = null) {
  * The frames of a link in both directions: `header` and `trailer` are the parts before and after the body, in their
  * order, `start` and `end` the delimiters.
  */
-export function frames({ name, start, end, hex, request, response, unitAddresses }) {
-  return { name, start, end, hex, request: frame(request), response: frame(response), unitAddresses };
+export function frames({ name, hex, request, response, unitAddresses }) {
+  return { name, hex, request: frame(request), response: frame(response), unitAddresses };
 }
 
 /**
  * A link with its frames and the messages that it carries. `exception` has the flag in the code and the record of an
- * exception response, or is null. `unanswered` are the messages to which the device sends no response.
+ * exception response, or is null. `unanswered` are the messages to which the device sends no response. `subcodes` has
+ * for each direction the number in the data that tells messages with one code apart, by this code.
  */
-export function link(shapes, messages, exception, unanswered = []) {
-  const byCode = new Map();
-  for (const entry of messages) if (entry.code !== null && !byCode.has(entry.code)) byCode.set(entry.code, entry);
-  const context = { ...shapes, messages: new Set(messages), byCode, exception, unanswered: new Set(unanswered) };
+export function link(shapes, messages, exception, unanswered = [], subcodes = {}) {
+  const silent = new Set(unanswered);
+  const byCode = { request: codesOf(messages), response: codesOf(messages.filter((entry) => !silent.has(entry))) };
+  const context = { ...shapes, messages: new Set(messages), byCode, exception, unanswered: silent, subcodes };
   const { name, request, response, unitAddresses } = shapes;
   return Object.freeze({
     name,
@@ -53,13 +54,21 @@ export function link(shapes, messages, exception, unanswered = []) {
   });
 }
 
-function frame({ header, trailer, checksums, escape, escapeStart, escapeStop }) {
+function codesOf(messages) {
+  const byCode = new Map();
+  for (const entry of messages) if (entry.code !== null && !byCode.has(entry.code)) byCode.set(entry.code, entry);
+  return byCode;
+}
+
+function frame({ header, trailer, start, end, checksums, escape, escapeStart, escapeStop }) {
   const sum = (parts) => parts.reduce((size, part) => size + part.size, 0);
   const parts = [...header, ...trailer];
   return {
     header,
     trailer,
     parts,
+    start,
+    end,
     headerSize: sum(header),
     trailerSize: sum(trailer),
     lengths: header.filter((part) => part.role === "length"),
@@ -141,7 +150,7 @@ function hexText(bytes) {
 }
 
 /** A frame without its delimiters, as bytes instead of characters. Throws CodecError. */
-export function withoutDelimiters({ start, end, hex }, bytes) {
+export function withoutDelimiters({ hex }, { start, end }, bytes) {
   if (start.length === 0 && end.length === 0 && !hex) return bytes;
   if (bytes.length < start.length || !matches(bytes, 0, start)) {
     throw new CodecError("wrong_mark", `the frame does not start with ${hexText(start)}`, 0);
@@ -162,7 +171,7 @@ export function withoutDelimiters({ start, end, hex }, bytes) {
   return data;
 }
 
-function withDelimiters({ start, end, hex }, data) {
+function withDelimiters({ hex }, { start, end }, data) {
   if (start.length === 0 && end.length === 0 && !hex) return data;
   const inner = hex ? 2 * data.length : data.length;
   const bytes = new Uint8Array(start.length + inner + end.length);
@@ -186,12 +195,12 @@ function isOfSent(shape, part) {
 }
 
 /** The parts before they were escaped. Throws CodecError for what is wrong around them, and for a wrong escape. */
-export function originalParts({ start }, shape, data) {
+export function originalParts(shape, data) {
   if (shape.escape === null) return data;
   const wrong = wrongSize(shape, data) ?? wrongLength(shape, data, true) ?? wrongChecksum(shape, data, true);
   if (wrong !== null) throw wrong;
   const [first, stop] = [shape.escapeStart, place(shape.escapeStop, data.length)];
-  const inner = shape.escape.original(data.subarray(first, stop), start.length + first);
+  const inner = shape.escape.original(data.subarray(first, stop), shape.start.length + first);
   return joined(data.subarray(0, first), inner, data.subarray(stop));
 }
 
@@ -266,7 +275,7 @@ function wrongConstant(shape, data) {
 }
 
 function decoded(context, shape, bytes, entry, direction) {
-  const data = originalParts(context, shape, withoutDelimiters(context, bytes));
+  const data = originalParts(shape, withoutDelimiters(context, shape, bytes));
   const wrong = wrongParts(shape, data);
   if (wrong !== null) throw wrong;
   const end = data.length - shape.trailerSize;
@@ -285,17 +294,37 @@ function decoded(context, shape, bytes, entry, direction) {
   if (exception !== null && direction === "response" && code & exception.flag) {
     const asked = code & ~exception.flag;
     const record = exception.record.read(data, shape.headerSize, end);
-    const answered = context.byCode.get(asked) ?? null;
+    const answered = answeredBy(context, asked, entry);
     return { kind: "exception", name: answered?.name ?? null, header, message: answered, code: asked, data: record };
   }
-  const known = context.byCode.get(code);
-  if (known === undefined || (direction === "response" && context.unanswered.has(known))) {
+  const known = knownBy(context, shape, direction, code, data.subarray(shape.headerSize, end));
+  if (known === undefined) {
     throw new CodecError("unknown_code", `no message has the code 0x${code.toString(16).padStart(2, "0")}`, offset);
   }
   if (entry !== undefined && entry !== known) {
     throw new CodecError("unknown_code", `the code is that of ${known.name}, not of ${entry?.name}`, offset);
   }
   return { kind: direction, name: known.name, header, message: known, data: known[direction].read(data, shape.headerSize, end) };
+}
+
+/** The message that an exception response answers: null where its code is unknown, or where several messages have it. */
+function answeredBy({ byCode, subcodes }, code, entry) {
+  const shared = subcodes.request?.get(code);
+  if (shared === undefined) return byCode.request.get(code) ?? null;
+  return [...shared.messages.values()].find((message) => message === entry) ?? null;
+}
+
+/** The message with a code, and with a number in its data where several have the code. Throws CodecError. */
+function knownBy({ byCode, subcodes }, shape, direction, code, body) {
+  const shared = subcodes[direction]?.get(code);
+  if (shared === undefined) return byCode[direction].get(code);
+  if (body.length < shared.offset + shared.size) return shared.messages.values().next().value;
+  const number = readPart(body, shared.offset, shared);
+  const known = shared.messages.get(number);
+  if (known === undefined) {
+    throw new CodecError("unknown_code", `no message has the subcode 0x${number.toString(16)}`, shape.headerSize + shared.offset);
+  }
+  return known;
 }
 
 function encoded(context, shape, header, code, record, value) {
@@ -326,7 +355,7 @@ function encoded(context, shape, header, code, record, value) {
     const [start, stop] = [place(part.start, covered.length), place(part.stop, covered.length)];
     data.set(checksumBytes(part, covered, start, stop), place(part.offset, size));
   }
-  return withDelimiters(context, sentParts(shape, data));
+  return withDelimiters(context, shape, sentParts(shape, data));
 }
 
 function partValue({ unitAddresses }, part, header, code) {

@@ -37,6 +37,7 @@ RUNTIME = (
     "_record",
     "_refusals",
     "_registers",
+    "_subcodes",
     "_typing",
     "_values",
     "many",

@@ -180,7 +180,7 @@ def frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
             arguments += [f"{role}={frame.header.index(part)}", f"{role}_offset={part.offset}"]
             if role == "length":
                 arguments += [f"length_name={literal(part.name)}", f"longest={256**part.size - 1}"]
-    for name, mark in (("start", link.link.start), ("end", link.link.end)):
+    for name, mark in (("start", frame.start), ("end", frame.end)):
         if mark:
             arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
     if link.link.encoding == "hex_ascii":
@@ -262,18 +262,18 @@ def framer(
         return "", [], []
     arguments = [frames, *_bounds(link, frame, bodies), *_stations(link, frame, direction)]
     about = [f"Finds the {direction}s in a stream."]
-    if link.link.start and link.link.end and link.link.encoding == "hex_ascii":
+    if frame.start and frame.end and link.link.encoding == "hex_ascii":
         about.append("A start delimiter within a frame begins another frame.")
         return "_MarkFramer", arguments, docstring(about, 8)
     length, code = frame.role("length"), frame.role("code")
     if not _ordered(frame):
         return "", [], []
     if frame.escape is not None and (frame.escape_start, frame.escape_stop) == (0, None):
-        if not link.link.end:
+        if not frame.end:
             return "", [], []
         about.append("The end delimiter determines where a frame ends; it does not occur within, as bytes are escaped.")
         sizes = [int(argument.partition("=")[2]) for argument in arguments[1:3]]
-        marks = len(link.link.start) + len(link.link.end)
+        marks = len(frame.start) + len(frame.end)
         most = f"most={marks + frame.escape.most(sizes[1] - marks)}"
         return "_EscapeFramer", [*arguments, most], docstring(about, 8)
     if frame.escape is not None and (length is None or length.escaped):
@@ -284,7 +284,12 @@ def framer(
         return kind, [*arguments, f"length_size={length.size}"], docstring(about, 8)
     if code is None or link.link.encoding != "binary":
         return "", [], []
-    extents = {code: _extent(link, frame, record) for _, code, record in carried if code is not None}
+    extents: dict[int, tuple[int, int, int, int]] = {}
+    for _, code_number, record in carried:
+        if code_number is not None:
+            extent = _extent(link, frame, record)
+            # Of messages that share a code, only those of one form are told by it.
+            extents[code_number] = extent if extents.get(code_number, extent) == extent else (0, 0, -1, 0)
     arguments.append(f"code_size={code.size}")
     rows = "".join(f"\n{' ' * 16}{code:#04x}: {extent}," for code, extent in extents.items())
     arguments.append(f"extents={{{rows}\n{' ' * 12}}}")
@@ -308,7 +313,7 @@ def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) ->
     least = min(record.least for record in bodies)
     most = max(record.most if record.most is not None else 0xFFFF for record in bodies)
     width = 2 if link.link.encoding == "hex_ascii" else 1
-    marks = len(link.link.start) + len(link.link.end)
+    marks = len(frame.start) + len(frame.end)
     sizes = [marks + width * (frame.header_size + size + frame.trailer_size) for size in (least, most)]
     if frame.escape is not None and (frame.escape_start, frame.escape_stop) != (0, None):
         sizes[1] = frame.escape.most(sizes[1])
@@ -339,7 +344,7 @@ def _span(interval: tuple[int, int]) -> str:
 
 def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple[int, int, int, int]:
     """The length without the repeated part; then offset and size of its count, and the bytes of each unit."""
-    around = len(link.link.start) + frame.header_size + frame.trailer_size + len(link.link.end)
+    around = len(frame.start) + frame.header_size + frame.trailer_size + len(frame.end)
     if record.size is not None:
         return around + record.size, 0, 0, 0
     tail = record.fields[-1]

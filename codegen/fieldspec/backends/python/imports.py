@@ -65,6 +65,7 @@ _SHARED = {
         " refused_text unfit"
     ),
     "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
+    "_subcodes": "Subcodes",
     "_values": "Boolean Bytes Closed Constant Double Float Number Open Setting Text Trigger Word",
 }
 _CRC = [f"_C{place}" for place in range(8)]

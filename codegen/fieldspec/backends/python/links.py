@@ -58,12 +58,15 @@ class DirectionView:
 
     direction: str
     frames: str
+    marked: bool
     kind: str
     escape: str
     arguments: list[str]
     quick: str
     quickly: str
     classes: str
+    rows: list[str]
+    has_subcodes: bool
     alias: str
     union: list[str]
     exchanges: list[ExchangeView]
@@ -116,7 +119,6 @@ class LinkView:
     doc: list[str]
     stations: str
     broadcast: str
-    marked: bool
     unanswered: bool
     wrappers: list[WrapperView]
     request: DirectionView
@@ -185,7 +187,6 @@ def link_view(
         doc=docstring(described(link.link.title or Name.of(link.name).title(), link.link, " ".join(facts)), 4),
         stations=pairs(stations.ranges if stations else None) or "()",
         broadcast=str(stations.broadcast) if stations else "None",
-        marked=bool(link.link.start or link.link.end or link.link.encoding == "hex_ascii"),
         unanswered=len(link.carried("response")) < len(link.messages),
         wrappers=wrappers,
         request=views["request"],
@@ -266,12 +267,15 @@ def _direction(
     return DirectionView(
         direction=direction,
         frames=frames,
+        marked=bool(frame.start or frame.end or link.link.encoding == "hex_ascii"),
         kind="_EscapedFrames" if frame.escape else "_Frames" if is_simple(frame) else "_PartFrames",
         escape=escape_call(frame),
         arguments=frames_arguments(link, frame),
         quick=f"_{upper}_QUICK_{direction.upper()}S",
         quickly=_quick_key(code),
         classes=f"_{upper}_{direction.upper()}_CLASSES",
+        rows=_class_rows(link, direction, carried, views),
+        has_subcodes=code is not None and bool(link.subcodes(direction)),
         alias=alias,
         union=union(alias, [view.message for view in views]),
         exchanges=views,
@@ -287,6 +291,25 @@ def _direction(
         framer_arguments=arguments,
         framer_doc=doc,
     )
+
+
+def _class_rows(link: LinkLayout, direction: str, carried: list[Exchange], views: list[ExchangeView]) -> list[str]:
+    """The classes of messages by their codes, numbers or names: `0x03: ReadRequest`."""
+    names = {exchange.message.name: exchange.side(direction)[1] for exchange in carried}
+    coded = link.frame(direction).role("code") is not None
+    shared = link.subcodes(direction) if coded else {}
+    rows = []
+    for exchange, view in zip(carried, views, strict=True):
+        code = exchange.message.message.code
+        if code is None or code not in shared:
+            rows += [f"{key}: {view.message}" for key in view.known or [view.key]]
+            continue
+        subcode = shared[code]
+        if next(iter(subcode.messages.values())) is exchange.message:
+            members = ", ".join(f"{number:#x}: {names[message.name]}" for number, message in subcode.messages.items())
+            place = f"{subcode.offset}, {subcode.size}, {literal(subcode.order)}"
+            rows.append(f"{view.key}: _Subcodes({place}, {{{members}}})")
+    return rows
 
 
 def _quick_key(code: PartLayout | None) -> str:
@@ -311,7 +334,9 @@ def _exchange(
     flag = link.link.exception_response.flag if link.link.exception_response and direction == "response" else 0
     together = has_fixed_length(shaped, frame)
     # A code with the flag of exception responses names no message, and only a code of one byte is a key of the table.
-    reads = together and (part is None or (part.size == 1 and not (code or 0) & flag))
+    # Of messages that share a code, the body tells which one it is.
+    shared = code is not None and len(link.messages_with_code(code, direction)) > 1
+    reads = together and not shared and (part is None or (part.size == 1 and not (code or 0) & flag))
     tests, refusals = head_tests(link, frame), head_refusals(link, frame)
     unfit = f"_unfit({literal(shaped.record.name)})"
     return ExchangeView(

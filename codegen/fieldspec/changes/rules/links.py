@@ -14,7 +14,14 @@ from fieldspec.model.link import ExceptionResponse, Link, Part, Serial
 from fieldspec.model.record import Field, Measure, Message
 from fieldspec.model.value import ParameterPart
 
-_KEYS = {"encoding": "the encoding", "start": "the start delimiter", "end": "the end delimiter", "escape": "the escape"}
+_KEYS = {
+    "encoding": "the encoding",
+    "start": "the start delimiter",
+    "end": "the end delimiter",
+    "response_start": "the start delimiter of responses",
+    "response_end": "the end delimiter of responses",
+    "escape": "the escape",
+}
 
 
 def framing_changed(comparison: Comparison) -> Iterator[Change]:
@@ -31,7 +38,8 @@ def framing_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Link):
         for key, what in _KEYS.items():
             old, new = _framing(pair.old, key), _framing(pair.new, key)
-            if old != new:
+            common = key.startswith("response_") and pair.old.has_common_delimiters and pair.new.has_common_delimiters
+            if old != new and not common:
                 text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("framing_changed", Effect.WIRE, pair, key, text, old, new)
 
