@@ -10545,16 +10545,34 @@ local function message_with(shape, code, body)
     return subcode.by_number[numbers.unsigned(subcode.order == "little" and own:reverse() or own)]
 end
 
--- The message, or nil, whether it is refused, and its code, by the code of a frame and its body, or by the request
--- that it answers.
-function frames.message_of(link, direction, code, body, asked, message)
+-- Whether parts with a code are an exception response: by a bit in the code, by the code, or by another part.
+local function is_marked(link, direction, code, parts)
+    local exception = direction == "response" and link.exception
+    if not exception or not code then
+        return false
+    end
+    if exception.part then
+        for _, part in ipairs(link.response.parts) do
+            if part.name == exception.part then
+                local number = part_number(part, parts)
+                return number ~= nil and not values.is_within(number, exception.normal)
+            end
+        end
+    end
+    if exception.code then
+        return code == exception.code
+    end
+    return numbers.band(code, exception.flag) ~= 0
+end
+
+-- The message, or nil, whether it is refused, and its code, by the code of a frame and its parts, or by the request
+-- that it answers. `body` are the parts from the body on.
+function frames.message_of(link, direction, code, parts, body, asked, message)
     if code == nil then
         return message or asked and asked.message
     end
-    local flag = direction == "response" and link.exception and link.exception.flag or 0
-    local is_refusal = flag > 0 and numbers.band(code, flag) ~= 0
-    if is_refusal then
-        code = code - numbers.band(code, flag)
+    if is_marked(link, direction, code, parts) then
+        code = code - numbers.band(code, link.exception.flag)
         if link.request.shared[code] then
             -- An exception response carries no subcode; only the request tells which message it answers.
             return asked and asked.message and asked.message.code == code and asked.message or nil, true, code
@@ -10612,11 +10630,10 @@ function frames.length(link, direction, bytes, asked, message)
     local number = code and part_number(code, parts)
     local rest = parts:sub(shape.header + 1)
     local subcode = shape.shared[number]
-    local flag = direction == "response" and link.exception and link.exception.flag or 0
-    if subcode and numbers.band(number, flag) == 0 and #rest < subcode.offset + subcode.size then
+    if subcode and not is_marked(link, direction, number, parts) and #rest < subcode.offset + subcode.size then
         return nil, true
     end
-    local named, is_refusal = frames.message_of(link, direction, number, rest, asked, message)
+    local named, is_refusal = frames.message_of(link, direction, number, parts, rest, asked, message)
     local record = record_of(link, direction, named, is_refusal)
     if not record then
         return nil
@@ -10647,7 +10664,7 @@ function frames.fits(link, direction, bytes, asked, message)
         end
     end
     local body = parts:sub(shape.header + 1, #parts - shape.trailer)
-    local named, is_refusal = frames.message_of(link, direction, code, body, asked, message)
+    local named, is_refusal = frames.message_of(link, direction, code, parts, body, asked, message)
     local record = record_of(link, direction, named, is_refusal)
     if not record then
         return false
@@ -10707,7 +10724,8 @@ local function show_part(context, part, at)
     if part.role == "code" then
         local shape = link[context.direction]
         local body = context.bytes:sub(shape.header + 1, math.max(shape.header, #context.bytes - shape.trailer))
-        context.message, context.is_refusal = frames.message_of(link, context.direction, number, body, context.open)
+        context.message, context.is_refusal =
+            frames.message_of(link, context.direction, number, context.bytes, body, context.open)
         if context.is_refusal then
             context.values[part.name] = number - numbers.band(number, link.exception.flag)
         end
@@ -10923,7 +10941,7 @@ local function head_of(link, direction, bytes, asked, message)
             elseif part.role == "code" then
                 head.is_coded = true
                 local body = parts:sub(shape.header + 1)
-                local named, _, own = frames.message_of(link, direction, number, body)
+                local named, _, own = frames.message_of(link, direction, number, parts, body)
                 head.message, head.code = named, own
             elseif part.same_as then
                 head.repeated[part.same_as] = number

@@ -31,12 +31,26 @@ def link(draft: Draft, coded: bool) -> Spec:
         record = next((record for record in draft.records if not record.apart), None)
         if record is None:
             return line
-        line["exception_response"] = {"flag": 1 << (draft.code_bits - 1), "record": record.name}
+        line["exception_response"] = {**_mark(draft, line["response"]), "record": record.name}
     if draft.chance(5):
         line["silence"] = {"milliseconds": 5}
     if draft.chance(5):
         line["serial"] = {"baud": [9600], "parity": ["even"]}
     return line
+
+
+def _mark(draft: Draft, response: list[Spec]) -> Spec:
+    """What marks an exception response: a bit of the code, a code that no message has, or a part before the body."""
+    highest = 1 << (draft.code_bits - 1)
+    before = response[: next(at for at, part in enumerate(response) if part.get("role") == "body")]
+    bound = {"const", "reserved", "range", "unit_range"}
+    numbers = [part for part in before if "role" not in part and not bound & set(part)]
+    if numbers and draft.chance(70):
+        part = draft.pick(numbers)
+        low, high = bounds(part["type"])
+        normal = draft.intervals(low + 1, high, 2)
+        return {"part": part["name"], "normal": range_text(normal)}
+    return {"code": highest + draft.number(0, 9)} if draft.chance(30) else {"flag": highest}
 
 
 def _delimiters(draft: Draft) -> Spec:

@@ -39,11 +39,36 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
             yield from _of_parts(device, link, direction, link.parts(direction))
         yield from _messages_distinct(device, link)
         yield from _escapable(link)
+        yield from _marked(link)
         if link.exception_response is not None and not any(part.role == "code" for part in link.response):
             text = f"the link {link.name} marks exception responses in the code, but its responses have no code"
             yield finding(
                 _CODE, link.place, "exception_response", text, "add the role `code` to the part with the code"
             )
+
+
+def _marked(link: Link) -> Iterator[Diagnostic]:
+    """The part that marks exception responses is one that responses have before their body, and that may differ."""
+    error = link.exception_response
+    if error is None or error.normal is None:
+        return
+    body = next((at for at, part in enumerate(link.response) if part.role == "body"), len(link.response))
+    names = [part.name for part in link.response[:body]]
+    part = next((part for part in link.response[:body] if part.name == error.part), None)
+    if part is None:
+        text = f"responses on {link.name} have no part {error.part} before their body"
+        yield finding(_CODE, link.place, "exception_response", text, near(error.part, names))
+        return
+    value = part.value
+    if part.role != "plain" or value is None or value.const is not None or part.reserved:
+        text = f"{part.name} cannot mark an exception response, because it is no number that varies"
+        help = "name a part without a `role`, and without `const` or `reserved`"
+        yield finding(_CODE, link.place, "exception_response", text, help, label(part.place, "name", part.name))
+        return
+    if any(not error.permitted(value, is_exception).intervals for is_exception in (False, True)):
+        text = f"{part.name} is always or never one of {error.normal.text()}"
+        help = "correct `normal`, or the range of the part"
+        yield finding(_CODE, link.place, "exception_response", text, help, label(part.place, "name", part.name))
 
 
 def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:

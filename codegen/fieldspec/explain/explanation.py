@@ -304,7 +304,8 @@ class _Frame:
         """The message that a code names. An exception response marks the code."""
         code, refusal = read.number, self.link.exception_response
         assert isinstance(code, int)
-        if refusal is not None and self.direction == "response" and code & refusal.flag:
+        head = self.shape.numbers(self.data)
+        if refusal is not None and self.direction == "response" and refusal.is_marked(code, head):
             self.error = True
             code &= ~refusal.flag
             self.values[part.name] = code
@@ -314,8 +315,7 @@ class _Frame:
         self.message = link.message_with_code(code, carried, body)
         if self.error and self.message is None and link.messages_with_code(code, carried):
             # An exception response carries no subcode; only the request tells which message it answers.
-            asked = link.messages.get(self.named)
-            self.message = asked if asked is not None and asked.message.code == code else None
+            self.message = next((m for m in link.messages_with_code(code, carried) if m.name == self.named), None)
         if self.message is None:
             if self.error:
                 return replace(read, meanings=(Meaning("", "", f"the code {code:#04x} is refused", ""),))

@@ -211,7 +211,8 @@ def _link(link: Link) -> Iterator[FactRow]:
             cells: FactRow = {"name": name, "bytes": len(mark), "printed_name": mark.hex(" ").upper()}
             yield row("mark", f"{path}/{name}", link.sources, **cells)
     if link.exception_response is not None:
-        cells = {"name": "error", "code": link.exception_response.flag, "type": link.exception_response.record}
+        error = link.exception_response
+        cells = {"name": error.part or "error", "code": error.code or error.flag, "type": error.record}
         yield row("refusal", f"{path}/exception_response", link.exception_response.sources or link.sources, **cells)
     for name, silence, unit in (
         ("characters", link.silence_characters, "character"),

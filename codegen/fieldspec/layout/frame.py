@@ -123,6 +123,18 @@ class FrameLayout:
         """All parts but the body, in the order in which they are sent."""
         return (*self.header, *self.trailer)
 
+    def numbers(self, data: bytes) -> dict[str, int]:
+        """The numbers of the parts before the body, by name; as far as the data reach."""
+        return {
+            part.name: int.from_bytes(
+                data[part.offset : part.offset + part.size],
+                "little" if part.order == "little" else "big",
+                signed=part.value.type.signed,
+            )
+            for part in self.header
+            if part.value is not None
+        }
+
     def role(self, role: str) -> PartLayout | None:
         """The first part with a role, None if there is none."""
         return next((part for part in self.parts if part.role == role), None)

@@ -163,7 +163,7 @@ class FrameCodec:
                 raise CodecError("unknown_code", "the frame carries no code: say which message it belongs to")
             return announced, announced.data(shape.direction), False
         code = head[part.name]
-        if error is not None and shape.direction == "response" and code & error.flag:
+        if error is not None and shape.direction == "response" and error.is_marked(code, head):
             head[part.name] = code & ~error.flag
             return self.link.message_with_code(code & ~error.flag), self.layout.records[error.record], True
         announced = self.link.message_with_code(code, shape.direction, inner)
@@ -268,12 +268,16 @@ class FrameCodec:
             if own is None:
                 raise CodecError("unknown_code", "the message has no code")
             refusal = self.link.link.exception_response
+            if error and refusal and refusal.code is not None and own != refusal.code:
+                raise CodecError("unknown_code", f"an exception response has the code {refusal.code:#04x}")
             return own | refusal.flag if error and refusal else own
         number = values.get(part.name)
         if not isinstance(number, int):
             raise CodecError("missing_value", f"{part.name} is not given")
         assert part.value is not None
-        allowed = part.value.ranges
+        refusal = self.link.link.exception_response
+        marks = refusal is not None and refusal.part == part.name and part in self.link.response.header
+        allowed = refusal.permitted(part.value, error) if refusal is not None and marks else part.value.ranges
         stations = self.link.link.unit_addresses if part.role == "unit_address" else None
         if stations is not None and stations.ranges is not None:
             allowed = stations.ranges

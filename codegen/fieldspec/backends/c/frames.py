@@ -9,6 +9,7 @@ from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Funct
 from fieldspec.backends.c.delimiters import declare_unwrap, is_wrapped, unwrap_function, wrap_frame
 from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
 from fieldspec.backends.c.escapes import escape_call
+from fieldspec.backends.c.exceptions import read_mark
 from fieldspec.backends.c.expressions import (
     CAPACITY,
     IN,
@@ -26,7 +27,6 @@ from fieldspec.backends.c.expressions import (
     Operation,
     PointerMember,
     Type,
-    Unary,
     add,
     add_size,
     address_of,
@@ -47,10 +47,8 @@ from fieldspec.backends.c.expressions import (
 from fieldspec.backends.c.fields import return_error
 from fieldspec.backends.c.naming import Naming, argument, frame_member
 from fieldspec.backends.c.statements import (
-    Assignment,
     Body,
     CompileIf,
-    If,
     Return,
     Statement,
     Variable,
@@ -249,12 +247,7 @@ def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
     body: Body = (assign(code, load(naming, part_value(part), part_pointer(IN, part, LENGTH))),)
     guard: list[Expression] = []
     if link.link.exception_response is not None and frame.direction == "response":
-        flag = unsigned(link.link.exception_response.flag)
-        without_flag = Assignment(code, Unary("~", Cast(CODE_TYPE.name, flag)), "&=")
-        body += (
-            assign(error, different(Operation("&", (code, flag)), ZERO)),
-            If(error, (without_flag,)),
-        )
+        body += read_mark(link.link.exception_response, frame, code, error)
         guard.append(negate(error))
     carried = link.carried(frame.direction).values()
     codes = sorted({m.message.code for m in carried if m.message.code is not None})

@@ -366,7 +366,10 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
     if link.silence_sources:
         yield "Source of the silence", (cited(link.silence_sources),)
     if link.exception_response is not None:
-        text = f"the code of the request with the bits {link.exception_response.flag:02X}h set, and the record "
+        error = link.exception_response
+        text = f"the code of the request with the bits {error.flag:02X}h set, and the record "
+        if not error.flag:
+            text = f"{error.mark_text}, and the record "
         yield (
             "Refusals",
             ((text_piece(text), code(link.exception_response.record, f"#records/{link.exception_response.record}")),),

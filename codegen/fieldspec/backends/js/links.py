@@ -13,6 +13,7 @@ from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.checksums import checksum_named
+from fieldspec.model.link import ExceptionResponse
 from fieldspec.model.value import Ranges
 from fieldspec.names import Name
 
@@ -86,7 +87,7 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
         f"  unitAddresses: {'null' if addresses is None else f'{{ ranges: {ranges}, broadcast: {broadcast} }}'},"
     )
     code += ["});", ""]
-    flag = "null" if exception is None else f"{{ flag: {exception.flag}, record: {names.records[exception.record]} }}"
+    flag = "null" if exception is None else _exception(link, exception, names)
     carried_names = ", ".join(names.messages[message.name] for message in carried)
     unanswered = [names.messages[m.name] for m in carried if m.name not in link.carried("response")]
     subcodes = _subcodes(link, names)
@@ -126,6 +127,20 @@ def _subcodes(link: LinkLayout, names: Names) -> str:
             rows.append(f"[{code}, {{ {place}, messages: {PURE} new Map([{members}]) }}]")
         directions.append(f"{direction}: {PURE} new Map([{', '.join(rows)}])" if rows else "")
     return f"{{ {', '.join(filter(None, directions))} }}" if any(directions) else ""
+
+
+def _exception(link: LinkLayout, exception: ExceptionResponse, names: Names) -> str:
+    """What marks an exception response, and its record."""
+    row = {"flag": str(exception.flag), "record": names.records[exception.record]}
+    if exception.code is not None:
+        row["code"] = str(exception.code)
+    part = next((part for part in link.response.header if part.name == exception.part), None)
+    if part is not None and part.value is not None:
+        row["part"] = literal(part.name)
+        for name, is_exception in (("normal", False), ("marks", True)):
+            row[name] = _intervals(exception.permitted(part.value, is_exception))
+        row["all"] = _intervals(exception.normal)
+    return object_of(row)
 
 
 def _header_type(frame: FrameLayout) -> str:
@@ -265,9 +280,14 @@ def _framer(link: LinkLayout, direction: str, carried: list[MessageLayout], name
             extent = _extent(link, frame, message.data(direction))
             # Of messages that share a code, only those of one form are told by it.
             extents[number] = extent if extents.get(number, extent) == extent else "{ length: 0, size: -1 }"
+    if refused is not None and refusal is not None and not refusal.flag:
+        own = _extent(link, frame, refused)
+        extents |= {refusal.code: own} if refusal.code is not None else {}
+        # Where a part marks exception responses, the code tells the length only of those that are as long as others.
+        extents |= {n: "{ length: 0, size: -1 }" for n, extent in extents.items() if refusal.part and extent != own}
     members = ", ".join(f"{number}: {extent}" for number, extent in extents.items())
     rows += [f"code: {_number(code)}", f"extents: {{ __proto__: null, {members} }}"]
-    if refused is not None and refusal is not None:
+    if refused is not None and refusal is not None and refusal.flag:
         rows += [f"flag: {refusal.flag}", f"refusal: {_extent(link, frame, refused)}"]
     else:
         rows += ["flag: 0", "refusal: undefined"]

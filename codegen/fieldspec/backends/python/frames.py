@@ -68,9 +68,19 @@ def head_value(part: PartLayout, code: str) -> str:
     return code if part.role == "code" else number(part) if fixed_number is None else str(fixed_number)
 
 
-def _allowed(link: LinkLayout, part: PartLayout) -> tuple[tuple[tuple[int, int], ...], tuple[int, ...]]:
+def marks_exceptions(link: LinkLayout, frame: FrameLayout, part: PartLayout) -> bool:
+    """Whether the number of a header part tells exception responses from others."""
+    error = link.link.exception_response
+    return error is not None and frame.direction == "response" and error.part == part.name
+
+
+def _allowed(
+    link: LinkLayout, frame: FrameLayout, part: PartLayout, is_exception: bool = False
+) -> tuple[tuple[tuple[int, int], ...], tuple[int, ...]]:
     """The intervals of a header part, and single values besides."""
     assert part.value is not None
+    if link.link.exception_response is not None and marks_exceptions(link, frame, part):
+        return link.link.exception_response.permitted(part.value, is_exception).intervals, ()
     stations = link.link.unit_addresses if part.role == "unit_address" else None
     if stations is not None and stations.ranges is not None:
         beside = () if stations.broadcast is None else (stations.broadcast,)
@@ -214,7 +224,7 @@ def head_tests(link: LinkLayout, frame: FrameLayout) -> list[str]:
     """The conditions on the header parts that the caller passes."""
     tests = []
     for part in head_arguments(frame):
-        intervals, beside = _allowed(link, part)
+        intervals, beside = _allowed(link, frame, part)
         if intervals:
             assert part.value is not None
             tests.append(within(number(part), Ranges(intervals), beside, packed(part.value.type)))
@@ -224,16 +234,16 @@ def head_tests(link: LinkLayout, frame: FrameLayout) -> list[str]:
 def greatest_part(link: LinkLayout, part: PartLayout) -> int:
     """The greatest number that the conditions of an unsigned header part accept."""
     assert part.value is not None
-    intervals, beside = _allowed(link, part)
+    intervals, beside = _allowed(link, link.request, part)
     return max((*(high for _, high in intervals), *beside), default=packed(part.value.type)[1])
 
 
-def head_refusals(link: LinkLayout, frame: FrameLayout) -> list[str]:
+def head_refusals(link: LinkLayout, frame: FrameLayout, is_exception: bool = False) -> list[str]:
     """The expressions of the refusals of the header parts that the caller passes."""
     refusals = []
     for part in head_arguments(frame):
         assert part.value is not None
-        intervals, beside = _allowed(link, part)
+        intervals, beside = _allowed(link, frame, part, is_exception)
         limits = [str(part.value.type.low), str(part.value.type.high)]
         if intervals:
             limits.append(pairs(Ranges(intervals)))
@@ -290,10 +300,16 @@ def framer(
             extent = _extent(link, frame, record)
             # Of messages that share a code, only those of one form are told by it.
             extents[code_number] = extent if extents.get(code_number, extent) == extent else (0, 0, -1, 0)
+    error = link.link.exception_response if refusal is not None else None
+    if error is not None and refusal is not None and not error.flag:
+        own = _extent(link, frame, refusal)
+        extents |= {error.code: own} if error.code is not None else {}
+        # Where a part marks exception responses, the code tells the length only of those that are as long as others.
+        extents |= {number: (0, 0, -1, 0) for number, extent in extents.items() if error.part and extent != own}
     arguments.append(f"code_size={code.size}")
     rows = "".join(f"\n{' ' * 16}{code:#04x}: {extent}," for code, extent in extents.items())
     arguments.append(f"extents={{{rows}\n{' ' * 12}}}")
-    if refusal is not None and link.link.exception_response is not None:
+    if refusal is not None and link.link.exception_response is not None and link.link.exception_response.flag:
         arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_extent(link, frame, refusal)}"]
     open_ended = [name for name, code, _ in carried if code is not None and extents[code][2] < 0]
     about.append("Code and count of the repeated part determine where a frame ends; an unknown code is garbage.")

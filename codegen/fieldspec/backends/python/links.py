@@ -17,12 +17,13 @@ from fieldspec.backends.python.frames import (
     head_tests,
     head_value,
     is_simple,
+    marks_exceptions,
 )
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import chained, docstring, item_lines, literal, union
-from fieldspec.backends.python.writing import pairs
+from fieldspec.backends.python.writing import pairs, within
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
@@ -85,11 +86,11 @@ class DirectionView:
 
 @dataclass(frozen=True, slots=True)
 class ErrorView:
-    """The exception responses of a link: the flag in the code, the record, and the parts of such a frame."""
+    """The exception responses of a link: what marks them, the code in the reply, the record, and the parts."""
 
     wrapper: str
-    flag: str
-    mask: str
+    condition: str
+    code: str
     record: str
     head: str
     bind: list[str]
@@ -336,7 +337,8 @@ def _exchange(
     # A code with the flag of exception responses names no message, and only a code of one byte is a key of the table.
     # Of messages that share a code, the body tells which one it is.
     shared = code is not None and len(link.messages_with_code(code, direction)) > 1
-    reads = together and not shared and (part is None or (part.size == 1 and not (code or 0) & flag))
+    marked = any(marks_exceptions(link, frame, part) for part in frame.header)
+    reads = together and not shared and not marked and (part is None or (part.size == 1 and not (code or 0) & flag))
     tests, refusals = head_tests(link, frame), head_refusals(link, frame)
     unfit = f"_unfit({literal(shaped.record.name)})"
     return ExchangeView(
@@ -365,15 +367,22 @@ def _error(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> ErrorVi
     code = frame.role("code")
     if error is None or code is None or code.value is None:
         return None
-    head = [head_value(part, f"code | {error.flag:#x}") for part in frame.header]
-    limit = f"_refused_number({literal(code.name)}, code, {code.value.type.low}, {code.value.type.high})"
+    head = [head_value(part, f"code | {error.flag:#x}" if error.flag else "code") for part in frame.header]
+    limits = (code.value.type.low, code.value.type.high) if error.code is None else (error.code, error.code)
+    limit = f"_refused_number({literal(code.name)}, code, {limits[0]}, {limits[1]})"
+    if error.code is not None:
+        limit = f"_refused_code(code, {error.code:#04x})"
+    place = next((at for at, part in enumerate(frame.header) if part.name == error.part), 0)
+    condition = f"code & {error.flag:#x}" if error.flag else f"code == {error.code}"
+    if error.normal is not None:
+        condition = f"not ({within(f'head[{place}]', error.normal)})"
     arguments = argument_views(frame, words)
     return ErrorView(
         wrapper=scope.take(f"{pascal}ErrorReply") if arguments else "_ErrorReply",
-        flag=f"{error.flag:#x}",
-        mask=f"{~error.flag & code.value.type.high:#x}",
+        condition=condition,
+        code=f"code & {~error.flag & code.value.type.high:#x}" if error.flag else "code",
         record=words.records[error.record],
         head=f"[{', '.join(head)}]",
         bind=[f"{part.variable} = {part.name}" for part in arguments],
-        refusals=chained("error = ", [*head_refusals(link, frame), limit], "or", "", 8),
+        refusals=chained("error = ", [*head_refusals(link, frame, True), limit], "or", "", 8),
     )

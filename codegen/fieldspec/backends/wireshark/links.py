@@ -10,6 +10,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.layout.subcodes import Subcode
 from fieldspec.model.checksums import checksum_named
+from fieldspec.model.link import ExceptionResponse
 from fieldspec.names import Name
 
 LONGEST = 0xFFFF
@@ -33,11 +34,21 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
         "is_framed": any(shape["is_framed"] for shape in shapes.values()),
         "is_numbered": any(part.part.same_as for part in link.response.header),
         "messages": messages,
-        "exception": None if exception is None else {"flag": exception.flag, "record": exception.record},
+        "exception": None if exception is None else _exception(exception),
         "units": None
         if addresses is None
         else {"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast},
         **shapes,
+    }
+
+
+def _exception(exception: ExceptionResponse) -> dict[str, Data]:
+    return {
+        "flag": exception.flag,
+        "code": exception.code,
+        "part": exception.part or None,
+        "normal": intervals(exception.normal),
+        "record": exception.record,
     }
 
 

@@ -144,7 +144,8 @@ def _error_text(comparison: Comparison, error: ExceptionResponse | None, before:
     if error is None:
         return ""
     record = comparison.renamed_to("records", error.record) if before else error.record
-    return f"bit {hexadecimal(error.flag)} and the record {record or 'without fields'}"
+    mark = f"bit {hexadecimal(error.flag)}" if error.flag else error.mark_text
+    return f"{mark} and the record {record or 'without fields'}"
 
 
 def role_changed(comparison: Comparison) -> Iterator[Change]:

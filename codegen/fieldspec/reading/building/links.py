@@ -92,7 +92,22 @@ def _delimiters(entry: Entry) -> dict[str, bytes]:
 
 
 def _exception_response(entry: Entry) -> ExceptionResponse:
-    return ExceptionResponse(flag=entry.integer("flag") or 0, record=entry.text("record"), sources=entry.sources)
+    marks = [key for key in ("flag", "code", "part") if key in entry.own]
+    if len(marks) != 1:
+        text = f"an exception response has {len(marks)} marks" if marks else "nothing marks an exception response"
+        entry.refuse("wrong_form", marks[-1] if marks else "record", text, "state one of `flag`, `code` and `part`")
+    if ("normal" in entry.own) != ("part" in entry.own):
+        key = "part" if "part" in entry.own else "normal"
+        entry.refuse("wrong_form", key, "`part` and `normal` need each other", "add the other one, or remove both")
+    part, code = entry.text("part"), entry.integer("code")
+    return ExceptionResponse(
+        flag=(entry.integer("flag") or 0) if code is None and not part else 0,
+        record=entry.text("record"),
+        sources=entry.sources,
+        code=None if part else code,
+        part=part,
+        normal=entry.whole_ranges("normal") if part else None,
+    )
 
 
 def _part(entry: Entry, link_order: str) -> Part:

@@ -36,12 +36,16 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
     /** The frame of a response. Throws CodecError. */
     encodeResponse(header, entry, data) {
       expectAnswer(context, entry);
-      return encoded(context, response, header, codeOf(context, response, entry), entry.response, data);
+      const code = codeOf(context, response, entry);
+      return encoded(context, response, header, code, entry.response, data, context.exception?.normal);
     },
     /** The frame of an exception response to a code. Throws CodecError. */
     encodeException(header, code, data) {
-      const { flag, record } = expectedException(context);
-      return encoded(context, response, header, code | flag, record, data);
+      const exception = expectedException(context);
+      if (exception.code !== undefined && code !== exception.code) {
+        throw new CodecError("unknown_code", `an exception response has the code ${exception.code}`);
+      }
+      return encoded(context, response, header, code | exception.flag, exception.record, data, exception.marks);
     },
     /** The meaning of a request. `entry` is needed where frames carry no code. Throws CodecError. */
     decodeRequest(bytes, entry) {
@@ -291,7 +295,7 @@ function decoded(context, shape, bytes, entry, direction) {
   const offset = place(shape.code.offset, data.length);
   const code = readPart(data, offset, shape.code);
   const { exception } = context;
-  if (exception !== null && direction === "response" && code & exception.flag) {
+  if (exception !== null && direction === "response" && isMarked(exception, shape, code, data)) {
     const asked = code & ~exception.flag;
     const record = exception.record.read(data, shape.headerSize, end);
     const answered = answeredBy(context, asked, entry);
@@ -305,6 +309,13 @@ function decoded(context, shape, bytes, entry, direction) {
     throw new CodecError("unknown_code", `the code is that of ${known.name}, not of ${entry?.name}`, offset);
   }
   return { kind: direction, name: known.name, header, message: known, data: known[direction].read(data, shape.headerSize, end) };
+}
+
+/** Whether a response is an exception response: by a bit in its code, by its code, or by another part. */
+function isMarked({ flag, code, part, all }, shape, own, data) {
+  if (part === undefined) return code === undefined ? (own & flag) !== 0 : own === code;
+  const row = shape.header.find(({ name }) => name === part);
+  return !within(all, readPart(data, row.offset, row));
 }
 
 /** The message that an exception response answers: null where its code is unknown, or where several messages have it. */
@@ -327,7 +338,8 @@ function knownBy({ byCode, subcodes }, shape, direction, code, body) {
   return known;
 }
 
-function encoded(context, shape, header, code, record, value) {
+/** A frame. `marks` are the numbers of the part that tells exception responses from others, if one does. */
+function encoded(context, shape, header, code, record, value, marks) {
   for (const key in header) {
     if (!(key in shape.keys)) throw new CodecError("unknown_field", `the header has no part ${key.slice(0, 60)}`);
   }
@@ -339,7 +351,7 @@ function encoded(context, shape, header, code, record, value) {
   record.write(value, data, headerSize);
   for (const part of shape.parts) {
     if (part.role !== "length" && part.role !== "checksum") {
-      writePart(data, place(part.offset, size), part, partValue(context, part, header, code));
+      writePart(data, place(part.offset, size), part, partValue(context, part, header, code, marks));
     }
   }
   for (const part of shape.lengths) {
@@ -358,13 +370,14 @@ function encoded(context, shape, header, code, record, value) {
   return withDelimiters(context, shape, sentParts(shape, data));
 }
 
-function partValue({ unitAddresses }, part, header, code) {
+function partValue({ unitAddresses, exception }, part, header, code, marks) {
   if (part.constant !== null) return part.constant;
   if (part.role === "code") return code;
   const number = header[part.key];
   const address = part.role === "unit_address" ? unitAddresses : null;
   if (address !== null && number === address.broadcast && number !== null) return number;
-  const ranges = address?.ranges ?? part.ranges;
+  const isMark = marks !== undefined && exception?.part === part.name;
+  const ranges = isMark ? marks : (address?.ranges ?? part.ranges);
   const whole = part.wide ? typeof number === "bigint" : Number.isInteger(number);
   if (!whole || number < part.low || number > part.high || (ranges !== null && !within(ranges, number))) {
     throw refusedNumber(part.name, number, part.low, part.high, rangesText(ranges ?? [[part.low, part.high]]));

@@ -90,7 +90,7 @@ local function head_of(link, direction, bytes, asked, message)
             elseif part.role == "code" then
                 head.is_coded = true
                 local body = parts:sub(shape.header + 1)
-                local named, _, own = frames.message_of(link, direction, number, body)
+                local named, _, own = frames.message_of(link, direction, number, parts, body)
                 head.message, head.code = named, own
             elseif part.same_as then
                 head.repeated[part.same_as] = number
