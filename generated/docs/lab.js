@@ -2445,8 +2445,17 @@ function entryOf(device, value, raw, inDigits = false) {
     const digits = BigInt.asUintN(8 * value.size, BigInt(raw)).toString(16).toUpperCase();
     return `0x${digits.padStart(2 * value.size, "0")}`;
   }
-  // A share of a power of two is hardly ever exact in its unit.
-  return (value.scale?.includes("/") ? "" : inUnit(value, raw)) || String(raw);
+  return quantityText(value, raw) || String(raw);
+}
+
+/** The quantity of a raw value, if it leads back to the raw value: a rounded one may not. */
+function quantityText(value, raw) {
+  const text = inUnit(value, raw);
+  const [, quantity] = QUANTITY.exec(text) ?? [];
+  if (quantity === undefined || !value.unit) return "";
+  const exact = exactCount(value, quantity);
+  const isCount = value.isShare || exact[0] % exact[1] === 0n;
+  return isCount && nearestCount(exact) === BigInt(raw) ? text : "";
 }
 
 /** The raw value of an entered text. Throws CodecError, which calls the value `name`. */
@@ -2499,7 +2508,7 @@ function countEntry(device, name, value, text) {
 
 function quantityEntry(name, value, text, quantity) {
   const exact = exactCount(value, quantity);
-  if (!value.scale?.includes("/") && exact[0] % exact[1] !== 0n) {
+  if (!value.isShare && exact[0] % exact[1] !== 0n) {
     throw new CodecError("wrong_type", `${name}: \`${text}\` is no whole number of counts of ${value.scale ?? 1} ${value.unit}`);
   }
   const count = narrowed(nearestCount(exact));
@@ -2950,20 +2959,20 @@ class FrameTable {
     const { device } = this.lab;
     const isWrong = row.verdict.startsWith("wrong");
     const isDoubtful = row.kind === "register" || row.reason === "out_of_range";
-    const name = row.path || (row.kind === "register" ? "" : row.kind === "unexplained" ? "surplus" : "");
+    const name = row.path || (row.kind === "unexplained" && !row.doc ? "surplus" : "");
     const labels = [row.printedName && element("code", { textContent: row.printedName }), " ", labelText(device, row.label)];
     const meanings = row.meanings.map((meaning) => element("li", {}, ...this.meaning(meaning)));
     const sent = row.characters && row.characters !== hexOf(row.raw) ? `${visibleCharacters(row.characters)} ` : "";
     const cells = [
       element("td", { className: "number" }, element("code", { textContent: first })),
       element("td", { className: "bytes" }, sent && element("span", { className: "quiet", textContent: sent }), element("code", { textContent: hexOf(row.raw, " ") })),
-      element("th", { scope: "row" }, this.factLink(row.fact, element("code", { textContent: name })), row.doc && !row.path ? row.doc : ""),
+      element("th", { scope: "row" }, this.factLink(row.fact, name && element("code", { textContent: name })), row.path ? "" : row.doc),
       element("td", {}, ...labels.filter(Boolean)),
       element("td", { className: "number", textContent: rawText(row) }),
       element("td", { className: "number", textContent: row.value }),
       element("td", { className: "wide" }, ...(meanings.length > 1 ? [element("ul", {}, ...meanings)] : meanings.flatMap((item) => [...item.childNodes]))),
       element("td", { className: isWrong ? "wrong" : "right", textContent: isWrong && isDoubtful ? row.verdict.replace("wrong", "doubtful") : row.verdict }),
-      element("td", { className: "source" }, row.source, ...row.errata.flatMap((id) => [" ", this.erratumLink(id)])),
+      element("td", { className: "source" }, row.source, ...row.errata.flatMap((id, at) => [at || row.source ? " " : "", this.erratumLink(id)])),
     ];
     const dataset = { row: number, from: row.offset, to: row.offset + row.length };
     return element("tr", { tabIndex: number ? -1 : 0, dataset, className: isWrong ? "fault" : "" }, ...cells);
@@ -3188,6 +3197,8 @@ class LogList {
 
 // The form of a message: a frame is made of what is entered, with its lengths and checksums.
 
+const messageOption = ({ name, title, label }) => option(name, [name, title || label].filter(Boolean).join(": "));
+
 class MessageForm {
   constructor(lab) {
     this.lab = lab;
@@ -3223,7 +3234,7 @@ class MessageForm {
     if (id !== "build-message") {
       const before = message.value;
       const names = [...link.carriedMessages[direction.value].values()];
-      message.replaceChildren(...names.map(({ name, title, label }) => option(name, [name, title || label].filter(Boolean).join(": "))));
+      message.replaceChildren(...names.map(messageOption));
       if (link.carriedMessages[direction.value].has(before)) message.value = before;
       byId("build-message-label").textContent = titled(link.messageName);
     }
@@ -3243,13 +3254,17 @@ class MessageForm {
     const { link, direction, message, error, values } = explanation;
     const own = device.links.get(link);
     const isKnown = own.carriedMessages[error ? "request" : direction].has(message);
-    byId("build-values").hidden = !isKnown;
-    if (!isKnown) return;
+    if (!isKnown) {
+      this.choice = null;
+      this.fields.replaceChildren();
+      this.message("Nothing says which message this is, so there are no fields to edit. Choose one to build it.");
+      return;
+    }
     byId("build-link").value = link;
     byId("build-direction").replaceChildren(...DIRECTIONS.map((way) => option(way, own.directionNames[way])));
     byId("build-direction").value = direction;
     const names = [...own.carriedMessages[error ? "request" : direction].values()];
-    byId("build-message").replaceChildren(...names.map(({ name, title, label }) => option(name, [name, title || label].filter(Boolean).join(": "))));
+    byId("build-message").replaceChildren(...names.map(messageOption));
     byId("build-message").value = message;
     byId("build-message-label").textContent = titled(own.messageName);
     this.choice = { link, direction, message, error };
@@ -3365,7 +3380,6 @@ class MessageForm {
   }
 
   draw() {
-    byId("build-values").hidden = false;
     const focused = document.activeElement?.dataset?.path;
     this.fields.replaceChildren(...this.allLeaves().map((leaf, number) => this.leaf(leaf, number)));
     if (focused) [...this.fields.querySelectorAll("[data-path]")].find(({ dataset }) => dataset.path === focused)?.focus();
@@ -3419,7 +3433,7 @@ class MessageForm {
       const box = element("input", { type: "checkbox", checked: Boolean(raw & bitMask(bit)), dataset: { path, bit: bit.first } });
       return element("label", {}, box, ` ${bit.first} `, element("code", { textContent: bit.name }));
     });
-    return element("details", { open: this.openBits?.has(path), ontoggle: null }, element("summary", { textContent: "Bits" }), element("div", { className: "bit-boxes" }, ...boxes));
+    return element("details", {}, element("summary", { textContent: "Bits" }), element("div", { className: "bit-boxes" }, ...boxes));
   }
 
   // ---- what is entered ----
