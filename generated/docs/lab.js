@@ -2937,11 +2937,11 @@ class FrameTable {
     this.bytes.replaceChildren(...Array.from(frame, (byte, at) => {
       const row = rows[rowAt.get(at)];
       const isFirst = row?.offset === at;
-      const style = ["byte", row?.kind ?? "", isFirst ? "first" : "", row?.reason && row.reason !== "out_of_range" ? "fault" : ""];
+      const style = [isFirst ? "first" : "", row?.reason && row.reason !== "out_of_range" ? "fault" : ""];
       return element("li", {
         className: style.filter(Boolean).join(" "),
         textContent: isText ? characterOf(byte) : hexOf([byte]),
-        dataset: { from: at, to: at + 1, row: rowAt.get(at) ?? "" },
+        dataset: { from: at, to: at + 1, row: rowAt.get(at) ?? "", kind: row?.kind ?? "" },
         title: row?.path ?? "",
       });
     }));
