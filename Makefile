@@ -6,6 +6,7 @@
 # make fuzz-bytes  fuzz the generated Python and JavaScript: coverage-guided for SECONDS=60 for each device, damaged frames, random bytes
 # make mutants  put slips into the specs of the devices, one at a time, and count which checks, proofs, manuals and vectors notice
 # make fuzz-specs   compare all codecs on random devices for a minute, or SECONDS=600; what they disagree on becomes a case
+# make queries  compare the queries of a telegram with the reference on a million random telegrams
 # make plants  run the examples of docs/plc.md and the blocks for a million random scans each, against simulated devices
 # make plc-sizes  write docs/plc-sizes.md: code and data of the function blocks on a Cortex-M3
 # make capabilities  verify every line of docs/capabilities.md about keys, of which the tests verify a share
@@ -36,7 +37,7 @@ FUZZER := build/fuzz/environment
 INSTALLED_FUZZER := $(FUZZER)/.installed
 NOISE := 2000000
 
-.PHONY: build test test-fast test-night fuzz fuzz-bytes mutants fuzz-specs plants plc-sizes capabilities accept soak soak-device dist sbom bench pins clean
+.PHONY: build test test-fast test-night fuzz fuzz-bytes mutants fuzz-specs queries plants plc-sizes capabilities accept soak soak-device dist sbom bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -92,6 +93,9 @@ sbom: dist
 
 capabilities: $(INSTALLED)
 	FIELDSPEC_CAPABILITIES=all $(BIN)/pytest -n 3 tests/test_capabilities.py
+
+queries: $(INSTALLED)
+	FIELDSPEC_TELEGRAMS=1000000 $(BIN)/pytest -n 2 tests/queries_output/test_queries_of_records.py -k telegrams
 
 plants: $(INSTALLED)
 	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py tests/plc_output/test_device_blocks.py -k whatever_happens

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import random
 
 import pytest
@@ -9,16 +10,21 @@ import pytest
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.names import Name
-from fieldspec.reference import CodecError
+from fieldspec.reference import CodecError, codec
 from fieldspec.reference.records import decoded, encoded
 from layouts import SPECS, TEST_SPECS, layouts
 from queries_output.engines import ENGINES, engine_of
 from queries_output.expected import Columns, is_equal, record_columns
 from random_devices.inputs import record_bytes, record_values
+from random_devices.queries import to_encode
 
 DEVICES = {name: versions[-1] for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()}
-PAYLOADS = 24
+PAYLOADS = 12
 """The random payloads of each record."""
+TELEGRAMS = int(os.environ.get("FIELDSPEC_TELEGRAMS", "200"))
+"""The random telegrams; `make queries` compares a million."""
+AT_ONCE = 20000
+"""The telegrams of one query."""
 
 
 def records(layout: DeviceLayout) -> dict[str, RecordLayout]:
@@ -29,6 +35,20 @@ def records(layout: DeviceLayout) -> dict[str, RecordLayout]:
             if direction == "request" or message.message.is_answered:
                 queries[f"{Name.of(message.name).snake()}_{direction}"] = message.data(direction)
     return queries
+
+
+def payloads_of_examples(layout: DeviceLayout) -> dict[str, list[bytes]]:
+    """The data of the example frames that a codec accepts, by the name of the query."""
+    reference = codec(layout)
+    result: dict[str, list[bytes]] = {}
+    for example in layout.device.examples.values():
+        if example.refused or example.exception_response or not example.message:
+            continue
+        frame = reference.links[example.link].decode(example.frame, example.direction, example.message)
+        assert frame.body is not None
+        data = encoded(frame.body, to_encode(frame.body, frame.values), layout.device)
+        result.setdefault(f"{Name.of(example.message).snake()}_{example.direction}", []).append(data)
+    return result
 
 
 def payloads(layout: DeviceLayout, record: RecordLayout, dice: random.Random, count: int) -> list[bytes]:
@@ -79,5 +99,17 @@ def compare(layout: DeviceLayout, engine: str, name: str, record: RecordLayout, 
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_query_has_the_columns_of_the_reference_and_refuses_what_it_refuses(device: str, engine: str) -> None:
     layout, dice = DEVICES[device], random.Random(device)
+    examples = payloads_of_examples(layout)
     for name, record in records(layout).items():
+        accepted = compare(layout, engine, name, record, examples.get(name, []))
+        assert accepted == len(examples.get(name, []))
         compare(layout, engine, name, record, payloads(layout, record, dice, PAYLOADS))
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_random_telegrams_have_the_columns_of_the_reference(engine: str) -> None:
+    layout, dice = DEVICES["hiwin-e"], random.Random(18)
+    record = layout.messages["telegram_111"].response
+    for start in range(0, TELEGRAMS, AT_ONCE):
+        data = [dice.randbytes(24) for _ in range(min(AT_ONCE, TELEGRAMS - start))]
+        assert compare(layout, engine, "telegram_111_response", record, data) == len(data)
