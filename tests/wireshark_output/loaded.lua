@@ -14,6 +14,9 @@ for _, name in ipairs({
     _G[name] = stub
 end
 
+-- Numbers of 64 bits, of which decimal digits of a checksum are made.
+UInt64 = { new = function(low, high) return string.format("%.0f", high * 4294967296 + low) end }
+
 local file = assert(io.open(arg[1]))
 local text = file:read("*a") .. "\nreturn { frames = frames, numbers = numbers, checksums = checksums, device = device }\n"
 local program = assert(load(text, "=dissector"))()

@@ -17,8 +17,6 @@ DEVICES = {
     for name, versions in layouts(root).items()
     if not refusals(versions)
 }
-LARGEST = 6
-"""The bytes of a number of Lua; wider ones are objects of Wireshark."""
 PROGRAM = Path(__file__).with_name("loaded.lua")
 
 
@@ -29,8 +27,6 @@ def frames(device: str) -> list[tuple[str, str, bytes, bool]]:
         link = DEVICES[device].links[example.link]
         frame, is_binary = example.frame, link.link.encoding == "binary"
         if example.direction != "request" or example.refused or link.request.role("code") is None:
-            continue
-        if any(part.size > LARGEST for part in link.request.parts):
             continue
         rows.append((example.link, "request", frame, True))
         if link.request.checksums and is_binary and not link.link.start:
