@@ -19,6 +19,7 @@ from fieldspec.backends.c.records import declare_record
 from fieldspec.backends.c.registers import declare_parameters, declare_register, declare_signal, declare_table
 from fieldspec.backends.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
 from fieldspec.backends.c.selftest import write_selftest
+from fieldspec.backends.c.subcodes import subcode_of
 from fieldspec.backends.templates import fill
 from fieldspec.backends.usages import VersionUsages
 from fieldspec.layout.device import DeviceLayout
@@ -158,7 +159,8 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
         beside = f"Sent only together with {', '.join(message.supplements)}." if message.supplements else ""
         links = f"On {', '.join(message.links)}." if message.links and len(layout.links) > 1 else ""
         about = " ".join(text for text in (message.title and f"{message.title}.", links, beside) if text)
-        numbers = (("code", message.code), ("number", message.number))
+        subcode = subcode_of(layout, layout_of_message)
+        numbers = (("code", message.code), ("subcode", subcode), ("number", message.number))
         comment_of_message = describe_fact(message, about)
         block: list[Declaration] = [comment_of_message] if comment_of_message.lines else []
         block += [

@@ -46,6 +46,7 @@ RUNTIME = (
     "_record",
     "_refusals",
     "_registers",
+    "_subcodes",
     "_typing",
     "_values",
     "errors",
