@@ -188,7 +188,7 @@ def payload_of(words: _pl.Expr | str) -> _pl.Expr:
 
 IDENTITY = '3d76276a9d24516b'
 
-_ACTUATOR_TYPE = {
+_NAMES_OF_ACTUATOR_TYPE = {
     320: 'fs_2840',
     310: 'fs_2020',
     230: 'sd_4220',
@@ -204,7 +204,7 @@ _ACTUATOR_TYPE = {
     111: 'ss_2005_3n',
     110: 'ss_2010',
 }
-_ALARM_CODE = {
+_NAMES_OF_ALARM_CODE = {
     51: 'unknown_actuator_type',
     50: 'data_error',
     49: 'communication_command_error',
@@ -234,15 +234,15 @@ _ALARM_CODE = {
     2: 'overcurrent',
     1: 'overload',
 }
-_HOMING_DIRECTION = {
+_NAMES_OF_HOMING_DIRECTION = {
     1: 'close',
     0: 'open',
 }
-_HOMING_METHOD = {
+_NAMES_OF_HOMING_METHOD = {
     1: 'stroke_end_and_z_phase',
     0: 'stroke_end',
 }
-_POINT_MODE = {
+_NAMES_OF_POINT_MODE = {
     79: 'constant_speed_grip_open',
     75: 'constant_speed_grip_close_with_zone',
     74: 'constant_speed_grip_open_with_zone',
@@ -265,7 +265,7 @@ def alarm_history_entry(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
         "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length")]),
         "hours": number_0,
         "minutes": number_1,
-        "alarm_code": _names(number_2, _ALARM_CODE),
+        "alarm_code": _names(number_2, _NAMES_OF_ALARM_CODE),
         "alarm_code_raw": number_2,
     }
     return _named(columns)
@@ -300,7 +300,7 @@ def point(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     columns = {
         "refusal": _refusal([((_size(payload) < 16), "incomplete"), ((_size(payload) > 16), "wrong_length"), (~_is_in(number_1, [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")]),
         "number": number_0,
-        "mode": _names(number_1, _POINT_MODE),
+        "mode": _names(number_1, _NAMES_OF_POINT_MODE),
         "mode_raw": number_1,
         "distance_mm": _decimal(number_2, "0.01", "0", 2),
         "distance_raw": number_2,
@@ -352,7 +352,7 @@ def temporary_point(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     columns = {
         "refusal": _refusal([((_size(payload) < 16), "incomplete"), ((_size(payload) > 16), "wrong_length"), ((number_0 != 0), "wrong_const"), (~_is_in(number_1, [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")]),
         "number": number_0,
-        "mode": _names(number_1, _POINT_MODE),
+        "mode": _names(number_1, _NAMES_OF_POINT_MODE),
         "mode_raw": number_1,
         "distance_mm": _decimal(number_2, "0.01", "0", 2),
         "distance_raw": number_2,
@@ -428,7 +428,7 @@ def read_points_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     columns = {
         "refusal": _refusal([((_size(payload) < 16), "incomplete"), ((_size(payload) > 240), "wrong_length"), ((((_size(payload) - 0) % 16) != 0), "wrong_length"), (_each(data, 0, 16, None, ~_is_in(_whole(_pl.element(), 1, 1, "little", False, False), [(65, 65), (67, 67), (71, 75), (79, 79)])).list.any(), "unknown_value")]),
         "points_number": _each(data, 0, 16, None, _whole(_pl.element(), 0, 1, "little", False, False)),
-        "points_mode": _each(data, 0, 16, None, _names(_whole(_pl.element(), 1, 1, "little", False, False), _POINT_MODE)),
+        "points_mode": _each(data, 0, 16, None, _names(_whole(_pl.element(), 1, 1, "little", False, False), _NAMES_OF_POINT_MODE)),
         "points_mode_raw": _each(data, 0, 16, None, _whole(_pl.element(), 1, 1, "little", False, False)),
         "points_distance_mm": _each(data, 0, 16, None, _decimal(_whole(_pl.element(), 2, 4, "little", False, True), "0.01", "0", 2)),
         "points_distance_raw": _each(data, 0, 16, None, _whole(_pl.element(), 2, 4, "little", False, True)),
@@ -613,7 +613,7 @@ def read_alarm_history_response(payload: _pl.Expr | str = "payload") -> list[_pl
         "refusal": _refusal([((_size(payload) > 64), "wrong_length"), ((((_size(payload) - 0) % 4) != 0), "wrong_length")]),
         "entries_hours": _each(data, 0, 4, None, _whole(_pl.element(), 0, 2, "little", False, False)),
         "entries_minutes": _each(data, 0, 4, None, _whole(_pl.element(), 2, 1, "little", False, False)),
-        "entries_alarm_code": _each(data, 0, 4, None, _names(_whole(_pl.element(), 3, 1, "little", False, False), _ALARM_CODE)),
+        "entries_alarm_code": _each(data, 0, 4, None, _names(_whole(_pl.element(), 3, 1, "little", False, False), _NAMES_OF_ALARM_CODE)),
         "entries_alarm_code_raw": _each(data, 0, 4, None, _whole(_pl.element(), 3, 1, "little", False, False)),
     }
     return _named(columns)
@@ -648,7 +648,7 @@ def write_points_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     columns = {
         "refusal": _refusal([((_size(payload) < 16), "incomplete"), ((_size(payload) > 240), "wrong_length"), ((((_size(payload) - 0) % 16) != 0), "wrong_length"), (_each(data, 0, 16, None, ~_is_in(_whole(_pl.element(), 1, 1, "little", False, False), [(65, 65), (67, 67), (71, 75), (79, 79)])).list.any(), "unknown_value")]),
         "points_number": _each(data, 0, 16, None, _whole(_pl.element(), 0, 1, "little", False, False)),
-        "points_mode": _each(data, 0, 16, None, _names(_whole(_pl.element(), 1, 1, "little", False, False), _POINT_MODE)),
+        "points_mode": _each(data, 0, 16, None, _names(_whole(_pl.element(), 1, 1, "little", False, False), _NAMES_OF_POINT_MODE)),
         "points_mode_raw": _each(data, 0, 16, None, _whole(_pl.element(), 1, 1, "little", False, False)),
         "points_distance_mm": _each(data, 0, 16, None, _decimal(_whole(_pl.element(), 2, 4, "little", False, True), "0.01", "0", 2)),
         "points_distance_raw": _each(data, 0, 16, None, _whole(_pl.element(), 2, 4, "little", False, True)),
@@ -810,7 +810,7 @@ def write_temporary_point_request(payload: _pl.Expr | str = "payload") -> list[_
     columns = {
         "refusal": _refusal([((_size(payload) < 16), "incomplete"), ((_size(payload) > 16), "wrong_length"), ((number_0 != 0), "wrong_const"), (~_is_in(number_1, [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")]),
         "point_number": number_0,
-        "point_mode": _names(number_1, _POINT_MODE),
+        "point_mode": _names(number_1, _NAMES_OF_POINT_MODE),
         "point_mode_raw": number_1,
         "point_distance_mm": _decimal(number_2, "0.01", "0", 2),
         "point_distance_raw": number_2,
@@ -963,7 +963,7 @@ def initialize_parameters_request(payload: _pl.Expr | str = "payload") -> list[_
     number_0 = _whole(data, 0, 2, "little", False, False)
     columns = {
         "refusal": _refusal([((_size(payload) < 2), "incomplete"), ((_size(payload) > 2), "wrong_length")]),
-        "actuator_type": _names(number_0, _ACTUATOR_TYPE),
+        "actuator_type": _names(number_0, _NAMES_OF_ACTUATOR_TYPE),
         "actuator_type_raw": number_0,
     }
     return _named(columns)
@@ -2119,7 +2119,7 @@ def read_point_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     columns = {
         "refusal": _refusal([((_size(payload) < 16), "incomplete"), ((_size(payload) > 16), "wrong_length"), (~_is_in(number_1, [(65, 65), (67, 67), (71, 75), (79, 79)]), "unknown_value")]),
         "point_number": number_0,
-        "point_mode": _names(number_1, _POINT_MODE),
+        "point_mode": _names(number_1, _NAMES_OF_POINT_MODE),
         "point_mode_raw": number_1,
         "point_distance_mm": _decimal(number_2, "0.01", "0", 2),
         "point_distance_raw": number_2,
@@ -2272,7 +2272,7 @@ def read_alarm_code_response(payload: _pl.Expr | str = "payload") -> list[_pl.Ex
     number_0 = _whole(data, 0, 1, "little", False, False)
     columns = {
         "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
-        "alarm_code": _names(number_0, _ALARM_CODE),
+        "alarm_code": _names(number_0, _NAMES_OF_ALARM_CODE),
         "alarm_code_raw": number_0,
     }
     return _named(columns)
@@ -2371,7 +2371,7 @@ def parameters(number: _pl.Expr | str = "number", subindex: _pl.Expr | str = "su
     number_12 = _whole(data_12, 0, 2, "little", False, False)
     number_13 = _whole(data_13, 0, 2, "little", False, False)
     columns = {
-        "actuator_type": _names(number_0, _ACTUATOR_TYPE),
+        "actuator_type": _names(number_0, _NAMES_OF_ACTUATOR_TYPE),
         "actuator_type_raw": number_0,
         "positive_soft_limit_mm": _decimal(number_1, "0.1", "0", 1),
         "positive_soft_limit_raw": number_1,
@@ -2379,7 +2379,7 @@ def parameters(number: _pl.Expr | str = "number", subindex: _pl.Expr | str = "su
         "negative_soft_limit_raw": number_2,
         "stroke_mm": _decimal(number_3, "0.1", "0", 1),
         "stroke_raw": number_3,
-        "homing_direction": _names(number_4, _HOMING_DIRECTION),
+        "homing_direction": _names(number_4, _NAMES_OF_HOMING_DIRECTION),
         "homing_direction_raw": number_4,
         "homing_speed": number_5,
         "home_offset_mm": _decimal(number_6, "0.1", "0", 1),
@@ -2392,7 +2392,7 @@ def parameters(number: _pl.Expr | str = "number", subindex: _pl.Expr | str = "su
         "limit_width_mm": _decimal(number_11, "0.01", "0", 2),
         "limit_width_raw": number_11,
         "positioning_complete_pulses": number_12,
-        "homing_method": _names(number_13, _HOMING_METHOD),
+        "homing_method": _names(number_13, _NAMES_OF_HOMING_METHOD),
         "homing_method_raw": number_13,
     }
     return _named(columns)

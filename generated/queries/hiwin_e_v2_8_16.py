@@ -188,7 +188,7 @@ def payload_of(words: _pl.Expr | str) -> _pl.Expr:
 
 IDENTITY = 'ac11a21ebaed8850'
 
-_ALARM_CODE = {
+_NAMES_OF_ALARM_CODE = {
     3833: 'multi_station_alarm',
     4048: 'electronic_cam_alarm',
     3808: 'fixed_stop_alarm',
@@ -250,7 +250,7 @@ _ALARM_CODE = {
     37: 'system_alarm_2',
     36: 'system_alarm_1',
 }
-_INTERNAL_ALARM_CODE = {
+_NAMES_OF_INTERNAL_ALARM_CODE = {
     80: 'multi_station_alarm',
     79: 'electronic_cam_alarm',
     78: 'fixed_stop_alarm',
@@ -312,7 +312,7 @@ _INTERNAL_ALARM_CODE = {
     5: 'system_alarm_2',
     4: 'system_alarm_1',
 }
-_PARAMETER_FORMAT = {
+_NAMES_OF_PARAMETER_FORMAT = {
     68: 'error',
     67: 'double_word',
     66: 'word',
@@ -327,7 +327,7 @@ _PARAMETER_FORMAT = {
     1: 'boolean',
     0: 'reserved',
 }
-_PARAMETER_ERROR_NUMBER = {
+_NAMES_OF_PARAMETER_ERROR_NUMBER = {
     35: 'several_parameters_not_supported',
     34: 'too_many_parameters',
     33: 'service_not_supported',
@@ -351,17 +351,17 @@ _PARAMETER_ERROR_NUMBER = {
     1: 'value_not_changeable',
     0: 'parameter_number_not_allowed',
 }
-_MOTOR_TYPE = {
+_NAMES_OF_MOTOR_TYPE = {
     2: 'rotary_servo',
     1: 'direct_drive',
     0: 'linear',
 }
-_GANTRY_APPLICATION_MODE = {
+_NAMES_OF_GANTRY_APPLICATION_MODE = {
     11: 'calibrate_yaw_axis',
     2: 'stop',
     1: 'start',
 }
-_POSITION_TRIGGER_ARRAY_CONTROL = {
+_NAMES_OF_POSITION_TRIGGER_ARRAY_CONTROL = {
     8192: 'failed',
     4096: 'succeeded',
     128: 'clear_states',
@@ -369,7 +369,7 @@ _POSITION_TRIGGER_ARRAY_CONTROL = {
     8: 'clear_positions',
     1: 'write_position',
 }
-_POSITION_TRIGGER_STATUS = {
+_NAMES_OF_POSITION_TRIGGER_STATUS = {
     99: 'disabled',
     20: 'waiting_for_first_position',
     14: 'array_ascending',
@@ -378,7 +378,7 @@ _POSITION_TRIGGER_STATUS = {
     3: 'equal_distances_descending',
     0: 'inactive',
 }
-_GANTRY_PARAMETER_TYPE = {
+_NAMES_OF_GANTRY_PARAMETER_TYPE = {
     8: 'floating_point_32',
     7: 'unsigned_32',
     6: 'unsigned_16',
@@ -391,13 +391,13 @@ _GANTRY_PARAMETER_TYPE = {
     -2: 'parameter_missing',
     -3: 'subindex_missing',
 }
-_GANTRY_PARAMETER_COMMAND = {
+_NAMES_OF_GANTRY_PARAMETER_COMMAND = {
     3: 'read_continuously',
     2: 'read_once',
     1: 'write',
     0: 'idle',
 }
-_GANTRY_PARAMETER_STATUS = {
+_NAMES_OF_GANTRY_PARAMETER_STATUS = {
     2: 'succeeded',
     1: 'processing',
     0: 'idle',
@@ -408,7 +408,7 @@ _GANTRY_PARAMETER_STATUS = {
     -5: 'command_not_supported',
     -6: 'timeout',
 }
-_ABSOLUTE_ENCODER_INITIALIZATION = {
+_NAMES_OF_ABSOLUTE_ENCODER_INITIALIZATION = {
     32: 'failed',
     16: 'motor_excited',
     4: 'succeeded',
@@ -416,31 +416,31 @@ _ABSOLUTE_ENCODER_INITIALIZATION = {
     1: 'start',
     0: 'idle',
 }
-_DRIVE_RESET = {
+_NAMES_OF_DRIVE_RESET = {
     2: 'reset_gantry',
     1: 'reset',
     0: 'idle',
     -1: 'failed',
 }
-_PARAMETER_SAVE = {
+_NAMES_OF_PARAMETER_SAVE = {
     1: 'save',
     0: 'idle',
 }
-_MASTERSHIP = {
+_NAMES_OF_MASTERSHIP = {
     1: 'host_controller',
     0: 'thunder',
 }
-_OPERATING_MODE = {
+_NAMES_OF_OPERATING_MODE = {
     3: 'speed_without_ramp_generator',
     2: 'position',
     1: 'speed_with_ramp_generator',
 }
-_COAST_STOP_METHOD = {
+_NAMES_OF_COAST_STOP_METHOD = {
     2: 'free_run',
     1: 'dynamic_brake_then_free',
     0: 'dynamic_brake',
 }
-_WARNING_CODE = {
+_NAMES_OF_WARNING_CODE = {
     2544: 'overvoltage',
     2475: 'unsupported_9ab',
     2474: 'unsupported_9aa',
@@ -466,13 +466,13 @@ _WARNING_CODE = {
     2305: 'unsupported_901',
     2304: 'position_deviation_too_large',
 }
-_ENCODER_COMMAND = {
+_NAMES_OF_ENCODER_COMMAND = {
     3: 'cancel',
     2: 'read',
     1: 'activate',
     0: 'none',
 }
-_POSITIONING_PATH = {
+_NAMES_OF_POSITIONING_PATH = {
     3: 'shortest_with_both_bits',
     2: 'negative',
     1: 'positive',
@@ -489,10 +489,10 @@ def parameter_error(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_2 = _whole(data, 2, 2, "big", False, False)
     columns = {
         "refusal": _refusal([((_size(payload) < 4), "incomplete"), ((_size(payload) > 4), "wrong_length"), ((number_0 != 68), "wrong_const"), (~_is_in(number_0, [(1, 8), (65, 68)]), "unknown_value"), ((number_1 != 1), "wrong_const")]),
-        "format": _names(number_0, _PARAMETER_FORMAT),
+        "format": _names(number_0, _NAMES_OF_PARAMETER_FORMAT),
         "format_raw": number_0,
         "value_count": number_1,
-        "error_number": _names(number_2, _PARAMETER_ERROR_NUMBER),
+        "error_number": _names(number_2, _NAMES_OF_PARAMETER_ERROR_NUMBER),
         "error_number_raw": number_2,
     }
     return _named(columns)
@@ -575,7 +575,7 @@ def read_parameter_response(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
     number_2 = _whole(whole, 1, 1, "big", False, False)
     columns = {
         "refusal": _refusal([((_size(payload) < 3), "incomplete"), ((_size(payload) > 1022), "wrong_length"), (~_is_in(number_0, [(1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (7, 7), (8, 8), (65, 65), (66, 66), (67, 67)]), "unknown_value"), ((_is_in(number_0, [(1, 1)]) & (_size(data) < 3)), "incomplete"), ((_is_in(number_0, [(1, 1)]) & (_size(data) > 257)), "wrong_length"), ((_is_in(number_0, [(2, 2)]) & (_size(data) < 3)), "incomplete"), ((_is_in(number_0, [(2, 2)]) & (_size(data) > 257)), "wrong_length"), ((_is_in(number_0, [(3, 3)]) & (_size(data) < 4)), "incomplete"), ((_is_in(number_0, [(3, 3)]) & (_size(data) > 512)), "wrong_length"), ((_is_in(number_0, [(3, 3)]) & (((_size(data) - 2) % 2) != 0)), "wrong_length"), ((_is_in(number_0, [(4, 4)]) & (_size(data) < 6)), "incomplete"), ((_is_in(number_0, [(4, 4)]) & (_size(data) > 1022)), "wrong_length"), ((_is_in(number_0, [(4, 4)]) & (((_size(data) - 2) % 4) != 0)), "wrong_length"), ((_is_in(number_0, [(5, 5), (65, 65)]) & (_size(data) < 3)), "incomplete"), ((_is_in(number_0, [(5, 5), (65, 65)]) & (_size(data) > 257)), "wrong_length"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (_size(data) < 4)), "incomplete"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (_size(data) > 512)), "wrong_length"), ((_is_in(number_0, [(6, 6), (66, 66)]) & (((_size(data) - 2) % 2) != 0)), "wrong_length"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (_size(data) < 6)), "incomplete"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (_size(data) > 1022)), "wrong_length"), ((_is_in(number_0, [(7, 7), (67, 67)]) & (((_size(data) - 2) % 4) != 0)), "wrong_length"), ((_is_in(number_0, [(8, 8)]) & (_size(data) < 6)), "incomplete"), ((_is_in(number_0, [(8, 8)]) & (_size(data) > 1022)), "wrong_length"), ((_is_in(number_0, [(8, 8)]) & (((_size(data) - 2) % 4) != 0)), "wrong_length"), (~_is_in(number_1, [(1, 8), (65, 68)]), "unknown_value"), (_each(shape_1, 2, 1, None, ~_is_in(_whole(_pl.element(), 0, 1, "big", False, False), [(0, 1)])).list.any(), "unknown_value"), ((number_4 != (_size(shape_1) - 2)), "wrong_measure"), ((number_5 != (_size(shape_2) - 2)), "wrong_measure"), ((number_6 != ((_size(shape_3) - 2) // 2)), "wrong_measure"), ((number_7 != ((_size(shape_4) - 2) // 4)), "wrong_measure"), ((number_8 != (_size(shape_5) - 2)), "wrong_measure"), ((number_9 != ((_size(shape_6) - 2) // 2)), "wrong_measure"), ((number_10 != ((_size(shape_7) - 2) // 4)), "wrong_measure"), ((number_11 != ((_size(shape_8) - 2) // 4)), "wrong_measure")]),
-        "format": _names(number_1, _PARAMETER_FORMAT),
+        "format": _names(number_1, _NAMES_OF_PARAMETER_FORMAT),
         "format_raw": number_1,
         "value_count": number_2,
         "values_boolean_value": _each(shape_1, 2, 1, None, _truth(_whole(_pl.element(), 0, 1, "big", False, False))),
@@ -658,7 +658,7 @@ def write_parameter_request(payload: _pl.Expr | str = "payload") -> list[_pl.Exp
         "element_count": number_2,
         "parameter_number": number_3,
         "subindex": number_4,
-        "format": _names(number_5, _PARAMETER_FORMAT),
+        "format": _names(number_5, _NAMES_OF_PARAMETER_FORMAT),
         "format_raw": number_5,
         "value_count": number_6,
         "values_boolean_value": _each(shape_1, 8, 1, None, _truth(_whole(_pl.element(), 0, 1, "big", False, False))),
@@ -757,7 +757,7 @@ def telegram_3_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
         "encoder_1_control_word_function_2": _any_bit(number_3, 0x2),
         "encoder_1_control_word_function_3": _any_bit(number_3, 0x4),
         "encoder_1_control_word_function_4": _any_bit(number_3, 0x8),
-        "encoder_1_control_word_command": _names(_bits(number_3, 4, 3, False), _ENCODER_COMMAND),
+        "encoder_1_control_word_command": _names(_bits(number_3, 4, 3, False), _NAMES_OF_ENCODER_COMMAND),
         "encoder_1_control_word_command_raw": _bits(number_3, 4, 3, False),
         "encoder_1_control_word_no_reference_mark_search": _any_bit(number_3, 0x80),
         "encoder_1_control_word_parking_sensor": _any_bit(number_3, 0x4000),
@@ -876,7 +876,7 @@ def telegram_5_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
         "encoder_1_control_word_function_2": _any_bit(number_3, 0x2),
         "encoder_1_control_word_function_3": _any_bit(number_3, 0x4),
         "encoder_1_control_word_function_4": _any_bit(number_3, 0x8),
-        "encoder_1_control_word_command": _names(_bits(number_3, 4, 3, False), _ENCODER_COMMAND),
+        "encoder_1_control_word_command": _names(_bits(number_3, 4, 3, False), _NAMES_OF_ENCODER_COMMAND),
         "encoder_1_control_word_command_raw": _bits(number_3, 4, 3, False),
         "encoder_1_control_word_no_reference_mark_search": _any_bit(number_3, 0x80),
         "encoder_1_control_word_parking_sensor": _any_bit(number_3, 0x4000),
@@ -1122,7 +1122,7 @@ def telegram_102_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
         "encoder_1_control_word_function_2": _any_bit(number_4, 0x2),
         "encoder_1_control_word_function_3": _any_bit(number_4, 0x4),
         "encoder_1_control_word_function_4": _any_bit(number_4, 0x8),
-        "encoder_1_control_word_command": _names(_bits(number_4, 4, 3, False), _ENCODER_COMMAND),
+        "encoder_1_control_word_command": _names(_bits(number_4, 4, 3, False), _NAMES_OF_ENCODER_COMMAND),
         "encoder_1_control_word_command_raw": _bits(number_4, 4, 3, False),
         "encoder_1_control_word_no_reference_mark_search": _any_bit(number_4, 0x80),
         "encoder_1_control_word_parking_sensor": _any_bit(number_4, 0x4000),
@@ -1257,7 +1257,7 @@ def telegram_105_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
         "encoder_1_control_word_function_2": _any_bit(number_4, 0x2),
         "encoder_1_control_word_function_3": _any_bit(number_4, 0x4),
         "encoder_1_control_word_function_4": _any_bit(number_4, 0x8),
-        "encoder_1_control_word_command": _names(_bits(number_4, 4, 3, False), _ENCODER_COMMAND),
+        "encoder_1_control_word_command": _names(_bits(number_4, 4, 3, False), _NAMES_OF_ENCODER_COMMAND),
         "encoder_1_control_word_command_raw": _bits(number_4, 4, 3, False),
         "encoder_1_control_word_no_reference_mark_search": _any_bit(number_4, 0x80),
         "encoder_1_control_word_parking_sensor": _any_bit(number_4, 0x4000),
@@ -1397,7 +1397,7 @@ def telegram_111_request(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
         "control_word_1_start_homing": _any_bit(number_0, 0x800),
         "positioning_control_word_1": number_1,
         "positioning_control_word_1_absolute": _any_bit(number_1, 0x100),
-        "positioning_control_word_1_path": _names(_bits(number_1, 9, 2, False), _POSITIONING_PATH),
+        "positioning_control_word_1_path": _names(_bits(number_1, 9, 2, False), _NAMES_OF_POSITIONING_PATH),
         "positioning_control_word_1_path_raw": _bits(number_1, 9, 2, False),
         "positioning_control_word_1_continuous": _any_bit(number_1, 0x1000),
         "positioning_control_word_1_mdi_setup": _any_bit(number_1, 0x4000),
@@ -1506,9 +1506,9 @@ def telegram_111_response(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]
         "position_actual_a": number_5,
         "speed_actual_b_percent": _decimal(number_6, "0.0000000931322574615478515625", "0", 28),
         "speed_actual_b_raw": number_6,
-        "fault_code": _names(number_7, _ALARM_CODE),
+        "fault_code": _names(number_7, _NAMES_OF_ALARM_CODE),
         "fault_code_raw": number_7,
-        "warning_code": _names(number_8, _WARNING_CODE),
+        "warning_code": _names(number_8, _NAMES_OF_WARNING_CODE),
         "warning_code_raw": number_8,
     }
     return _named(columns)
@@ -1716,7 +1716,7 @@ def drive_parameters(number: _pl.Expr | str = "number", subindex: _pl.Expr | str
     number_53 = _whole(data_53, 0, 2, "big", False, True)
     number_54 = _whole(data_54, 0, 2, "big", False, True)
     columns = {
-        "motor_type": _names(number_0, _MOTOR_TYPE),
+        "motor_type": _names(number_0, _NAMES_OF_MOTOR_TYPE),
         "motor_type_raw": number_0,
         "inner_encoder_resolution": number_1,
         "digital_outputs": number_2,
@@ -1737,7 +1737,7 @@ def drive_parameters(number: _pl.Expr | str = "number", subindex: _pl.Expr | str
         "software_state_12_yaw_calibrated": _any_bit(number_3, 0x800),
         "software_state_12_yaw_in_position": _any_bit(number_3, 0x1000),
         "software_state_12_yaw_ready": _any_bit(number_3, 0x2000),
-        "gantry_application_mode": _names(number_4, _GANTRY_APPLICATION_MODE),
+        "gantry_application_mode": _names(number_4, _NAMES_OF_GANTRY_APPLICATION_MODE),
         "gantry_application_mode_raw": number_4,
         "yaw_target_position": number_5,
         "yaw_feedback_position": number_6,
@@ -1764,17 +1764,17 @@ def drive_parameters(number: _pl.Expr | str = "number", subindex: _pl.Expr | str
         "position_trigger_error_not_homed": _any_bit(number_20, 0x200),
         "position_trigger_error_wrong_parameter": _any_bit(number_20, 0x400),
         "position_trigger_error_end_position_passed": _any_bit(number_20, 0x800),
-        "position_trigger_status": _names(number_21, _POSITION_TRIGGER_STATUS),
+        "position_trigger_status": _names(number_21, _NAMES_OF_POSITION_TRIGGER_STATUS),
         "position_trigger_status_raw": number_21,
         "expected_position_trigger_count": number_22,
         "position_trigger_count": number_23,
         "remaining_position_trigger_count": number_24,
         "gantry_parameter_index": number_25,
         "gantry_parameter_subindex": number_26,
-        "gantry_parameter_type": _names(number_27, _GANTRY_PARAMETER_TYPE),
+        "gantry_parameter_type": _names(number_27, _NAMES_OF_GANTRY_PARAMETER_TYPE),
         "gantry_parameter_type_raw": number_27,
         "gantry_parameter_command": number_28,
-        "gantry_parameter_status": _names(number_29, _GANTRY_PARAMETER_STATUS),
+        "gantry_parameter_status": _names(number_29, _NAMES_OF_GANTRY_PARAMETER_STATUS),
         "gantry_parameter_status_raw": number_29,
         "gantry_integer_input": number_30,
         "gantry_integer_output": number_31,
@@ -1822,7 +1822,7 @@ def drive_parameters(number: _pl.Expr | str = "number", subindex: _pl.Expr | str
         "general_float_4": number_51,
         "drive_reset": number_52,
         "parameter_save": number_53,
-        "mastership": _names(number_54, _MASTERSHIP),
+        "mastership": _names(number_54, _NAMES_OF_MASTERSHIP),
         "mastership_raw": number_54,
     }
     return _named(columns)
@@ -2002,9 +2002,9 @@ def monitoring_parameters(number: _pl.Expr | str = "number", subindex: _pl.Expr 
         "digital_output_states_output_3": _any_bit(number_0, 0x4),
         "digital_output_states_output_4": _any_bit(number_0, 0x8),
         "digital_output_states_output_5": _any_bit(number_0, 0x10),
-        "alarm": _names(number_1, _ALARM_CODE),
+        "alarm": _names(number_1, _NAMES_OF_ALARM_CODE),
         "alarm_raw": number_1,
-        "warning": _names(number_2, _WARNING_CODE),
+        "warning": _names(number_2, _NAMES_OF_WARNING_CODE),
         "warning_raw": number_2,
     }
     return _named(columns)
@@ -2088,12 +2088,12 @@ def profidrive_parameters(number: _pl.Expr | str = "number", subindex: _pl.Expr 
     columns = {
         "telegram_selection": number_0,
         "sign_of_life_failure_tolerance": number_1,
-        "operating_mode": _names(number_2, _OPERATING_MODE),
+        "operating_mode": _names(number_2, _NAMES_OF_OPERATING_MODE),
         "operating_mode_raw": number_2,
         "alarm_counter": number_3,
-        "alarm_codes": _names(number_4, _ALARM_CODE),
+        "alarm_codes": _names(number_4, _NAMES_OF_ALARM_CODE),
         "alarm_codes_raw": number_4,
-        "internal_alarm_codes": _names(number_5, _INTERNAL_ALARM_CODE),
+        "internal_alarm_codes": _names(number_5, _NAMES_OF_INTERNAL_ALARM_CODE),
         "internal_alarm_codes_raw": number_5,
         "alarm_buffer_capacity": number_6,
         "alarm_buffer_capacity_block_count": number_7,
@@ -2227,7 +2227,7 @@ def servo_parameters(number: _pl.Expr | str = "number", subindex: _pl.Expr | str
     number_18 = _whole(data_18, 0, 2, "big", False, False)
     columns = {
         "basic_function_switch_1": number_0,
-        "basic_function_switch_1_coast_stop_method": _names(_bits(number_0, 0, 4, False), _COAST_STOP_METHOD),
+        "basic_function_switch_1_coast_stop_method": _names(_bits(number_0, 0, 4, False), _NAMES_OF_COAST_STOP_METHOD),
         "basic_function_switch_1_coast_stop_method_raw": _bits(number_0, 0, 4, False),
         "quick_stop_deceleration_time": number_1,
         "maximum_speed_rotary": number_2,

@@ -188,12 +188,12 @@ def payload_of(words: _pl.Expr | str) -> _pl.Expr:
 
 IDENTITY = '6f4511cfdbc65a9f'
 
-_EXCEPTION_CODE = {
+_NAMES_OF_EXCEPTION_CODE = {
     3: 'illegal_data_value',
     2: 'illegal_data_address',
     1: 'illegal_function',
 }
-_ALARM_CODE = {
+_NAMES_OF_ALARM_CODE = {
     17: 'action_timeout',
     15: 'power_cycle_required',
     14: 'current_protection',
@@ -212,7 +212,7 @@ _ALARM_CODE = {
     1: 'loop_error',
     0: 'no_alarm',
 }
-_FAULT_CODE = {
+_NAMES_OF_FAULT_CODE = {
     13: 'brake_released',
     12: 'homing_incomplete',
     11: 'parameter_write_not_permitted',
@@ -228,28 +228,28 @@ _FAULT_CODE = {
     1: 'motion_command_while_moving',
     0: 'no_fault',
 }
-_ROTATION_DIRECTION = {
+_NAMES_OF_ROTATION_DIRECTION = {
     1: 'counterclockwise',
     0: 'clockwise',
 }
-_PULSE_INPUT_FORM = {
+_NAMES_OF_PULSE_INPUT_FORM = {
     2: 'two_phases',
     1: 'pulse_and_direction',
     0: 'clockwise_and_counterclockwise',
 }
-_CONTROL_MODE = {
+_NAMES_OF_CONTROL_MODE = {
     1: 'torque_mode',
     0: 'position_mode',
 }
-_SERVO_COMMAND = {
+_NAMES_OF_SERVO_COMMAND = {
     1: 'servo_off',
     0: 'servo_on',
 }
-_MOVING_STATE_RULE = {
+_NAMES_OF_MOVING_STATE_RULE = {
     1: 'pulses_sent_and_in_position',
     0: 'pulses_sent',
 }
-_HOMING_MODE = {
+_NAMES_OF_HOMING_MODE = {
     7: 'sensor_negative_then_z_phase',
     6: 'sensor_positive_then_z_phase',
     5: 'sensor_negative',
@@ -259,36 +259,36 @@ _HOMING_MODE = {
     1: 'torque_negative',
     0: 'torque_positive',
 }
-_BAUD_RATE = {
+_NAMES_OF_BAUD_RATE = {
     4: 'baud_115200',
     3: 'baud_57600',
     2: 'baud_38400',
     1: 'baud_19200',
     0: 'baud_9600',
 }
-_DATA_BITS = {
+_NAMES_OF_DATA_BITS = {
     1: 'seven_bits',
     0: 'eight_bits',
 }
-_PARITY = {
+_NAMES_OF_PARITY = {
     2: 'odd_parity',
     1: 'even_parity',
     0: 'no_parity',
 }
-_PROTOCOL = {
+_NAMES_OF_PROTOCOL = {
     1: 'modbus_rtu',
     0: 'modbus_ascii',
 }
-_ACTION_STATUS = {
+_NAMES_OF_ACTION_STATUS = {
     2: 'stopped_by_error',
     1: 'moving',
     0: 'stopped',
 }
-_TORQUE_SEARCH_DIRECTION = {
+_NAMES_OF_TORQUE_SEARCH_DIRECTION = {
     1: 'negative',
     0: 'positive',
 }
-_MOTION_COMMAND = {
+_NAMES_OF_MOTION_COMMAND = {
     12: 'jog_negative',
     11: 'jog_positive',
     10: 'unavailable_10',
@@ -303,11 +303,11 @@ _MOTION_COMMAND = {
     1: 'absolute_move',
     0: 'relative_move',
 }
-_PARAMETER_STORAGE = {
+_NAMES_OF_PARAMETER_STORAGE = {
     1: 'default_parameters',
     0: 'present_parameters',
 }
-_POINT_MODE = {
+_NAMES_OF_POINT_MODE = {
     16: 'absolute_move_with_torque',
     15: 'relative_move_with_torque',
     14: 'unavailable_14',
@@ -335,7 +335,7 @@ def exception(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_0 = _whole(data, 0, 1, "big", False, False)
     columns = {
         "refusal": _refusal([((_size(payload) < 1), "incomplete"), ((_size(payload) > 1), "wrong_length")]),
-        "exception_code": _names(number_0, _EXCEPTION_CODE),
+        "exception_code": _names(number_0, _NAMES_OF_EXCEPTION_CODE),
         "exception_code_raw": number_0,
     }
     return _named(columns)
@@ -371,7 +371,7 @@ def point(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
     number_10 = _whole(data, 26, 2, "big", False, True)
     columns = {
         "refusal": _refusal([((_size(payload) < 28), "incomplete"), ((_size(payload) > 28), "wrong_length")]),
-        "mode": _names(number_0, _POINT_MODE),
+        "mode": _names(number_0, _NAMES_OF_POINT_MODE),
         "mode_raw": number_0,
         "position": number_1,
         "speed": _absent(number_2, number_2, [0], False),
@@ -890,10 +890,10 @@ def motion(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "payload")
     columns = {
         "relative_distance": number_0,
         "absolute_position": number_1,
-        "torque_search_direction": _names(number_2, _TORQUE_SEARCH_DIRECTION),
+        "torque_search_direction": _names(number_2, _NAMES_OF_TORQUE_SEARCH_DIRECTION),
         "torque_search_direction_raw": number_2,
         "preset_position": number_3,
-        "servo": _names(number_4, _SERVO_COMMAND),
+        "servo": _names(number_4, _NAMES_OF_SERVO_COMMAND),
         "servo_raw": number_4,
         "motion_speed": _absent(number_5, number_5, [0], False),
         "motion_speed_raw": number_5,
@@ -1080,9 +1080,9 @@ def motor_parameters(start: _pl.Expr | str = "start", payload: _pl.Expr | str = 
         "in_position_zone": number_1,
         "electronic_gear_numerator": number_2,
         "electronic_gear_denominator": number_3,
-        "pulse_rotation_direction": _names(number_4, _ROTATION_DIRECTION),
+        "pulse_rotation_direction": _names(number_4, _NAMES_OF_ROTATION_DIRECTION),
         "pulse_rotation_direction_raw": number_4,
-        "pulse_input_form": _names(number_5, _PULSE_INPUT_FORM),
+        "pulse_input_form": _names(number_5, _NAMES_OF_PULSE_INPUT_FORM),
         "pulse_input_form_raw": number_5,
         "near_zone": number_6,
     }
@@ -1193,9 +1193,9 @@ def common_parameters(start: _pl.Expr | str = "start", payload: _pl.Expr | str =
         "maximum_torque_percent": _decimal(number_0, "0.1", "0", 1),
         "maximum_torque_raw": number_0,
         "full_torque_time": number_1,
-        "control_mode": _names(number_2, _CONTROL_MODE),
+        "control_mode": _names(number_2, _NAMES_OF_CONTROL_MODE),
         "control_mode_raw": number_2,
-        "servo_at_power_on": _names(number_3, _SERVO_COMMAND),
+        "servo_at_power_on": _names(number_3, _NAMES_OF_SERVO_COMMAND),
         "servo_at_power_on_raw": number_3,
         "homing_required": _truth(number_4),
         "total_revolutions_enabled": _truth(number_5),
@@ -1265,7 +1265,7 @@ def speed_parameters(start: _pl.Expr | str = "start", payload: _pl.Expr | str = 
         "acceleration_time": number_2,
         "deceleration_time": number_3,
         "torque_limit_press_distance": number_4,
-        "moving_state_rule": _names(number_5, _MOVING_STATE_RULE),
+        "moving_state_rule": _names(number_5, _NAMES_OF_MOVING_STATE_RULE),
         "moving_state_rule_raw": number_5,
         "jog_speed_percent": _decimal(number_6, "0.1", "0", 1),
         "jog_speed_raw": number_6,
@@ -1344,7 +1344,7 @@ def homing_parameters(start: _pl.Expr | str = "start", payload: _pl.Expr | str =
     number_8 = _whole(data_8, 0, 2, "big", False, False)
     number_9 = _whole(data_9, 0, 2, "big", False, False)
     columns = {
-        "homing_mode": _names(number_0, _HOMING_MODE),
+        "homing_mode": _names(number_0, _NAMES_OF_HOMING_MODE),
         "homing_mode_raw": number_0,
         "homing_speed": _absent(number_1, number_1, [0], False),
         "homing_speed_raw": number_1,
@@ -1417,14 +1417,14 @@ def communication_parameters(start: _pl.Expr | str = "start", payload: _pl.Expr 
     number_3 = _whole(data_3, 0, 2, "big", False, False)
     number_4 = _whole(data_4, 0, 2, "big", False, False)
     columns = {
-        "baud_rate": _names(number_0, _BAUD_RATE),
+        "baud_rate": _names(number_0, _NAMES_OF_BAUD_RATE),
         "baud_rate_raw": number_0,
-        "data_bits": _names(number_1, _DATA_BITS),
+        "data_bits": _names(number_1, _NAMES_OF_DATA_BITS),
         "data_bits_raw": number_1,
-        "parity": _names(number_2, _PARITY),
+        "parity": _names(number_2, _NAMES_OF_PARITY),
         "parity_raw": number_2,
         "broadcast_enabled": _truth(number_3),
-        "protocol": _names(number_4, _PROTOCOL),
+        "protocol": _names(number_4, _NAMES_OF_PROTOCOL),
         "protocol_raw": number_4,
     }
     return _named(columns)
@@ -1540,11 +1540,11 @@ def status(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "payload")
     number_36 = _whole(data_36, 0, 2, "big", False, False)
     number_37 = _whole(data_37, 0, 2, "big", False, False)
     columns = {
-        "action_status": _names(number_0, _ACTION_STATUS),
+        "action_status": _names(number_0, _NAMES_OF_ACTION_STATUS),
         "action_status_raw": number_0,
         "in_position": _truth(number_1),
         "torque_limit_reached": _truth(number_2),
-        "alarm": _names(number_3, _ALARM_CODE),
+        "alarm": _names(number_3, _NAMES_OF_ALARM_CODE),
         "alarm_raw": number_3,
         "motor_speed": number_4,
         "motor_current_percent": _decimal(number_5, "0.1", "0", 1),
@@ -1552,7 +1552,7 @@ def status(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "payload")
         "command_position": number_6,
         "encoder_position": number_7,
         "servo_on": _truth(number_8),
-        "fault": _names(number_9, _FAULT_CODE),
+        "fault": _names(number_9, _NAMES_OF_FAULT_CODE),
         "fault_raw": number_9,
         "executed_point": _absent(number_10, number_10, [-1], False),
         "executed_point_raw": number_10,
@@ -1841,105 +1841,105 @@ def alarm_records(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "pa
     number_48 = _whole(data_48, 0, 2, "big", False, False)
     number_49 = _whole(data_49, 0, 2, "big", False, False)
     columns = {
-        "alarm_history_1": _names(number_0, _ALARM_CODE),
+        "alarm_history_1": _names(number_0, _NAMES_OF_ALARM_CODE),
         "alarm_history_1_raw": number_0,
-        "alarm_history_2": _names(number_1, _ALARM_CODE),
+        "alarm_history_2": _names(number_1, _NAMES_OF_ALARM_CODE),
         "alarm_history_2_raw": number_1,
-        "alarm_history_3": _names(number_2, _ALARM_CODE),
+        "alarm_history_3": _names(number_2, _NAMES_OF_ALARM_CODE),
         "alarm_history_3_raw": number_2,
-        "alarm_history_4": _names(number_3, _ALARM_CODE),
+        "alarm_history_4": _names(number_3, _NAMES_OF_ALARM_CODE),
         "alarm_history_4_raw": number_3,
-        "alarm_history_5": _names(number_4, _ALARM_CODE),
+        "alarm_history_5": _names(number_4, _NAMES_OF_ALARM_CODE),
         "alarm_history_5_raw": number_4,
-        "alarm_history_6": _names(number_5, _ALARM_CODE),
+        "alarm_history_6": _names(number_5, _NAMES_OF_ALARM_CODE),
         "alarm_history_6_raw": number_5,
-        "alarm_history_7": _names(number_6, _ALARM_CODE),
+        "alarm_history_7": _names(number_6, _NAMES_OF_ALARM_CODE),
         "alarm_history_7_raw": number_6,
-        "alarm_history_8": _names(number_7, _ALARM_CODE),
+        "alarm_history_8": _names(number_7, _NAMES_OF_ALARM_CODE),
         "alarm_history_8_raw": number_7,
-        "alarm_history_9": _names(number_8, _ALARM_CODE),
+        "alarm_history_9": _names(number_8, _NAMES_OF_ALARM_CODE),
         "alarm_history_9_raw": number_8,
-        "alarm_history_10": _names(number_9, _ALARM_CODE),
+        "alarm_history_10": _names(number_9, _NAMES_OF_ALARM_CODE),
         "alarm_history_10_raw": number_9,
-        "alarm_history_11": _names(number_10, _ALARM_CODE),
+        "alarm_history_11": _names(number_10, _NAMES_OF_ALARM_CODE),
         "alarm_history_11_raw": number_10,
-        "alarm_history_12": _names(number_11, _ALARM_CODE),
+        "alarm_history_12": _names(number_11, _NAMES_OF_ALARM_CODE),
         "alarm_history_12_raw": number_11,
-        "alarm_history_13": _names(number_12, _ALARM_CODE),
+        "alarm_history_13": _names(number_12, _NAMES_OF_ALARM_CODE),
         "alarm_history_13_raw": number_12,
-        "alarm_history_14": _names(number_13, _ALARM_CODE),
+        "alarm_history_14": _names(number_13, _NAMES_OF_ALARM_CODE),
         "alarm_history_14_raw": number_13,
-        "alarm_history_15": _names(number_14, _ALARM_CODE),
+        "alarm_history_15": _names(number_14, _NAMES_OF_ALARM_CODE),
         "alarm_history_15_raw": number_14,
-        "alarm_history_16": _names(number_15, _ALARM_CODE),
+        "alarm_history_16": _names(number_15, _NAMES_OF_ALARM_CODE),
         "alarm_history_16_raw": number_15,
-        "alarm_history_17": _names(number_16, _ALARM_CODE),
+        "alarm_history_17": _names(number_16, _NAMES_OF_ALARM_CODE),
         "alarm_history_17_raw": number_16,
-        "alarm_history_18": _names(number_17, _ALARM_CODE),
+        "alarm_history_18": _names(number_17, _NAMES_OF_ALARM_CODE),
         "alarm_history_18_raw": number_17,
-        "alarm_history_19": _names(number_18, _ALARM_CODE),
+        "alarm_history_19": _names(number_18, _NAMES_OF_ALARM_CODE),
         "alarm_history_19_raw": number_18,
-        "alarm_history_20": _names(number_19, _ALARM_CODE),
+        "alarm_history_20": _names(number_19, _NAMES_OF_ALARM_CODE),
         "alarm_history_20_raw": number_19,
-        "alarm_history_21": _names(number_20, _ALARM_CODE),
+        "alarm_history_21": _names(number_20, _NAMES_OF_ALARM_CODE),
         "alarm_history_21_raw": number_20,
-        "alarm_history_22": _names(number_21, _ALARM_CODE),
+        "alarm_history_22": _names(number_21, _NAMES_OF_ALARM_CODE),
         "alarm_history_22_raw": number_21,
-        "alarm_history_23": _names(number_22, _ALARM_CODE),
+        "alarm_history_23": _names(number_22, _NAMES_OF_ALARM_CODE),
         "alarm_history_23_raw": number_22,
-        "alarm_history_24": _names(number_23, _ALARM_CODE),
+        "alarm_history_24": _names(number_23, _NAMES_OF_ALARM_CODE),
         "alarm_history_24_raw": number_23,
-        "alarm_history_25": _names(number_24, _ALARM_CODE),
+        "alarm_history_25": _names(number_24, _NAMES_OF_ALARM_CODE),
         "alarm_history_25_raw": number_24,
-        "alarm_history_26": _names(number_25, _ALARM_CODE),
+        "alarm_history_26": _names(number_25, _NAMES_OF_ALARM_CODE),
         "alarm_history_26_raw": number_25,
-        "alarm_history_27": _names(number_26, _ALARM_CODE),
+        "alarm_history_27": _names(number_26, _NAMES_OF_ALARM_CODE),
         "alarm_history_27_raw": number_26,
-        "alarm_history_28": _names(number_27, _ALARM_CODE),
+        "alarm_history_28": _names(number_27, _NAMES_OF_ALARM_CODE),
         "alarm_history_28_raw": number_27,
-        "alarm_history_29": _names(number_28, _ALARM_CODE),
+        "alarm_history_29": _names(number_28, _NAMES_OF_ALARM_CODE),
         "alarm_history_29_raw": number_28,
-        "alarm_history_30": _names(number_29, _ALARM_CODE),
+        "alarm_history_30": _names(number_29, _NAMES_OF_ALARM_CODE),
         "alarm_history_30_raw": number_29,
-        "alarm_history_31": _names(number_30, _ALARM_CODE),
+        "alarm_history_31": _names(number_30, _NAMES_OF_ALARM_CODE),
         "alarm_history_31_raw": number_30,
-        "alarm_history_32": _names(number_31, _ALARM_CODE),
+        "alarm_history_32": _names(number_31, _NAMES_OF_ALARM_CODE),
         "alarm_history_32_raw": number_31,
-        "alarm_history_33": _names(number_32, _ALARM_CODE),
+        "alarm_history_33": _names(number_32, _NAMES_OF_ALARM_CODE),
         "alarm_history_33_raw": number_32,
-        "alarm_history_34": _names(number_33, _ALARM_CODE),
+        "alarm_history_34": _names(number_33, _NAMES_OF_ALARM_CODE),
         "alarm_history_34_raw": number_33,
-        "alarm_history_35": _names(number_34, _ALARM_CODE),
+        "alarm_history_35": _names(number_34, _NAMES_OF_ALARM_CODE),
         "alarm_history_35_raw": number_34,
-        "alarm_history_36": _names(number_35, _ALARM_CODE),
+        "alarm_history_36": _names(number_35, _NAMES_OF_ALARM_CODE),
         "alarm_history_36_raw": number_35,
-        "alarm_history_37": _names(number_36, _ALARM_CODE),
+        "alarm_history_37": _names(number_36, _NAMES_OF_ALARM_CODE),
         "alarm_history_37_raw": number_36,
-        "alarm_history_38": _names(number_37, _ALARM_CODE),
+        "alarm_history_38": _names(number_37, _NAMES_OF_ALARM_CODE),
         "alarm_history_38_raw": number_37,
-        "alarm_history_39": _names(number_38, _ALARM_CODE),
+        "alarm_history_39": _names(number_38, _NAMES_OF_ALARM_CODE),
         "alarm_history_39_raw": number_38,
-        "alarm_history_40": _names(number_39, _ALARM_CODE),
+        "alarm_history_40": _names(number_39, _NAMES_OF_ALARM_CODE),
         "alarm_history_40_raw": number_39,
-        "alarm_history_41": _names(number_40, _ALARM_CODE),
+        "alarm_history_41": _names(number_40, _NAMES_OF_ALARM_CODE),
         "alarm_history_41_raw": number_40,
-        "alarm_history_42": _names(number_41, _ALARM_CODE),
+        "alarm_history_42": _names(number_41, _NAMES_OF_ALARM_CODE),
         "alarm_history_42_raw": number_41,
-        "alarm_history_43": _names(number_42, _ALARM_CODE),
+        "alarm_history_43": _names(number_42, _NAMES_OF_ALARM_CODE),
         "alarm_history_43_raw": number_42,
-        "alarm_history_44": _names(number_43, _ALARM_CODE),
+        "alarm_history_44": _names(number_43, _NAMES_OF_ALARM_CODE),
         "alarm_history_44_raw": number_43,
-        "alarm_history_45": _names(number_44, _ALARM_CODE),
+        "alarm_history_45": _names(number_44, _NAMES_OF_ALARM_CODE),
         "alarm_history_45_raw": number_44,
-        "alarm_history_46": _names(number_45, _ALARM_CODE),
+        "alarm_history_46": _names(number_45, _NAMES_OF_ALARM_CODE),
         "alarm_history_46_raw": number_45,
-        "alarm_history_47": _names(number_46, _ALARM_CODE),
+        "alarm_history_47": _names(number_46, _NAMES_OF_ALARM_CODE),
         "alarm_history_47_raw": number_46,
-        "alarm_history_48": _names(number_47, _ALARM_CODE),
+        "alarm_history_48": _names(number_47, _NAMES_OF_ALARM_CODE),
         "alarm_history_48_raw": number_47,
-        "alarm_history_49": _names(number_48, _ALARM_CODE),
+        "alarm_history_49": _names(number_48, _NAMES_OF_ALARM_CODE),
         "alarm_history_49_raw": number_48,
-        "alarm_history_50": _names(number_49, _ALARM_CODE),
+        "alarm_history_50": _names(number_49, _NAMES_OF_ALARM_CODE),
         "alarm_history_50_raw": number_49,
     }
     return _named(columns)
@@ -2156,7 +2156,7 @@ def points(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "payload",
     number_10 = _whole(data, 26, 2, "big", False, True)
     columns = {
         "refusal": _refusal([]),
-        "mode": _names(number_0, _POINT_MODE),
+        "mode": _names(number_0, _NAMES_OF_POINT_MODE),
         "mode_raw": number_0,
         "position": number_1,
         "speed": _absent(number_2, number_2, [0], False),
