@@ -106,7 +106,7 @@ queries: $(INSTALLED)
 	FIELDSPEC_TELEGRAMS=1000000 $(BIN)/pytest -n 2 tests/queries_output/test_queries_of_records.py -k telegrams
 
 plants: $(INSTALLED)
-	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py tests/plc_output/test_device_blocks.py -k whatever_happens
+	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py tests/plc_output/test_device_blocks.py tests/plc_output/test_simulated_blocks.py -k whatever_happens
 
 # Needs matiec, gcc-arm-none-eabi and libnewlib-arm-none-eabi.
 plc-sizes: $(INSTALLED)
