@@ -8,6 +8,7 @@
 # make fuzz-specs   compare all codecs on random devices for a minute, or SECONDS=600; what they disagree on becomes a case
 # make fuzz-texts  put hostile texts into every text of devices for a minute, or SECONDS=600, and parse all outputs
 # make mutants-compiler  change single places of the compiler, and count which mutants recorded outputs and tests notice
+# make queries  compare the queries of a telegram with the reference on a million random telegrams
 # make plants  run the examples of docs/plc.md and the blocks for a million random scans each, against simulated devices
 # make plc-sizes  write docs/plc-sizes.md: code and data of the function blocks on a Cortex-M3
 # make capabilities  verify every line of docs/capabilities.md about keys, of which the tests verify a share
@@ -41,7 +42,7 @@ NOISE := 2000000
 WRITER := build/docs/environment
 INSTALLED_WRITER := $(WRITER)/.installed
 
-.PHONY: build test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-texts plants plc-sizes capabilities accept soak soak-device dist sbom docs-site bench pins clean
+.PHONY: build test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-texts queries plants plc-sizes capabilities accept soak soak-device dist sbom docs-site bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -103,6 +104,9 @@ sbom: dist
 
 capabilities: $(INSTALLED)
 	FIELDSPEC_CAPABILITIES=all $(BIN)/pytest -n 3 tests/test_capabilities.py
+
+queries: $(INSTALLED)
+	FIELDSPEC_TELEGRAMS=1000000 $(BIN)/pytest -n 2 tests/queries_output/test_queries_of_records.py -k telegrams
 
 plants: $(INSTALLED)
 	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py tests/plc_output/test_device_blocks.py tests/plc_output/test_simulated_blocks.py -k whatever_happens
