@@ -308,6 +308,9 @@ def _parser() -> argparse.ArgumentParser:
     live = verb("live", "read, write, watch, scan, back up or restore a device")
     live.late_arguments = ("fieldspec.commands.device_options", "add_live")
 
+    mcp = verb("mcp", "serve decode, show, audit and reads to programs by the Model Context Protocol")
+    mcp.late_arguments = ("fieldspec.commands.device_options", "add_mcp")
+
     versions = verb("versions", "list the versions of a device and what depends on them")
     versions.add_argument("device", metavar="DEVICE[@VERSION]")
 

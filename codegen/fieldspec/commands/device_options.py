@@ -72,3 +72,10 @@ def add_live(live: argparse.ArgumentParser) -> None:
     )
     live.add_argument("--trace", action="store_true", help="print all frames to standard error")
     live.add_argument("--format", choices=("text", "json"), default="text")
+
+
+def add_mcp(mcp: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `mcp`."""
+    where = "a device that may be read, and where it is, as for `live --port`; may be repeated"
+    mcp.add_argument("--port", metavar="DEVICE=WHERE", action="append", help=where)
+    mcp.add_argument("--allow-writes", action="store_true", help="also offer to write to these devices")
