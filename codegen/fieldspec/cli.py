@@ -304,10 +304,8 @@ def _parser() -> argparse.ArgumentParser:
 
     simulate = verb("simulate", "serve a device that is simulated from its spec")
     simulate.late_arguments = ("fieldspec.commands.device_options", "add_simulate")
-
     live = verb("live", "read, write, watch, scan, back up or restore a device")
     live.late_arguments = ("fieldspec.commands.device_options", "add_live")
-
     mcp = verb("mcp", "serve decode, show, audit and reads to programs by the Model Context Protocol")
     mcp.late_arguments = ("fieldspec.commands.device_options", "add_mcp")
 
