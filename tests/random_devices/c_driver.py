@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from fieldspec.backends.c.backend import header
+from fieldspec.backends.c.delimiters import is_wrapped
 from fieldspec.backends.c.fields import case_member, count_member, members
 from fieldspec.backends.c.frames import header_parts
 from fieldspec.backends.c.naming import Naming, frame_member, member
 from fieldspec.backends.c.runtime_files import status_names
+from fieldspec.backends.c.subcodes import shared_codes
+from fieldspec.backends.c.values import accessed_type
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
@@ -198,17 +201,26 @@ class Driver:
                 f"if (content != {_literal(value)}) {{ second = {REASONS.index('wrong_const')}; }} else ",
             )
         return (
-            f'if (strcmp(name, "{".".join((kind, *path))}") == 0) {{ {_declared(value)}'
+            f'if (strcmp(name, "{".".join((kind, *path))}") == 0) {{ {self._declared(value)}'
             f" if (size != {size}) {{ status = size < {size} ? 1 : 2; }} else {{"
             f" status = (int){decode}(data, {call}); if (status == 0) {{ {_show_value(value, 'content')}"
             f" length = {size}; {other}second = (int){encode}({argument}again); }} }} }}"
         )
 
+    def _declared(self, value: Value) -> str:
+        """The variable that functions of a value take: one of a closed enum has the type of the enum."""
+        if value.type.kind is Kind.TEXT:
+            return f"char content[{value.size + 1}];"
+        if value.type.kind is Kind.BYTES:
+            return f"uint8_t content[{value.size}];"
+        kind = accessed_type(self.naming, self.layout.device, value)
+        return f"{kind} content = ({kind})0;"
+
     def _frame_case(self, link: LinkLayout, direction: str, message: str) -> str:
         frame = link.frame(direction)
         kind = self.naming.type("link", link.name, direction, "frame")
         call = self.naming.function("link", link.name, direction, "open")
-        wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
+        wrapped = is_wrapped(link)
         parts = header_parts(frame)
         printing = " ".join(f'printf("%lld;", (long long)opened.{frame_member(part.name)});' for part in parts)
         heads = "".join(f"opened.{frame_member(part.name)}, " for part in parts)
@@ -223,6 +235,9 @@ class Driver:
                 record = layout_message.data(direction)
                 encode = self.naming.function("link", link.name, "encode", name, direction)
                 test = f"opened.code == {layout_message.message.code}u" if coded else "1"
+                subcode = shared_codes(link, direction).get(layout_message.message.code or 0)
+                if subcode is not None and layout_message in subcode.messages.values():
+                    test += f" && opened.subcode == {subcode.number_of(layout_message)}u"
                 if error is not None:
                     test += " && !opened.error"
                 bodies.append(f"if ({test}) {{ {self._body(record, encode, heads)} }}")
@@ -252,19 +267,6 @@ def _unset(field: FieldLayout) -> str:
 
 def _unset_record(record: RecordLayout) -> str:
     return "".join(_unset(field) for field in record.fields if field.record is not None)
-
-
-def _declared(value: Value) -> str:
-    if value.type.kind is Kind.TEXT:
-        return f"char content[{value.size + 1}];"
-    if value.type.kind is Kind.BYTES:
-        return f"uint8_t content[{value.size}];"
-    if value.type.kind is Kind.FLOAT:
-        return f"{'float' if value.size == 4 else 'double'} content = 0;"
-    if value.type.kind is Kind.BOOLEAN:
-        return "bool content = 0;"
-    bits = next(bits for bits in (8, 16, 32, 64) if bits >= 8 * value.size)
-    return f"{'' if value.type.signed else 'u'}int{bits}_t content = 0;"
 
 
 def _literal(value: Value) -> str:
