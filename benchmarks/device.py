@@ -62,8 +62,8 @@ def compared(ours: Callable[[], object], peer: Callable[[], object]) -> tuple[li
     """The seconds of each request of ours and of the peer, in turns."""
     took: tuple[list[float], list[float]] = ([], [])
     for turn in range(ROUNDS):
-        sides = [(ours, took[0]), (peer, took[1])]
-        for call, times in sides if turn % 2 else sides[::-1]:
+        pairs = [(ours, took[0]), (peer, took[1])]
+        for call, times in pairs if turn % 2 else pairs[::-1]:
             for _ in range(BATCH):
                 begin = perf_counter()
                 call()
