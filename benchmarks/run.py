@@ -34,6 +34,7 @@ FILES = (
     "python_import",
     "python_many",
     "queries",
+    "device",
     "javascript",
     "c_instructions",
     "c_cortex",

@@ -60,6 +60,7 @@ HOMES = {
     "socket": ("carriers/",),
     "serial": ("carriers/",),
     "textual": ("commands/",),
+    "mcp": ("commands/",),
     "platform": (),
     "getpass": (),
     "datetime": ("lists/packing.py",),  # workbooks have one that is the same in all of them

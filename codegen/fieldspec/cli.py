@@ -302,17 +302,17 @@ def _parser() -> argparse.ArgumentParser:
     audit.add_argument("--on", metavar="DATE", help="with --sign: when (default: today)")
     audit.add_argument("--how", metavar="TEXT", help="with --sign: how")
 
-    simulate = verb("simulate", "serve a device that is simulated from its spec")
-    simulate.late_arguments = ("fieldspec.commands.device_options", "add_simulate")
-
-    live = verb("live", "read, write, watch, scan, back up or restore a device")
-    live.late_arguments = ("fieldspec.commands.device_options", "add_live")
-
-    versions = verb("versions", "list the versions of a device and what depends on them")
-    versions.add_argument("device", metavar="DEVICE[@VERSION]")
-
-    resolve = verb("resolve", "print the complete spec of a version, with the place of each value")
-    resolve.add_argument("device", metavar="DEVICE[@VERSION]")
+    for name, help in (
+        ("simulate", "serve a device that is simulated from its spec"),
+        ("live", "read, write, watch, scan, back up or restore a device"),
+        ("mcp", "serve decode, show, audit and reads to programs by the Model Context Protocol"),
+    ):
+        verb(name, help).late_arguments = ("fieldspec.commands.device_options", f"add_{name}")
+    for name, help in (
+        ("versions", "list the versions of a device and what depends on them"),
+        ("resolve", "print the complete spec of a version, with the place of each value"),
+    ):
+        verb(name, help).add_argument("device", metavar="DEVICE[@VERSION]")
 
     blame = verb("blame", "show which file and line set each attribute of a fact")
     blame.add_argument("device", metavar="DEVICE[@VERSION]")

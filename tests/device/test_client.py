@@ -36,7 +36,7 @@ def device() -> Iterator[SimulatedDevice]:
 @pytest.fixture
 def client(device: SimulatedDevice) -> Iterator[tc100_client.Client]:
     with serial.Serial(device.places["rtu"], 19200, timeout=0.02) as port:
-        client = tc100_client.Client(port, timeout=0.2, settle=0.02)
+        client = tc100_client.Client(port, timeout=0.6, settle=0.02)
         client.home()
         yield client
 
@@ -168,23 +168,22 @@ FAULTS = ("no_answer", "wrong_checksum", "truncated", "garbage", "wrong_unit", "
 
 @pytest.mark.parametrize("kind", FAULTS)
 def test_a_fault_never_gives_a_wrong_value(client: tc100_client.Client, device: SimulatedDevice, kind: str) -> None:
-    details = {"seconds": 3.0} if kind == "late_answer" else {}
+    details = {"seconds": 8.0} if kind == "late_answer" else {}
     torque = client.read(tc100.HOMING_TORQUE_LIMIT)
-    for _ in range(2):
-        device.fault(kind, **details)
-        try:
-            assert client.read(tc100.HOMING_TORQUE_LIMIT) == torque
-        except errors.RefusedError:
-            assert kind == "busy"
-        assert client.read(tc100.MOTION_SPEED) == 100
-        assert client.read(tc100.ALARM) == 0
+    device.fault(kind, **details)
+    try:
+        assert client.read(tc100.HOMING_TORQUE_LIMIT) == torque
+    except errors.RefusedError:
+        assert kind == "busy"
+    assert client.read(tc100.MOTION_SPEED) == 100
+    assert client.read(tc100.ALARM) == 0
 
 
 def test_an_answer_that_comes_too_late_is_not_taken_for_that_to_another_request(
     client: tc100_client.Client, device: SimulatedDevice
 ) -> None:
     client.session.retries = 0
-    device.fault("late_answer", seconds=2.3)
+    device.fault("late_answer", seconds=8.0)
     with pytest.raises(errors.NoAnswerError):
         client.read(tc100.MOTION_SPEED)
     assert client.read(tc100.ALARM) == tc100.AlarmCode.NO_ALARM
@@ -200,7 +199,7 @@ def test_a_write_is_sent_once(client: tc100_client.Client, device: SimulatedDevi
 
 def test_a_lost_connection_is_a_transport_error(device: SimulatedDevice) -> None:
     with transports.tcp(*address(device.places["ascii"])) as transport:
-        client = tc100_client.Client(transport, link="ascii", timeout=0.2)
+        client = tc100_client.Client(transport, link="ascii", timeout=0.6)
         assert client.read(tc100.MOTION_SPEED) == 100
         device.fault("connection_lost")
         with pytest.raises(errors.TransportError, match="closed"):
@@ -215,7 +214,7 @@ def test_a_transport_that_waits_for_ever_is_refused(device: SimulatedDevice) -> 
 def test_the_same_work_is_awaited(device: SimulatedDevice) -> None:
     async def work() -> list[Any]:
         async with await transports.async_tcp(*address(device.places["ascii"])) as transport:
-            client = tc100_client.AsyncClient(transport, link="ascii", timeout=0.3, settle=0.02)
+            client = tc100_client.AsyncClient(transport, link="ascii", timeout=0.6, settle=0.02)
             await client.home()
             await client.move_absolute(position=300, speed=50)
             values = await client.read_group(tc100_client.STATUS)
@@ -231,10 +230,10 @@ def test_the_same_work_is_awaited(device: SimulatedDevice) -> None:
 def test_a_cancelled_point_takes_its_start_back(device: SimulatedDevice) -> None:
     async def work() -> bool:
         async with await transports.async_tcp(*address(device.places["ascii"])) as transport:
-            client = tc100_client.AsyncClient(transport, link="ascii", timeout=0.3, settle=0.02)
+            client = tc100_client.AsyncClient(transport, link="ascii", timeout=0.6, settle=0.02)
             await client.home()
             with pytest.raises(asyncio.TimeoutError):
-                await asyncio.wait_for(client.run_point(**POINT_1), 0.3)
+                await asyncio.wait_for(client.run_point(**POINT_1), 0.5)
             return (await client.read(tc100.SIMULATED_INPUTS)).simulated_input_4
 
     assert asyncio.run(work()) is False
@@ -261,13 +260,13 @@ def test_telegrams_have_tasks_and_parameters_their_channel() -> None:
     ports = {"cyclic": "udp://127.0.0.1:0", "parameter_channel": "udp://127.0.0.1:0"}
     with simulation("hiwin-e", ports=ports, message="telegram_111", rate=20, folder=SPECS) as device:
         with transports.udp(*address(device.places["parameter_channel"])) as transport:
-            client = hiwin_client.Client(transport, timeout=0.3)
+            client = hiwin_client.Client(transport)
             assert client.read_firmware_version() == 200
             assert len(client.read_alarm()) == 64
             with pytest.raises(errors.RefusedError):
                 client.read_elements(hiwin_e.profidrive_parameters.ALARM_CODES, 0, 65)
         with transports.udp(*address(device.places["cyclic"])) as transport:
-            axis = hiwin_client.Telegram111(transport, timeout=0.3, settle=0.02, cycle=0.002)
+            axis = hiwin_client.Telegram111(transport, settle=0.02, cycle=0.002)
             with pytest.raises(errors.ServoOffError):
                 axis.home()
             axis.servo_on()

@@ -65,6 +65,17 @@ def add_live(live: argparse.ArgumentParser) -> None:
     live.add_argument("--dry-run", action="store_true", help="show what would be written, and write nothing")
     live.add_argument("--yes", action="store_true", help="write without a question")
     live.add_argument("--table", metavar="NAME", help="points: the table (default: the only one, or as the file says)")
-    live.add_argument("--any-version", action="store_true", help="take a file that is for another version")
+    live.add_argument(
+        "--any-version",
+        action="store_true",
+        help="take a file that is for another version, and write to another firmware",
+    )
     live.add_argument("--trace", action="store_true", help="print all frames to standard error")
     live.add_argument("--format", choices=("text", "json"), default="text")
+
+
+def add_mcp(mcp: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `mcp`."""
+    where = "a device that may be read, and where it is, as for `live --port`; may be repeated"
+    mcp.add_argument("--port", metavar="DEVICE=WHERE", action="append", help=where)
+    mcp.add_argument("--allow-writes", action="store_true", help="also offer to write to these devices")

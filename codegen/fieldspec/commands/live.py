@@ -13,16 +13,19 @@ from fieldspec.carriers.carrier import Carrier, CarrierError
 from fieldspec.carriers.sockets import Connection, Datagrams
 from fieldspec.carriers.terminals import SerialPort
 from fieldspec.classes import TYPE_CHECKING
-from fieldspec.commands import specs
-from fieldspec.commands.live_output import confirmed, meaning, number, print_values, progress
+from fieldspec.commands import live_messages, specs
+from fieldspec.commands.live_output import can_ask, confirmed, meaning, number, print_values, progress
 from fieldspec.commands.live_transfer import TRANSFERS, transfer_values
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.registers import Occupant
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.live.client import Client, NoAnswerError, RefusedError, Timing
+from fieldspec.live.firmware import firmware_of
+from fieldspec.live.messages import link_of, signals
 from fieldspec.live.reading import all_occupants, blocks, read
 from fieldspec.live.scanning import compared, scan, usual_ranges
+from fieldspec.live.states import active_states
 from fieldspec.live.writing import (
     Assignment,
     WriteError,
@@ -47,16 +50,20 @@ def run(arguments: argparse.Namespace) -> int:
     """Carries out one verb. Exit code 1 where the device refuses something or does not answer. Raises UsageError."""
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
-    accesses = [
-        layout.device.register_access(m) or layout.device.bit_access(m) for m in layout.device.messages.values()
-    ]
-    if not any(accesses):
-        raise UsageError(f"live reads and writes registers, and {layout.device.id} has none")
+    verbs = VERBS if has_registers(layout) else live_messages.VERBS
+    if arguments.verb_of_device not in verbs:
+        known = ", ".join(verbs)
+        raise UsageError(
+            f"`{arguments.verb_of_device}` needs registers, and {layout.device.id} has none; it has {known}"
+        )
     dry = arguments.dry_run and arguments.verb_of_device == "write"
     try:
         carrier: Carrier = _Nothing() if dry else _opened(layout, arguments)
         try:
-            return VERBS[arguments.verb_of_device](_client(layout, arguments, carrier), spec, arguments)
+            client = _client(layout, arguments, carrier)
+            if not dry and _writes(arguments) and not _fits(client, spec, arguments.any_version):
+                return 1
+            return verbs[arguments.verb_of_device](client, spec, arguments)
         finally:
             carrier.close()
     except CarrierError as error:
@@ -64,6 +71,39 @@ def run(arguments: argparse.Namespace) -> int:
     except (NoAnswerError, RefusedError) as error:
         print(f"fieldspec: {layout.device.id}: {error}", file=sys.stderr)
         return 1
+
+
+def _writes(arguments: argparse.Namespace) -> bool:
+    """Whether a verb changes something in the device."""
+    verb = arguments.verb_of_device
+    return verb in ("write", "restore") or (verb == "points" and arguments.arguments[:1] == ["upload"])
+
+
+def _fits(client: Client, spec: DeviceSpec, any_version: bool) -> bool:
+    """Whether the device has the firmware that the spec is for, as far as the device tells it. Says why not."""
+    layout = client.layout
+    firmware = firmware_of(client, spec.versions())
+    if not firmware.text:
+        if firmware.doubt:
+            print(f"{layout.device.id}: {firmware.doubt}", file=sys.stderr)
+        return True
+    own = layout.device.version
+    if firmware.version and specs.layout_of(spec, firmware.version).identity == layout.identity:
+        return True
+    known = f"is {firmware.version}" if firmware.version else f"is none of the spec: {firmware.doubt}"
+    text = f"the firmware {firmware.text} of the device {known}, and the verb is for {own}"
+    if any_version:
+        print(f"{layout.device.id}: {text}", file=sys.stderr)
+        return True
+    advice = f"say {layout.device.id}@{firmware.version}" if firmware.version else "see what the manual says of it"
+    print(f"fieldspec: {text}; nothing is written: {advice}, or --any-version", file=sys.stderr)
+    return False
+
+
+def has_registers(layout: DeviceLayout) -> bool:
+    """Whether messages read or write registers."""
+    device = layout.device
+    return any(device.register_access(message) or device.bit_access(message) for message in device.messages.values())
 
 
 class _Nothing:
@@ -83,10 +123,17 @@ class _Nothing:
 
 
 def _link(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
-    name = arguments.link or next(iter(layout.links))
-    if name not in layout.links:
-        raise unknown("link", name, layout.links)
-    return str(name)
+    if arguments.link and arguments.link not in layout.links:
+        raise unknown("link", arguments.link, layout.links)
+    if has_registers(layout):
+        return str(arguments.link or next(iter(layout.links)))
+    chosen = layout.links[arguments.link] if arguments.link else link_of(layout)
+    if chosen is None or not any(True for _ in signals(layout, chosen)):
+        name = chosen.name if chosen is not None else layout.device.id
+        raise UsageError(
+            f"nothing on {name} only asks: what is exchanged cyclically is for a program, such as the generated client"
+        )
+    return chosen.name
 
 
 def _opened(layout: DeviceLayout, arguments: argparse.Namespace) -> Carrier:
@@ -216,6 +263,9 @@ def _write(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> i
     for item in chosen:
         for hazard in item.hazards:
             print(f"{item.occupant.path}: {hazard}", file=sys.stderr)
+    if any(item.hazards for item in chosen) and not arguments.dry_run and can_ask(arguments):
+        for state in active_states(client):
+            print(state, file=sys.stderr)
     if arguments.dry_run:
         for item in chosen:
             print(f"{item.occupant.path}: {_frame(client, item)}")

@@ -10,6 +10,7 @@ from contextlib import contextmanager
 
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
+from fieldspec.explain.values import DecodedValue
 from fieldspec.live.reading import Reading
 from fieldspec.render.blocks import Table
 
@@ -30,9 +31,13 @@ def progress(total: int, what: str) -> Iterator[Callable[[int], None]]:
 
 def meaning(value: Reading) -> str:
     """The meaning of a value in a few words."""
-    decoded = value.decoded
+    return meaning_of(value.decoded, value.refusal)
+
+
+def meaning_of(decoded: DecodedValue | None, refusal: str) -> str:
+    """The meaning of a value in a few words, or why the device has refused it."""
     if decoded is None:
-        return f"refused: {value.refusal}"
+        return f"refused: {refusal}"
     names = [meaning.name or f"bit {meaning.bits}" for meaning in decoded.meanings]
     raw = decoded.text or (decoded.number if isinstance(decoded.number, str) else "")
     return ", ".join(text for text in (raw, " ".join(names), decoded.verdict) if text and text != "right")
@@ -40,7 +45,12 @@ def meaning(value: Reading) -> str:
 
 def number(value: Reading) -> str:
     """The raw value as a number; empty for a text and for a refused value."""
-    number = value.decoded.number if value.decoded is not None else None
+    return number_of(value.decoded)
+
+
+def number_of(decoded: DecodedValue | None) -> str:
+    """The raw value as a number; empty for a text and where there is none."""
+    number = decoded.number if decoded is not None else None
     return "" if number is None or isinstance(number, str) else str(number)
 
 
@@ -70,11 +80,16 @@ def _json(number: object) -> object:
     return number.hex() if isinstance(number, bytes) else number
 
 
+def can_ask(arguments: argparse.Namespace) -> bool:
+    """Whether somebody agrees, or can be asked."""
+    return bool(arguments.yes) or sys.stdin.isatty()
+
+
 def confirmed(arguments: argparse.Namespace) -> bool:
     """Whether a person agrees to write. Raises UsageError where nobody can be asked."""
     if arguments.yes:
         return True
-    if not sys.stdin.isatty():
+    if not can_ask(arguments):
         raise UsageError("nothing is written: confirm what stands above with --yes")
     print("Write? [y/N] ", end="", file=sys.stderr, flush=True)
     if sys.stdin.readline().strip().lower() in ("y", "yes"):

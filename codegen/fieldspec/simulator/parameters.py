@@ -51,7 +51,7 @@ def part_of(record: RecordLayout, part: str) -> FieldLayout | None:
     return None
 
 
-def _count_field(record: RecordLayout) -> FieldLayout | None:
+def count_field(record: RecordLayout) -> FieldLayout | None:
     """The field that says how many elements are meant: the only one that nothing else decides."""
     free = [
         field
@@ -75,8 +75,8 @@ def target_of(engine: Engine, record: RecordLayout, values: Mapping[str, Any]) -
     if known is None:
         raise Refusal("unknown_address", f"no parameter has the number {wire_number}")
     indexed = part_of(record, "subindex")
-    count_field = _count_field(record) if indexed is not None else None
-    count = int(values[count_field.name]) if count_field is not None and values[count_field.name] else None
+    amount = count_field(record) if indexed is not None else None
+    count = int(values[amount.name]) if amount is not None and values[amount.name] else None
     first = int(values[indexed.name]) if indexed is not None and count is not None else 0
     carried = part_of(record, "value")
     content = values.get(carried.name) if carried is not None else None

@@ -58,6 +58,8 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     arguments += [f"timeout={timeout!r}"] if timeout is not None else []
     pause = _pause(link.link)
     arguments += [f"pause={pause!r}"] if pause else []
+    refusal = link.link.exception_response
+    arguments += [f"refusal_code={refusal.code}"] if refusal is not None and refusal.code is not None else []
     repeated, value_counts = [], []
     for message in link.carried("response").values():
         access = message.message.accesses

@@ -33,9 +33,10 @@ class Link:
     """What a client needs to know of a link: its codec, and how requests and responses belong together.
 
     `counters` are the parts of a request that its response repeats, each with its lowest and highest number. `timeout`
-    is how long a response may take, `pause` how long the line is silent before a request, in seconds. `repeated` has
-    the fields that a response repeats, by the class of the request, and `value_counts` the field with the number of
-    values and the field of the response with these values.
+    is how long a response may take, `pause` how long the line is silent before a request, in seconds. `refusal_code` is
+    the code of all exception responses, None where it is that of the request. `repeated` has the fields that a response
+    repeats, by the class of the request, and `value_counts` the field with the number of values and the field of the
+    response with these values.
     """
 
     def __init__(
@@ -46,11 +47,12 @@ class Link:
         counters: tuple[tuple[str, int, int], ...] = (),
         timeout: float = 1.0,
         pause: float = 0.0,
+        refusal_code: int | None = None,
         repeated: dict[Any, tuple[str, ...]] | None = None,
         value_counts: dict[Any, tuple[str, str]] | None = None,
     ) -> None:
         self.codec, self.addressed, self.counters = codec, addressed, counters
-        self.timeout, self.pause = timeout, pause
+        self.timeout, self.pause, self.refusal_code = timeout, pause, refusal_code
         self.repeated, self.value_counts = repeated or {}, value_counts or {}
 
     def is_answer(self, reply: Any, request: Any, station: int, head: dict[str, int]) -> bool:
@@ -61,7 +63,7 @@ class Link:
             if getattr(reply, name) != number:
                 return False
         if isinstance(reply, ErrorReply):
-            return bool(reply.code == request.CODE)
+            return bool(reply.code == (request.CODE if self.refusal_code is None else self.refusal_code))
         kind = request.__class__
         for name in self.repeated.get(kind, ()):
             if getattr(reply.message, name) != getattr(request, name):

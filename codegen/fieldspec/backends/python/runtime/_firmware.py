@@ -50,13 +50,19 @@ def module_of(package: str, lines: tuple[Line, ...], firmware: str, nearest: boo
 
     Raises UnknownFirmwareError.
     """
+    name = module_name(lines, firmware, nearest)
+    from importlib import import_module  # few programs need it, and its import takes time
+
+    return import_module(f"{package}.{name}")
+
+
+def module_name(lines: tuple[Line, ...], firmware: str, nearest: bool) -> str:
+    """The name of the module of a firmware. Raises UnknownFirmwareError."""
     text = firmware.strip(" \t\r\n\0")
     name = _named(lines, text) or _numbered(lines, text, nearest)
     if name is None:
         raise UnknownFirmwareError(firmware, tuple(version for line in lines for version, _ in line))
-    from importlib import import_module  # few programs need it, and its import takes time
-
-    return import_module(f"{package}.{name}")
+    return name
 
 
 def _named(lines: tuple[Line, ...], text: str) -> str | None:

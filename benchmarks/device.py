@@ -1,0 +1,113 @@
+"""Requests a second: the simulated device beside pymodbus' server, the generated client beside pymodbus' client.
+
+Servers are processes of their own, and both sides of a row talk over TCP on this machine. The clock counts, since
+waiting is a part of the work; both sides take turns.
+"""
+
+from __future__ import annotations
+
+import re
+import socket
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from importlib.metadata import version
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+from rows import ROOT, Row, printed, use_generated
+
+use_generated()
+
+GROUP = "Modbus RTU over TCP, one register read"
+PEERS = Path(__file__).parent / "peers"
+REQUEST = bytes.fromhex("01 03 10 00 00 01 80 CA")
+BATCH, ROUNDS = 200, 15
+
+
+@contextmanager
+def served(*command: str) -> Iterator[int]:
+    """The port of a server, which is a process of its own."""
+    process = subprocess.Popen(
+        [sys.executable, *command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd=ROOT
+    )
+    try:
+        assert process.stdout is not None
+        match = re.search(r"(\d+)\s*$", process.stdout.readline())
+        assert match is not None
+        yield int(match[1])
+    finally:
+        process.kill()
+        process.wait()
+
+
+def asker(port: int) -> Callable[[], object]:
+    """A call that sends one request, and receives the whole answer."""
+    connection = socket.create_connection(("127.0.0.1", port), 5)
+    connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+
+    def ask() -> object:
+        connection.sendall(REQUEST)
+        data = b""
+        while len(data) < 7:
+            data += connection.recv(256)
+        return data
+
+    return ask
+
+
+def compared(ours: Callable[[], object], peer: Callable[[], object]) -> tuple[list[float], list[float]]:
+    """The seconds of each request of ours and of the peer, in turns."""
+    took: tuple[list[float], list[float]] = ([], [])
+    for turn in range(ROUNDS):
+        pairs = [(ours, took[0]), (peer, took[1])]
+        for call, times in pairs if turn % 2 else pairs[::-1]:
+            for _ in range(BATCH):
+                begin = perf_counter()
+                call()
+                times.append(perf_counter() - begin)
+    return took
+
+
+def rates(name: str, peer: str, ours: list[float], its: list[float]) -> Iterator[Row]:
+    """The rows of requests a second, and of the longest pause."""
+    mine, other = (1 / median(times) for times in (ours, its))
+    yield Row(GROUP, f"{name}, requests a second", peer, round(mine), round(other), "/s", round(mine / other, 3))
+    mine, other = (1000 * max(times) for times in (ours, its))
+    ratio = round(mine / other, 3)
+    yield Row(GROUP, f"{name}, longest of {BATCH * ROUNDS:,}", peer, round(mine, 2), round(other, 2), "ms", ratio)
+
+
+def rows() -> Iterator[Row]:
+    """The rows."""
+    from pymodbus import FramerType
+    from pymodbus.client import ModbusTcpClient
+
+    from fieldspec_devices import tc100, transports
+    from fieldspec_devices.tc100 import client
+
+    known = version("pymodbus")
+    simulate = ("-m", "fieldspec", "simulate", "tc100", "--port", "rtu=tcp://127.0.0.1:0")
+    with served(*simulate) as ours, served(str(PEERS / "modbus_server.py")) as peer:
+        yield from rates("simulated device", f"pymodbus {known}, server", *compared(asker(ours), asker(peer)))
+    answering = str(PEERS / "answering.py")
+    with served(answering) as own, served(answering) as other, transports.tcp("127.0.0.1", own) as transport:
+        generated = client.Client(transport, pause=0.0)
+        library = ModbusTcpClient("127.0.0.1", port=other, framer=FramerType.RTU)
+        assert library.connect()
+
+        def read() -> object:
+            return generated.read(tc100.MOTION_SPEED)
+
+        def read_by_library() -> object:
+            return library.read_holding_registers(0x2014, count=1, device_id=1).registers[0]
+
+        assert read() == read_by_library() == 5
+        yield from rates("generated client", f"pymodbus {known}, client", *compared(read, read_by_library))
+        library.close()
+
+
+if __name__ == "__main__":
+    printed(rows())

@@ -1,0 +1,82 @@
+"""The firmware of a device, by the value that the spec says tells it."""
+
+from __future__ import annotations
+
+from fieldspec.backends.python.detection import detecting_value
+from fieldspec.backends.python.runtime._firmware import UnknownFirmwareError, module_name, version_in
+from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.live.client import Client
+from fieldspec.live.messages import read_signals, signals
+from fieldspec.live.reading import all_occupants, blocks, read
+from fieldspec.model.value import Kind
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from fieldspec.explain.values import DecodedValue
+    from fieldspec.model.fact import Fact
+
+
+@dataclass(frozen=True, slots=True)
+class Firmware:
+    """What a device says of its firmware: the value as text, and the version of the spec that it is.
+
+    `version` is empty where it is none of them, and `doubt` then says why; both are empty where the spec does not say
+    what tells the version, or how.
+    """
+
+    text: str = ""
+    version: str = ""
+    doubt: str = ""
+
+
+def firmware_of(client: Client, versions: Sequence[str]) -> Firmware:
+    """The firmware of a device; `versions` are those of its spec. Raises NoAnswerError and CarrierError."""
+    layout = client.layout
+    detection = layout.device.detection
+    value = detecting_value(layout.device, detection) if detection is not None else None
+    if detection is None or value is None:
+        return Firmware()
+    named = _named(layout)
+    if value.type.kind is not Kind.TEXT and not detection.form and not named:
+        return Firmware()  # how a number is read is not known
+    decoded = _read(client, detection.fact)
+    number = decoded.number if decoded is not None else None
+    if isinstance(number, bytes):
+        number = number.decode("ascii", "replace")
+    if number is None or isinstance(number, (list, dict, float)):
+        return Firmware("", "", "the device does not say its firmware")
+    text = str(number).strip(" \t\r\n\0")
+    if not text:
+        return Firmware("", "", "the device does not say its firmware")
+    places = value.size if detection.form == "bytes" else detection.places
+    lines = tuple(
+        tuple((version.id, version.id) for version in line.versions if version.id in versions)
+        for line in layout.device.lines
+    )
+    try:
+        version = version_in(lines, number, detection.form, places, named)
+        return Firmware(text, module_name(lines, version, False))
+    except UnknownFirmwareError as error:
+        return Firmware(text, "", str(error))
+
+
+def _named(layout: DeviceLayout) -> dict[str | int, str]:
+    """The versions that single values tell."""
+    return {
+        item: version.id for line in layout.device.lines for version in line.versions for item in version.detected_as
+    }
+
+
+def _read(client: Client, path: str) -> DecodedValue | None:
+    """The value of a fact by its path; None where the device refuses it, or no message of the link reads it."""
+
+    def is_meant(fact: Fact) -> bool:
+        return fact.place.path == path
+
+    occupants = [pair for pair in all_occupants(client.layout) if is_meant(pair[1].fact)]
+    for reading in read(client, blocks(client.layout, occupants[:1])):
+        return reading.decoded
+    own = [signal for signal in signals(client.layout, client.frames.link) if is_meant(signal.fact)]
+    return next((reading.decoded for reading in read_signals(client, own[:1])), None)

@@ -1,0 +1,299 @@
+"""Values of devices without registers: parameters that messages read and write, and fields of responses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.explain.values import DecodedValue, decode_value
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.record import FieldLayout, Orders, RecordLayout
+from fieldspec.layout.values import MeaningError, raw_value
+from fieldspec.live.client import Client, RefusedError
+from fieldspec.live.writing import WriteError
+from fieldspec.model.fact import Fact
+from fieldspec.model.registers import Parameter, ParameterSet
+from fieldspec.model.value import Kind, Value
+from fieldspec.reference.records import CodecError, encoded_value, value_construct
+from fieldspec.simulator.parameters import count_field, part_of
+
+if TYPE_CHECKING:
+    from typing import Any, Literal
+
+
+@dataclass(frozen=True, slots=True)
+class Signal:
+    """A value that messages carry: a parameter with its set, or a field or a part of the response to `query`.
+
+    `path` is its name for people. `wire_number` is the number of a parameter, None for other values, and `index` that
+    of an element, None for a single value.
+    """
+
+    path: str
+    fact: Fact
+    value: Value
+    order: str
+    swapped: bool
+    parameter_set: ParameterSet | None = None
+    wire_number: int | None = None
+    index: int | None = None
+    query: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class SignalReading:
+    """A value that was read, or the reason why the device refused it."""
+
+    signal: Signal
+    decoded: DecodedValue | None
+    refusal: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterAssignment:
+    """A value for a parameter: its raw value, and what a person should know before it is written."""
+
+    signal: Signal
+    raw: Any
+    hazards: tuple[str, ...]
+
+
+def link_of(layout: DeviceLayout) -> LinkLayout | None:
+    """The first link whose messages read something when they are asked; None where there is none."""
+    return next((link for link in layout.links.values() if any(True for _ in signals(layout, link))), None)
+
+
+def signals(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:
+    """Everything that the messages of a link read: fields of responses to requests without arguments, parameters."""
+    if not (link.request.header or link.request.trailer):
+        return  # a cyclic exchange does not only read
+    for message in link.carried("response").values():
+        for field in message.response.fields if _is_query(message) else ():
+            if _is_single(field) and field.value is not None:
+                path = f"{message.name}.{field.name}"
+                yield Signal(path, field.field, field.value, field.order, field.swapped, query=message.name)
+    yield from _parts(link)
+    orders = Orders(layout.device.byte_order, layout.device.word_order)
+    for parameter_set in layout.device.parameters.values():
+        if parameter_message(link, parameter_set, "read") is None:
+            continue
+        for row in parameter_set.parameters:
+            for place in range(row.count if not row.reserved else 0):
+                name = row.name if row.count == 1 else f"{row.name}[{place}]"
+                number = parameter_set.base + row.number + place
+                for path, fact, value, index in _elements(name, row):
+                    order, swapped = orders.of(value)
+                    yield Signal(path, fact, value, order, swapped, parameter_set, number, index)
+
+
+def _elements(name: str, row: Parameter) -> Iterator[tuple[str, Fact, Value, int | None]]:
+    """The elements of a parameter, each with its path, its fact and its index; the index is None for a single value."""
+    if row.elements is None:
+        yield name, row, row.value, None
+        return
+    for index in range(row.elements):
+        own = next((inner for inner in row.subindices if index in inner.indices), None)
+        if own is None:
+            yield f"{name}[{index}]", row, row.value, index
+        elif not own.reserved:
+            several = own.indices.low != own.indices.high
+            yield f"{name}.{own.name}" + (f"[{index}]" if several else ""), own, own.value, index
+
+
+def _parts(link: LinkLayout) -> Iterator[Signal]:
+    """The parts of a response that say something about the device, such as a status."""
+    query = next((message.name for message in link.carried("response").values() if _is_query(message)), "")
+    asked = {part.name for part in link.request.parts}
+    for part in link.response.header:
+        if (
+            query
+            and part.role == "plain"
+            and part.constant is None
+            and part.name not in asked
+            and part.value is not None
+        ):
+            yield Signal(part.name, part.part, part.value, part.order, False, query=query)
+
+
+def _is_query(message: MessageLayout) -> bool:
+    """Whether a message only asks: without arguments, and with an answer that has values."""
+    asked = any(_is_argument(field) for field in message.request.fields)
+    return not asked and any(_is_single(field) for field in message.response.fields)
+
+
+def _is_argument(field: FieldLayout) -> bool:
+    constant = field.value is not None and field.value.const is not None
+    return not (field.field.reserved or field.field.measures or constant)
+
+
+def _is_single(field: FieldLayout) -> bool:
+    return field.value is not None and not field.is_list and _is_argument(field)
+
+
+def parameter_message(link: LinkLayout, parameter_set: ParameterSet, operation: str) -> MessageLayout | None:
+    """The message of a link that reads or writes one parameter of a set; the one with the fewest other fields."""
+    suitable = []
+    for message in link.carried("response").values():
+        number = part_of(message.request, "number")
+        part = number.value.parameter if number is not None and number.value is not None else None
+        if part is None or part.set not in (parameter_set.name, parameter_set.space):
+            continue
+        writes = part_of(message.request, "value") is not None
+        if writes == (operation == "write") and (writes or part_of(message.response, "value") is not None):
+            suitable.append(message)
+    return min(suitable, key=lambda message: len(message.request.fields), default=None)
+
+
+def named_signals(layout: DeviceLayout, known: Sequence[Signal], name: str) -> list[Signal]:
+    """The signals that a name means: a path, all fields of a message, a parameter by its printed name, a role."""
+    exact = [signal for signal in known if signal.path == name]
+    if exact:
+        return exact
+    return [
+        signal
+        for signal in known
+        if signal.path.startswith((f"{name}.", f"{name}["))
+        or (signal.fact.printed_name and name == signal.fact.printed_name)
+        or name in _roles(layout, signal)
+    ]
+
+
+def _roles(layout: DeviceLayout, signal: Signal) -> set[str]:
+    """The roles of a value and of its bits."""
+    word = layout.device.flags.get(signal.value.flags)
+    return {*signal.fact.roles, *(role for bit in (word.bits if word is not None else ()) for role in bit.roles)}
+
+
+def read_signals(client: Client, chosen: Sequence[Signal]) -> Iterator[SignalReading]:
+    """Reads values; one request serves all values of a response. Raises NoAnswerError and CarrierError."""
+    answers: dict[str, Any] = {}
+    for signal in chosen:
+        try:
+            if signal.parameter_set is not None:
+                yield SignalReading(signal, _decoded(client.layout, signal, read_parameter(client, signal)))
+                continue
+            if signal.query not in answers:
+                answers[signal.query] = client.ask(signal.query, {})
+            answer = answers[signal.query]
+            name = signal.fact.name
+            yield SignalReading(signal, _decoded(client.layout, signal, {**answer.values, **answer.head}[name]))
+        except RefusedError as error:
+            yield SignalReading(signal, None, str(error))
+
+
+def read_parameter(client: Client, signal: Signal) -> Any:
+    """The raw value of a parameter, or of one element.
+
+    Raises RefusedError, NoAnswerError and CarrierError.
+    """
+    assert signal.parameter_set is not None
+    message = parameter_message(client.frames.link, signal.parameter_set, "read")
+    assert message is not None
+    answer = client.ask(message.name, _address(message.request, signal))
+    carried = part_of(message.response, "value")
+    assert carried is not None
+    content = answer.values[carried.name]
+    return content[0] if isinstance(content, list) else content
+
+
+def _address(request: RecordLayout, signal: Signal) -> dict[str, Any]:
+    """The fields of a request that name a parameter: its number, the element, and how many elements."""
+    number, index = part_of(request, "number"), part_of(request, "subindex")
+    assert number is not None
+    values: dict[str, Any] = {number.name: signal.wire_number}
+    if index is not None:
+        values[index.name] = signal.index or 0
+        count = count_field(request)
+        if count is not None:
+            values[count.name] = 0 if signal.index is None else 1
+    return values
+
+
+def _decoded(layout: DeviceLayout, signal: Signal, raw: Any) -> DecodedValue:
+    value = signal.value
+    order: Literal["big", "little"] = "big" if signal.order == "big" else "little"
+    if isinstance(raw, int) and value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and not signal.swapped:
+        data = (int(raw) & ((1 << 8 * value.size) - 1)).to_bytes(value.size, order)
+    elif isinstance(raw, str):
+        data = raw.encode("ascii", "replace").ljust(value.size, b"\0")
+    else:
+        data = bytes(value_construct(value, signal.order, signal.swapped).build(raw))
+    return decode_value(layout.device, value.as_answer(False), data, signal.order, signal.swapped)
+
+
+def parameter_assignment(layout: DeviceLayout, link: LinkLayout, signal: Signal, text: str) -> ParameterAssignment:
+    """The assignment of a value as people write it. Raises WriteError."""
+    fact = signal.fact
+    if signal.parameter_set is None:
+        raise WriteError(f"{signal.path} is part of a response; only parameters are written")
+    if signal.index is not None or not isinstance(fact, Parameter):
+        raise WriteError(f"{signal.path} is an element of an array, and is not written by itself")
+    message = parameter_message(link, signal.parameter_set, "write")
+    if message is None:
+        raise WriteError(f"no message writes {signal.path} by itself")
+    if fact.access == "ro":
+        raise WriteError(f"{signal.path} can only be read")
+    value = fact.value.for_writing()
+    try:
+        raw = encoded_value(signal.path, value, raw_value(layout.device, signal.path, value, text), layout.device)
+    except (MeaningError, CodecError) as error:
+        raise WriteError(str(error)) from None
+    return ParameterAssignment(signal, raw, tuple(_hazards(fact, message)))
+
+
+def _hazards(fact: Parameter, message: MessageLayout) -> Iterator[str]:
+    if fact.trigger:
+        yield "writing it starts something"
+    if fact.access == "":
+        yield "the manual does not say that it can be written"
+    if fact.restart:
+        yield "it takes effect after a restart"
+    handlings = (fact.handling, message.message.handling)
+    if any(handling.memory == "nonvolatile" for handling in handlings):
+        yield "it is stored for good"
+    endurance = next((handling.endurance for handling in handlings if handling.endurance), "")
+    if endurance not in ("", "unlimited"):
+        yield f"its memory endures {'a limited number of' if endurance == 'limited' else endurance} writes"
+
+
+def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str, dict[str, Any], bytes]:
+    """The message that writes a parameter, its fields, and its frame. Raises WriteError."""
+    signal = chosen.signal
+    assert signal.parameter_set is not None
+    message = parameter_message(client.frames.link, signal.parameter_set, "write")
+    assert message is not None
+    request = message.request
+    values = _address(request, signal)
+    carried = part_of(request, "value")
+    assert carried is not None
+    values[carried.name] = [chosen.raw] if carried.is_list else chosen.raw
+    if request.selector is not None:
+        form = _form(request, signal.value)
+        if form is None:
+            raise WriteError(f"no format of {message.name} carries {signal.path}")
+        values[request.selector.name] = form
+    try:
+        return message.name, values, client.request(message.name, values)
+    except CodecError as error:
+        raise WriteError(f"{signal.path}: {error}") from None
+
+
+def _form(request: RecordLayout, value: Value) -> int | None:
+    """The number of the selector for values of a type: of the same type, or without a sign of the same size."""
+    last = {number: chosen.fields[-1].value for number, chosen in request.chosen.items()}
+    for name in (value.type.name, f"u{8 * value.size}"):
+        for number, kind in last.items():
+            if kind is not None and kind.type.name == name:
+                return number
+    return None
+
+
+def write_parameter(client: Client, chosen: ParameterAssignment) -> SignalReading:
+    """Writes a parameter once, and reads it back.
+
+    Raises WriteError, NoAnswerError, RefusedError and CarrierError.
+    """
+    name, values, _ = parameter_request(client, chosen)
+    client.ask(name, values, retries=0)
+    return SignalReading(chosen.signal, _decoded(client.layout, chosen.signal, read_parameter(client, chosen.signal)))

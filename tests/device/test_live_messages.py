@@ -1,0 +1,135 @@
+"""The verbs of `fieldspec live` on devices without registers, and what is looked at before anything is written."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from fieldspec.cli import main
+from fieldspec.testing import SimulatedDevice, simulation
+from layouts import TEST_SPECS
+from simulators import SPECS
+
+
+def live(name: str, place: str, *arguments: str, folder: str = SPECS) -> int:
+    """The exit code of a verb."""
+    port = place.replace("tcp://", "socket://") if name == "esc11" else place
+    return main(["live", name, *arguments, "--port", port, "--timeout", "0.5", "--specs", folder])
+
+
+@pytest.fixture
+def gripper() -> Iterator[SimulatedDevice]:
+    with simulation("esc11", ports={"serial": "tcp://127.0.0.1:0"}, rate=20, folder=SPECS) as device:
+        yield device
+
+
+@pytest.fixture
+def drive() -> Iterator[SimulatedDevice]:
+    ports = {"cyclic": "udp://127.0.0.1:0", "parameter_channel": "udp://127.0.0.1:0"}
+    with simulation("hiwin-e", ports=ports, folder=SPECS) as device:
+        yield device
+
+
+def rows(capsys: pytest.CaptureFixture[str]) -> dict[str, Any]:
+    """What a verb has printed as JSON, by name."""
+    return {row["name"]: row for row in json.loads(capsys.readouterr().out)}
+
+
+def test_parameters_and_answers_are_read_by_name_role_and_printed_name(
+    gripper: SimulatedDevice, drive: SimulatedDevice, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert (
+        live("esc11", gripper.place, "read", "actual_position", "positive_soft_limit", "busy", "--format", "json") == 0
+    )
+    values = rows(capsys)
+    assert values["read_current_position.position"]["meaning"] == "0.00 mm"
+    assert values["positive_soft_limit"]["value"] == 200
+    assert values["status"]["value"] == 0
+    channel = drive.places["parameter_channel"]
+    assert live("hiwin-e", channel, "read", "firmware_version", "Pt533", "--format", "json") == 0
+    values = rows(capsys)
+    assert values["drive_identification.firmware_version"]["value"] == 200
+    assert values["point_to_point_speed_rotary"]["meaning"].endswith("rpm")
+
+
+def test_everything_that_only_asks_is_read_without_names(
+    gripper: SimulatedDevice, capsys: pytest.CaptureFixture[str]
+) -> None:
+    requests: list[bytes] = []
+    gripper.simulation.listeners.append(
+        lambda now, link, way, data, text: requests.append(data) if way == "request" else None
+    )
+    assert live("esc11", gripper.place, "read", "--format", "json") == 0
+    assert len(rows(capsys)) > 20
+    assert all(0x40 <= frame[2] < 0x60 for frame in requests)
+
+
+def test_a_parameter_is_written_and_read_back(gripper: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
+    assert live("esc11", gripper.place, "write", "positive_soft_limit=30mm", "--yes") == 0
+    assert "positive_soft_limit: 300 30.0 mm" in capsys.readouterr().out
+    assert live("esc11", "x", "write", "positive_soft_limit=30mm", "--dry-run") == 0
+    assert capsys.readouterr().out == "positive_soft_limit: 07 00 62 01 2C 01 97\n"
+
+
+def test_a_value_that_the_drive_refuses_is_told(drive: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
+    channel = drive.places["parameter_channel"]
+    drive.fault("exception", reason="not_now")
+    live("hiwin-e", channel, "read", "Pt533")
+    assert "refused: exception" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments", "expected"),
+    [
+        ("esc11", ["dump", "x"], "needs registers, and esc11 has none; it has read, watch, write"),
+        ("esc11", ["points", "upload", "x"], "needs registers"),
+        ("esc11", ["read", "nonsense"], "there is no value nonsense"),
+        ("esc11", ["write", "status=1"], "only parameters are written"),
+        ("esc11", ["write", "positive_soft_limit=1 km"], "positive_soft_limit"),
+        ("esc11", ["write", "positive_soft_limit=5"], "confirm what stands above with --yes"),
+        ("hiwin-e", ["read", "--link", "cyclic"], "nothing on cyclic only asks"),
+        ("hiwin-e", ["write", "alarm_codes[0]=1"], "not written by itself"),
+    ],
+)
+def test_wrong_use_writes_nothing(
+    gripper: SimulatedDevice,
+    drive: SimulatedDevice,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    name: str,
+    arguments: list[str],
+    expected: str,
+) -> None:
+    monkeypatch.setattr("sys.stdin", open("/dev/null", encoding="utf-8"))  # noqa: SIM115
+    place = gripper.place if name == "esc11" else drive.places["parameter_channel"]
+    assert live(name, place, *arguments) == 2
+    assert expected in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("version", "options", "code", "expected"),
+    [
+        ("2", [], 0, ""),
+        ("1", [], 1, "the firmware 512 of the device is 2, and the verb is for 1; nothing is written: say wattmeter@2"),
+        ("1", ["--any-version"], 1, "ratio is not written: exception 3, illegal_data_value"),
+    ],
+)
+def test_another_firmware_stops_before_a_write(
+    capsys: pytest.CaptureFixture[str], version: str, options: list[str], code: int, expected: str
+) -> None:
+    folder = str(TEST_SPECS)
+    with simulation("wattmeter@2", ports={"tcp": "tcp://127.0.0.1:0"}, folder=folder) as meter:
+        meter.set(**{"registers/firmware": 0x0200})
+        own = ["--link", "tcp", "--unit", "1", *options]
+        assert live(f"wattmeter@{version}", meter.place, "write", "ratio=5", *own, folder=folder) == code
+    assert expected in capsys.readouterr().err
+
+
+def test_what_the_device_is_doing_is_said_before_something_is_started(capsys: pytest.CaptureFixture[str]) -> None:
+    with simulation("tc100", ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
+        place = device.place.replace("tcp://", "socket://")
+        assert live("tc100", place, "write", "motion_command=homing", "--yes") == 0
+    assert "the servo is on" in capsys.readouterr().err
