@@ -21,6 +21,7 @@ from fieldspec.backends.c.runtime_files import copy_numbers, copy_runtime, runti
 from fieldspec.backends.c.selftest import write_selftest
 from fieldspec.backends.c.subcodes import subcode_of
 from fieldspec.backends.templates import fill
+from fieldspec.backends.usages import VersionUsages
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name, stem, version_word
 
@@ -42,6 +43,13 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         texts[f"{name}_selftest.c"] = write_selftest(layout, naming, f"{name}.h")
         texts[f"{name}_fuzz.c"] = write_fuzz_target(layout, naming, f"{name}.h")
     return texts
+
+
+def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
+    """The code for each version of a device, by the version."""
+    from fieldspec.backends.c.usages import version_usages  # which claims names as this module does
+
+    return {layout.device.version: version_usages(layout) for layout in versions}
 
 
 def shared() -> dict[str, str]:
@@ -70,10 +78,10 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
     )
 
 
-def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
-    """The texts of all sections. Names are claimed in this order."""
+def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable[Block]], ...]:
+    """The sections of a header with their declarations. Names are claimed in this order, while they are declared."""
     device = layout.device
-    sections: tuple[tuple[str, Iterable[Block]], ...] = (
+    return (
         ("Compilers and machines", ([copy_runtime(naming, "machine.h")],)),
         ("Results of codec calls", ([copy_runtime(naming, "status.h")],)),
         ("Numbers and characters", copy_numbers(naming, layout)),
@@ -110,8 +118,21 @@ def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
         ),
         ("Texts of codes, in UTF-8", _code_texts(naming, layout)),
     )
+
+
+def claim_names(naming: Naming, layout: DeviceLayout) -> None:
+    """Gives all names of a header to what they belong to, without printing it."""
+    device = layout.device
+    _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
+    for _, blocks in _sections(naming, layout):
+        for _ in blocks:
+            pass
+
+
+def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
+    """The texts of all sections."""
     printer = Printer()
-    for name, blocks in sections:
+    for name, blocks in _sections(naming, layout):
         texts = [_print_block(printer, block) for block in blocks if block]
         if texts:
             yield f"\n/* ---- {name} ---- */\n"

@@ -24,7 +24,7 @@ from fieldspec.backends.docs.document import (
 from fieldspec.backends.docs.link_settings import serial_facts, station_facts
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.explain.values import decimal_text
 from fieldspec.layout.frame import LinkLayout, PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
@@ -88,7 +88,7 @@ class FrameTable:
         rows += self._tail(record)
         rows += self._mark("end", self._end(record), end)
         columns = (TableColumn(self.unit, "number", unbroken=True), *COLUMNS[1:])
-        return table(caption, columns, rows, self.marks.footnotes(), heading=1)
+        return replace(table(caption, columns, rows, self.marks.footnotes(), heading=1), style="frame")
 
     def _mark(self, name: str, place: str, mark: bytes) -> Iterator[TableRow]:
         if mark:

@@ -146,13 +146,13 @@ def _exception(link: LinkLayout, exception: ExceptionResponse, names: Names) -> 
 def _header_type(frame: FrameLayout) -> str:
     rows = [
         f"readonly {key}: {'bigint' if part.size > WIDE else 'number'}"
-        for key, part in zip(_keys(frame.header), frame.header, strict=True)
+        for key, part in zip(argument_keys(frame.header), frame.header, strict=True)
         if key
     ]
     return f"{{ {'; '.join(rows)} }}" if rows else "Record<string, never>"
 
 
-def _keys(parts: Sequence[PartLayout]) -> list[str]:
+def argument_keys(parts: Sequence[PartLayout]) -> list[str]:
     """The properties of the parts that the caller supplies; empty for the others."""
     scope = property_scope()
     return [
@@ -167,7 +167,7 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
     frame = link.frame(direction)
     parts = frame.header if place == "header" else frame.trailer
     lines = [f"    {place}: ["]
-    for part, key in zip(parts, _keys(parts), strict=True):
+    for part, key in zip(parts, argument_keys(parts), strict=True):
         row: dict[str, Any] = {
             "name": part.name,
             "role": part.role,
