@@ -15,8 +15,8 @@ from fieldspec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference import CodecError, DeviceCodec, codec
 from random_devices.inputs import (
+    delimited,
     header_values,
-    marked,
     number_or_text,
     record_bytes,
     record_values,
@@ -208,7 +208,7 @@ def _frame_queries(
         parts = bytearray(reference.links[link].parts(frame, direction))
         changed = with_another_constant(shape, record, bytes(parts), dice)
         if changed is not None:
-            yield Query("frame", (link, direction, asked), marked(layout, link, direction, changed))
+            yield Query("frame", (link, direction, asked), delimited(layout, link, direction, changed))
         parts = bytearray(spoiled(bytes(parts), dice))
     except CodecError:
         parts = bytearray(dice.randbytes(shape.header_size + shape.trailer_size))
