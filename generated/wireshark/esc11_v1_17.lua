@@ -3262,7 +3262,6 @@ local device = {
         "read_accumulated_time",
         "reset_alarm",
       },
-      unanswered = {},
       units = { ranges = { { 0, 15 } } },
       request = {
         start = "",
@@ -4476,11 +4475,7 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
         end
         return link.request.by_code[code], true, code
     end
-    local named = message_with(link[direction], code, body)
-    if direction == "response" and named and link.unanswered[named.name] then
-        named = nil
-    end
-    return named, false, code
+    return message_with(link[direction], code, body), false, code
 end
 
 local function record_of(link, direction, message, is_refusal)

@@ -9375,7 +9375,6 @@ local device = {
       name = "cyclic",
       title = "Process data",
       messages = { "telegram_3", "telegram_5", "telegram_9", "telegram_102", "telegram_105", "telegram_111", "telegram_750" },
-      unanswered = {},
       request = {
         start = "",
         stop = "",
@@ -9405,7 +9404,6 @@ local device = {
       is_coded = true,
       is_framed = true,
       messages = { "read_parameter", "write_parameter" },
-      unanswered = {},
       exception = { flag = 128, record = "parameter_error" },
       request = {
         start = "",
@@ -10588,11 +10586,7 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
         end
         return link.request.by_code[code], true, code
     end
-    local named = message_with(link[direction], code, body)
-    if direction == "response" and named and link.unanswered[named.name] then
-        named = nil
-    end
-    return named, false, code
+    return message_with(link[direction], code, body), false, code
 end
 
 local function record_of(link, direction, message, is_refusal)

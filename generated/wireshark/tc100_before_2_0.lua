@@ -3609,7 +3609,6 @@ local device = {
       is_coded = true,
       is_framed = true,
       messages = { "read_registers", "write_register", "write_registers" },
-      unanswered = {},
       exception = { flag = 128, record = "exception" },
       units = { ranges = { { 1, 16 } }, broadcast = 0 },
       request = {
@@ -3727,7 +3726,6 @@ local device = {
       is_coded = true,
       is_framed = true,
       messages = { "read_registers", "write_register", "write_registers" },
-      unanswered = {},
       exception = { flag = 128, record = "exception" },
       units = { ranges = { { 1, 16 } }, broadcast = 0 },
       request = {
@@ -4895,11 +4893,7 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
         end
         return link.request.by_code[code], true, code
     end
-    local named = message_with(link[direction], code, body)
-    if direction == "response" and named and link.unanswered[named.name] then
-        named = nil
-    end
-    return named, false, code
+    return message_with(link[direction], code, body), false, code
 end
 
 local function record_of(link, direction, message, is_refusal)

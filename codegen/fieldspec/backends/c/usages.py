@@ -130,8 +130,8 @@ class _Usages:
         parts = link.request.header_size + link.request.trailer_size + most
         return (
             (2 if link.link.encoding == "hex_ascii" or link.request.escape else 1) * parts
-            + len(link.link.start)
-            + len(link.link.end)
+            + len(link.request.start)
+            + len(link.request.end)
         )
 
     def _telegram(self, message: MessageLayout) -> Iterator[Usage]:
