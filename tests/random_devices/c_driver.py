@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from fieldspec.backends.c.backend import header
+from fieldspec.backends.c.delimiters import is_wrapped
 from fieldspec.backends.c.fields import case_member, count_member, members
 from fieldspec.backends.c.frames import header_parts
 from fieldspec.backends.c.naming import Naming, frame_member, member
 from fieldspec.backends.c.runtime_files import status_names
+from fieldspec.backends.c.subcodes import shared_codes
 from fieldspec.backends.c.values import accessed_type
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
@@ -186,20 +188,26 @@ class Driver:
         return f"second = (int){encode}({'&content, ' if members(record) else ''}again, sizeof again, &length);"
 
     def _value_case(self, kind: str, path: tuple[str, ...], shape: tuple[Value, str, bool, bool, int]) -> str:
-        value, _, _, _, size = shape
+        value, _, _, trigger, size = shape
         noun = "register" if kind == "register" else "parameter"
         decode = self.naming.function(noun, *path, "decode")  # type: ignore[arg-type]
         encode = self.naming.function(noun, *path, "encode")  # type: ignore[arg-type]
         array = value.type.kind in (Kind.TEXT, Kind.BYTES)
         call = "content" if array else "&content"
         argument, other = "content, ", ""
+        kind_of_answer, written_kind = (
+            accessed_type(self.naming, self.layout.device, content) for content in (value.as_answer(trigger), value)
+        )
+        if kind_of_answer != written_kind:
+            # An answer that is no number of the type is no member either.
+            other = f"if (({written_kind})content != content) {{ second = {REASONS.index('unknown_value')}; }} else "
         if value.const is not None:
             argument, other = (
                 "",
                 f"if (content != {_literal(value)}) {{ second = {REASONS.index('wrong_const')}; }} else ",
             )
         return (
-            f'if (strcmp(name, "{".".join((kind, *path))}") == 0) {{ {self._declared(value)}'
+            f'if (strcmp(name, "{".".join((kind, *path))}") == 0) {{ {self._declared(value.as_answer(trigger))}'
             f" if (size != {size}) {{ status = size < {size} ? 1 : 2; }} else {{"
             f" status = (int){decode}(data, {call}); if (status == 0) {{ {_show_value(value, 'content')}"
             f" length = {size}; {other}second = (int){encode}({argument}again); }} }} }}"
@@ -218,7 +226,7 @@ class Driver:
         frame = link.frame(direction)
         kind = self.naming.type("link", link.name, direction, "frame")
         call = self.naming.function("link", link.name, direction, "open")
-        wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
+        wrapped = is_wrapped(link)
         parts = header_parts(frame)
         printing = " ".join(f'printf("%lld;", (long long)opened.{frame_member(part.name)});' for part in parts)
         heads = "".join(f"opened.{frame_member(part.name)}, " for part in parts)
@@ -233,6 +241,9 @@ class Driver:
                 record = layout_message.data(direction)
                 encode = self.naming.function("link", link.name, "encode", name, direction)
                 test = f"opened.code == {layout_message.message.code}u" if coded else "1"
+                subcode = shared_codes(link, direction).get(layout_message.message.code or 0)
+                if subcode is not None and layout_message in subcode.messages.values():
+                    test += f" && opened.subcode == {subcode.number_of(layout_message)}u"
                 if error is not None:
                     test += " && !opened.error"
                 bodies.append(f"if ({test}) {{ {self._body(record, encode, heads)} }}")

@@ -211,9 +211,9 @@ def _span(group: RegisterGroup) -> int:
 def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
     for link in layout.links.values():
         width = 2 if link.link.encoding == "hex_ascii" else 1
-        marks = len(link.link.start) + len(link.link.end)
         for direction in ("request", "response"):
             shape = link.frame(direction)
+            marks = len(shape.start) + len(shape.end)
             around = shape.header_size + shape.trailer_size
             if around:
                 bodies = [message.data(direction).most or 0 for message in link.carried(direction).values()]

@@ -87,18 +87,19 @@ def about(layout: DeviceLayout) -> list[str]:
 
 def refusals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
     """What a dialect of Structured Text cannot have of a device: the same as any other, but each has its title."""
-    return list(declarations(layout, dialect).findings) if _declared(layout).findings else []
+    return list(declarations(layout, dialect).findings) if declared_in_text(layout).findings else []
 
 
 @cached
-def _declared(layout: DeviceLayout) -> Declarations:
+def declared_in_text(layout: DeviceLayout) -> Declarations:
+    """The declarations of a device in Structured Text."""
     return declarations(layout, STRUCTURED)
 
 
 @cached
 def program(layout: DeviceLayout) -> Program:
     """The program of a device that has no findings, in Structured Text, whose dialects differ in their files alone."""
-    declared = _declared(layout)
+    declared = declared_in_text(layout)
     structs = padded(declared)
     by_name = {struct.name: struct for struct in structs}
     where = tuple(placed(struct, PACKED, by_name) for struct in structs)
