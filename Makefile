@@ -8,6 +8,7 @@
 # make fuzz-specs   compare all codecs on random devices for a minute, or SECONDS=600; what they disagree on becomes a case
 # make fuzz-texts  put hostile texts into every text of devices for a minute, or SECONDS=600, and parse all outputs
 # make mutants-compiler  change single places of the compiler, and count which mutants recorded outputs and tests notice
+# make queries  compare the queries of a telegram with the reference on a million random telegrams
 # make plants  run the examples of docs/plc.md and the blocks for a million random scans each, against simulated devices
 # make plc-sizes  write docs/plc-sizes.md: code and data of the function blocks on a Cortex-M3
 # make capabilities  verify every line of docs/capabilities.md about keys, of which the tests verify a share
@@ -16,6 +17,7 @@
 # make soak-device  let 24 hours of random requests and faults pass for each simulated device
 # make dist    build the wheel and the sdist into dist/
 # make sbom    write dist/sbom.json, the bill of materials of what an installation holds, as CycloneDX
+# make docs-site  write the site of docs/ to build/site
 # make bench   measure, and write docs/benchmarks.md
 # make pins    choose new versions of the dependencies
 # make clean   remove what make has set up
@@ -37,8 +39,10 @@ SBOM := build/sbom
 FUZZER := build/fuzz/environment
 INSTALLED_FUZZER := $(FUZZER)/.installed
 NOISE := 2000000
+WRITER := build/docs/environment
+INSTALLED_WRITER := $(WRITER)/.installed
 
-.PHONY: build test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-texts plants plc-sizes capabilities accept soak soak-device dist sbom bench pins clean
+.PHONY: build test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-texts queries plants plc-sizes capabilities accept soak soak-device dist sbom docs-site bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -101,6 +105,9 @@ sbom: dist
 capabilities: $(INSTALLED)
 	FIELDSPEC_CAPABILITIES=all $(BIN)/pytest -n 3 tests/test_capabilities.py
 
+queries: $(INSTALLED)
+	FIELDSPEC_TELEGRAMS=1000000 $(BIN)/pytest -n 2 tests/queries_output/test_queries_of_records.py -k telegrams
+
 plants: $(INSTALLED)
 	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py tests/plc_output/test_device_blocks.py tests/plc_output/test_simulated_blocks.py -k whatever_happens
 
@@ -114,6 +121,10 @@ accept: $(INSTALLED)
 # The peers have an environment of their own.
 bench: $(INSTALLED_PEERS) $(if $(NPM),$(PEERS)/node_modules/.package-lock.json)
 	$(BENCH)/$(notdir $(BIN))/python benchmarks/run.py $(ONLY)
+
+# Every broken link, and every page that no other one leads to, ends it.
+docs-site: build $(INSTALLED_WRITER)
+	$(WRITER)/bin/python -m sphinx --fail-on-warning --keep-going --quiet -b html docs build/site
 
 pins: $(INSTALLED)
 	$(PIP) install --quiet $(UV)
@@ -129,6 +140,9 @@ pins: $(INSTALLED)
 	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.11 --generate-hashes \
 	  --no-emit-index-url --no-emit-find-links --custom-compile-command "make pins" \
 	  requirements/fuzz.in --output-file requirements/fuzz.txt
+	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.11 --generate-hashes \
+	  --no-emit-index-url --no-emit-find-links --custom-compile-command "make pins" \
+	  requirements/docs.in --output-file requirements/docs.txt
 
 clean:
 	rm -rf $(VENV) $(BENCH) $(PEERS)/node_modules tests/tools/node_modules build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
@@ -158,6 +172,11 @@ $(INSTALLED_PEERS): requirements/bench.txt pyproject.toml
 $(INSTALLED_FUZZER): requirements/fuzz.txt
 	$(PYTHON) -m venv $(FUZZER)
 	$(FUZZER)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes --requirement $<
+	@touch $@
+
+$(INSTALLED_WRITER): requirements/docs.txt
+	$(PYTHON) -m venv $(WRITER)
+	$(WRITER)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes --requirement $<
 	@touch $@
 
 $(PEERS)/node_modules/.package-lock.json: $(PEERS)/package.json $(PEERS)/package-lock.json

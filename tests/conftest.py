@@ -22,6 +22,7 @@ SLOW = (
     "js_output",
     "plc_memory",
     "plc_output",
+    "queries_output",
     "random_devices",
     "test_add_a_device.py",
     "test_audit_of_manuals.py",

@@ -14,6 +14,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import duckdb
 import html5lib
 import openpyxl
 import tree_sitter
@@ -182,6 +183,15 @@ def of_json(text: str) -> Structure:
     return kinds(json.loads(text))
 
 
+def of_sql(text: str) -> Structure:
+    """The kinds of the statements and of their tokens, as DuckDB reads them."""
+    try:
+        statements = [str(statement.type) for statement in duckdb.extract_statements(text)]
+    except duckdb.Error as error:
+        raise ParserError(str(error)) from error
+    return [*statements, *(str(kind) for _, kind in duckdb.tokenize(text))]
+
+
 def of_workbook(content: bytes) -> Structure:
     """The kind of each cell; none is a formula or a link."""
     book = openpyxl.load_workbook(io.BytesIO(content))
@@ -199,6 +209,7 @@ BY_SUFFIX: dict[str, Callable[[str], Structure]] = {
     ".h": of_c,
     ".c": of_c,
     ".lua": of_lua,
+    ".sql": of_sql,
     ".html": of_html,
     ".md": of_markdown,
     ".csv": of_csv,

@@ -59,6 +59,7 @@ def test_poison_in_every_text_changes_the_structure_of_no_output(device: str, se
         ("x.csv", "a,b\n", "a,b,c\n"),
         ("x.json", '{"a": "b"}', '{"a": "b", "c": "d"}'),
         ("x.lua", "x = 'a'", "x = 'a' os.exit()"),
+        ("x.sql", "-- a\nSELECT 'b';", "-- a\nDROP TABLE b; SELECT 'b';"),
         ("x.js", 'x = "a";', 'x = "a"; alert(1); "";'),
     ],
 )

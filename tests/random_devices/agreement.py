@@ -22,6 +22,7 @@ from random_devices.explainer_judge import Explainer
 from random_devices.javascript_judge import JavaScript
 from random_devices.python_judge import Python
 from random_devices.queries import Answer, Query, queries
+from random_devices.queries_judge import Queries
 from random_devices.reference_answers import Reference
 from random_devices.selftest_judge import Selftest
 from random_devices.spec_changes import examples_are_proven, identities_agree
@@ -53,6 +54,8 @@ JUDGES = (
     Judge("command", 5, Command),
     Judge("selftest", 25, Selftest),
     Judge("sanitized", 20, lambda layout, folder, number: C(layout, folder, SANITIZED), True),
+    Judge("duckdb", 6, lambda layout, folder, number: Queries(layout, "duckdb")),
+    Judge("polars", 6, lambda layout, folder, number: Queries(layout, "polars")),
     Judge("big_endian", 50, lambda layout, folder, number: C(layout, folder, BIG_ENDIAN, ("qemu-m68k",)), True),
 )
 """All judges. A codec in another language is added here, and nowhere else."""

@@ -94,6 +94,7 @@ OUTPUTS = {
         Output("c", "C headers with self-tests"),
         Output("js", "JavaScript modules with types"),
         Output("wireshark", "Dissectors in Lua for Wireshark"),
+        Output("queries", "Decoding as SQL for DuckDB and expressions for Polars"),
         Output("docs", "Documentation as HTML and Markdown"),
         Output("vectors", "Example frames as JSON"),
         Output("hmi", "Texts of alarms, faults and warnings for operator panels as CSV and XLSX"),

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from fieldspec.model.device import Detection
 from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.units import standard_unit
 
 
 def sentence(text: str) -> str:
@@ -54,3 +56,11 @@ def number_text(detection: Detection) -> str:
         return ""
     point = f", with a point before the last {detection.places}" if detection.places else ""
     return f"The {detection.form} digits of the number are the version{point}."
+
+
+def unit_word(unit: str) -> str:
+    """The suffix of a scaled property: `mm`, `percent`, `per_s`; `scaled` where there is no unit."""
+    known = standard_unit(unit)
+    above, _, below = ((known.word if known else "") or unit.lower() or "scaled").partition("/")
+    words = f"{above if above != '1' else ''}_per_{below}".strip("_") if below else above
+    return re.sub(r"[^a-z0-9]+", "_", words).strip("_") or "scaled"

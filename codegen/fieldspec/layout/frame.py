@@ -270,9 +270,7 @@ def _frame(link: Link, direction: str) -> FrameLayout:
         )
     header, trailer = tuple(placed[:body]), tuple(placed[body + 1 :])
     start, end = link.delimiters(direction)
-    shape = FrameLayout(
-        direction, header, sum(sizes[:body]), trailer, sum(sizes[body + 1 :]), start=start, end=end
-    )
+    shape = FrameLayout(direction, header, sum(sizes[:body]), trailer, sum(sizes[body + 1 :]), start=start, end=end)
     if escaped is None:
         return shape
     return replace(shape, escape=link.escape, escape_start=place(escaped[0]), escape_stop=stop_of(escaped[1]))

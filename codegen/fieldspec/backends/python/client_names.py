@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from fieldspec.backends.fact_texts import unit_word
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.records import RecordView
-from fieldspec.backends.python.scaling import unit_word
 from fieldspec.backends.python.slots import Slots, Words, value_type
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from fieldspec.backends.fact_texts import described, sentence
+from fieldspec.backends.fact_texts import described, sentence, unit_word
 from fieldspec.backends.python.naming import FLAGS, STATES, TYPES, Scope
-from fieldspec.backends.python.scaling import in_unit, quantity, ratio, unit_word
+from fieldspec.backends.python.scaling import in_unit, quantity, ratio
 from fieldspec.backends.python.text import docstring, filled, item_lines, literal
 from fieldspec.classes import dataclass, field, replace
 from fieldspec.model.enums import Bit, Enum, Flags, Member, State

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.fact_texts import described, sentence
+from fieldspec.backends.fact_texts import described, sentence, unit_word
 from fieldspec.backends.python.naming import MESSAGE, Scope
-from fieldspec.backends.python.scaling import in_unit, ratio, unit_word
+from fieldspec.backends.python.scaling import in_unit, ratio
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import pairs, within

@@ -2,21 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from decimal import Decimal
 from fractions import Fraction
 from math import lcm
 
-from fieldspec.model.units import standard_unit
 from fieldspec.model.value import Value
-
-
-def unit_word(unit: str) -> str:
-    """The suffix of a scaled property: `mm`, `percent`, `per_s`; `scaled` where there is no unit."""
-    known = standard_unit(unit)
-    above, _, below = ((known.word if known else "") or unit.lower() or "scaled").partition("/")
-    words = f"{above if above != '1' else ''}_per_{below}".strip("_") if below else above
-    return re.sub(r"[^a-z0-9]+", "_", words).strip("_") or "scaled"
 
 
 def ratio(value: Value) -> tuple[int, int, int]:

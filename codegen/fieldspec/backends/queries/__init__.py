@@ -1,0 +1,1 @@
+"""Decoding as queries: SQL for DuckDB, and expressions for Polars."""

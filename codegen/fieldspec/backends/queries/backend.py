@@ -1,0 +1,25 @@
+"""The files of the output with queries."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.backends.queries.polars_text import polars_text
+from fieldspec.backends.queries.sql_text import sql_text
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.names import stem
+
+
+def shared() -> dict[str, str]:
+    """No files: each is complete in itself."""
+    return {}
+
+
+def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
+    """The macros and the expressions of a device, two files for each version."""
+    texts: dict[str, str] = {}
+    for layout in versions:
+        own = stem(layout.device.id, layout.device.version)
+        texts[f"{own}.sql"] = sql_text(layout)
+        texts[f"{own}.py"] = polars_text(layout)
+    return texts

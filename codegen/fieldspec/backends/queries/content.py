@@ -1,0 +1,200 @@
+"""Queries: their columns, the reasons for which a codec refuses the data, and what an audit finds."""
+
+from __future__ import annotations
+
+from fieldspec.backends.queries.dialect import Body, Dialect, Slot
+from fieldspec.backends.queries.values import Reader, ValueQuery
+from fieldspec.classes import dataclass, field, replace
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.device import Device
+from fieldspec.model.value import Kind, Value
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """A finding of an audit: its condition, the column, the reason, and the raw number, or an empty text."""
+
+    condition: str
+    column: str
+    reason: str
+    raw: str
+
+
+@dataclass(frozen=True, slots=True)
+class Elements:
+    """Elements of `size` bytes from an offset on; to the end of the data without a count."""
+
+    offset: int
+    size: int
+    count: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Content:
+    """What a query computes. Each of `levels` has intermediate results by name, made of those before it."""
+
+    device: Device
+    dialect: Dialect
+    enums: dict[str, str]
+    columns: dict[str, str] = field(default_factory=dict)
+    refusals: list[tuple[str, str]] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    levels: list[dict[str, str]] = field(default_factory=list)
+
+    def add_record(self, record: RecordLayout, data: str) -> None:
+        """The fields of a record. `data` is the name of the result with its bytes, or with null."""
+        if record.selector is None:
+            self.add_fields(record.fields, data)
+            self._add_measures(record, data)
+            return
+        self._add_choices(record, record.selector, data)
+
+    def add_fields(
+        self,
+        fields: tuple[FieldLayout, ...],
+        data: str,
+        base: int = 0,
+        prefix: str = "",
+        inside: Elements | None = None,
+    ) -> None:
+        """Fields from an offset of the data, or of each element of a list in it."""
+        for own in fields:
+            name, at = prefix + own.name, base + own.offset
+            if own.record is not None:
+                inner = own.record.fields
+                if own.count is None:
+                    self.add_fields(inner, data, 0, f"{name}_", Elements(at, own.size, None))
+                    continue
+                for number in range(own.count):
+                    number_prefix = f"{name}_{number}_" if own.is_list else f"{name}_"
+                    self.add_fields(inner, data, at + number * own.size, number_prefix, inside)
+                continue
+            if own.value is None:
+                continue
+            query = ValueQuery(self.device, self.dialect, self.enums, own.value, own.order, own.swapped)
+            reserved = own.field.reserved
+            if own.is_list and inside is None:
+                self.add_value(name, query, data, 0, Elements(at, own.size, own.count), reserved)
+            elif own.is_list:
+                for number in range(own.count or 0):
+                    self.add_value(f"{name}_{number}", query, data, at + number * own.size, inside, reserved)
+            else:
+                self.add_value(name, query, data, at, inside, reserved)
+
+    def add_value(
+        self, name: str, query: ValueQuery, data: str, at: int, inside: Elements | None = None, reserved: bool = False
+    ) -> None:
+        """A value at an offset of the data, or of each element of a list in it."""
+        if reserved:
+            if query.value.type.kind is Kind.INTEGER:
+                self._find(name, "reserved_bits", query, self._nonzero(query), data, at, inside)
+            return
+        for column in query.columns():
+            self.add_column(
+                f"{name}_{column.suffix}" if column.suffix else name, self._spread(column.read, data, at, inside)
+            )
+        for rule in query.faults():
+            self.refusals.append((self._condition(rule.breaks, data, at, inside), rule.reason))
+        for rule in query.findings():
+            self._find(name, rule.reason, query, rule.breaks, data, at, inside)
+
+    def add_column(self, name: str, expression: str) -> None:
+        """A column. A name that is taken gets an underscore."""
+        while name in self.columns:
+            name += "_"
+        self.columns[name] = expression
+
+    def _nonzero(self, query: ValueQuery) -> Reader:
+        return lambda data, at: self.dialect.compared(query.word(data, at), "<>", "0")
+
+    def _find(
+        self, name: str, reason: str, query: ValueQuery, breaks: Reader, data: str, at: int, inside: Elements | None
+    ) -> None:
+        if not breaks(data, at):
+            return
+        raw = "" if inside is not None else query.raw(data, at)
+        self.findings.append(Finding(self._condition(breaks, data, at, inside), name, reason, raw))
+
+    def _spread(self, read: Reader, data: str, at: int, inside: Elements | None) -> str:
+        if inside is None:
+            return read(data, at)
+        body: Body = lambda element: read(element, at)  # noqa: E731
+        return self.dialect.each(data, inside.offset, inside.size, inside.count, body)
+
+    def _condition(self, breaks: Reader, data: str, at: int, inside: Elements | None) -> str:
+        if inside is None:
+            return breaks(data, at)
+        body: Body = lambda element: breaks(element, at)  # noqa: E731
+        return self.dialect.some(data, inside.offset, inside.size, inside.count, body)
+
+    def _add_measures(self, record: RecordLayout, data: str) -> None:
+        """The refusal of a size that is not that of the field that it measures."""
+        for own in record.fields:
+            measure = own.field.measures
+            other = record.named(measure.field) if measure is not None else None
+            if measure is None or other is None or own.value is None:
+                continue
+            if other.count is not None:
+                items = other.count if other.is_list else 1
+                measured = str(items * other.size if measure.of == "bytes" else items)
+            else:
+                measured = self.dialect.units(data, other.offset, 1 if measure.of == "bytes" else other.size)
+            number = self.dialect.whole(data, _slot(own, own.value))
+            self.refusals.append((self.dialect.compared(number, "<>", measured), "wrong_measure"))
+
+    def _add_choices(self, record: RecordLayout, selector: FieldLayout, data: str) -> None:
+        """The fields of a record whose last field has the type that the selector decides."""
+        assert selector.value is not None
+        number = self.dialect.whole(data, _slot(selector, selector.value))
+        known = sorted(record.chosen)
+        self.refusals.append((self.dialect.negated(self.dialect.is_in(number, _points(known))), "unknown_value"))
+        shapes: list[tuple[RecordLayout, list[int]]] = []
+        for value, shape in record.chosen.items():
+            same = next((numbers for other, numbers in shapes if other is shape), None)
+            if same is None:
+                shapes.append((shape, [value]))
+            else:
+                same.append(value)
+        level: dict[str, str] = {}
+        for place, (shape, numbers) in enumerate(shapes, 1):
+            is_chosen = self.dialect.is_in(number, _points(sorted(numbers)))
+            for wrong, reason in size_refusals(self.dialect, shape, data):
+                self.refusals.append((self.dialect.both(is_chosen, wrong), reason))
+            right = self.dialect.chosen(data, is_chosen)
+            level[self.dialect.step(f"shape_{place}")] = self.dialect.sized(
+                f"({right})", shape.least, shape.most, *tail_of(shape)
+            )
+        whole = self.dialect.step("whole")
+        self.levels.extend([level, {whole: self.dialect.first(*level)}])
+        self.add_fields(record.fields[:-1], whole)
+        names = {number: case.name for case in record.fields[-1].cases for number in case.numbers}
+        for (shape, numbers), step in zip(shapes, level, strict=True):
+            last = shape.fields[-1]
+            self.add_fields((replace(last, name=f"{last.name}_{names[numbers[0]]}"),), step)
+            self._add_measures(shape, step)
+
+
+def _slot(own: FieldLayout, value: Value) -> Slot:
+    return Slot(own.offset, own.size, own.order, own.swapped, value.type.kind is Kind.INTEGER and value.type.signed)
+
+
+def _points(numbers: list[int]) -> list[tuple[int, int]]:
+    return [(number, number) for number in numbers]
+
+
+def tail_of(record: RecordLayout) -> tuple[int, int]:
+    """The offset and the size of the elements that go on to the end of the data; 0 and 1 where there are none."""
+    last = record.fields[-1] if record.fields else None
+    return (last.offset, last.size) if last is not None and last.count is None and not last.cases else (0, 1)
+
+
+def size_refusals(dialect: Dialect, record: RecordLayout, data: str) -> list[tuple[str, str]]:
+    """The conditions for which a codec refuses the size of some data, in the order of its tests."""
+    size, (offset, unit) = dialect.size(data), tail_of(record)
+    refusals = [(dialect.compared(size, "<", str(record.least)), "incomplete")] if record.least else []
+    if record.most is not None:
+        refusals.append((dialect.compared(size, ">", str(record.most)), "wrong_length"))
+    if unit > 1:
+        rest = dialect.units(data, offset, 1)
+        refusals.append((dialect.compared(f"({rest} % {unit})", "<>", "0"), "wrong_length"))
+    return refusals

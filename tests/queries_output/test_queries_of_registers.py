@@ -1,0 +1,183 @@
+"""Groups of registers, tables and parameters as queries, and the findings of audits, against the reference."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from fieldspec.classes import replace
+from fieldspec.explain.values import decode_value
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import Orders, RecordLayout
+from fieldspec.model.value import Kind, Value
+from fieldspec.names import Name
+from fieldspec.reference import CodecError
+from fieldspec.reference.records import decoded, value_construct
+from layouts import SPECS, TEST_SPECS, newest
+from queries_output.engines import ENGINES, engine_of
+from queries_output.expected import Columns, is_equal, record_columns, value_columns
+
+WORDS = ("tc100", "widget", "hostile", "meter", "wattmeter", "counter")
+PARAMETERS = ("hiwin-e", "widget", "mover", "esc11")
+FIND = {"out_of_range", "unknown_value", "wrong_const"}
+
+
+def layout_of(device: str) -> DeviceLayout:
+    return newest(SPECS if (SPECS / device).exists() else TEST_SPECS, device)
+
+
+def columns_of(layout: DeviceLayout, name: str, value: Value, data: bytes, order: str, swapped: bool) -> Columns:
+    """The columns of a value in some bytes; null where a codec refuses them."""
+    raw = value_construct(value, order, swapped).parse(data)
+    if value.type.kind is Kind.TEXT:
+        raw = None if any(byte > 0x7F for byte in raw) else raw.rstrip(b"\0").decode("ascii")
+        return {name: raw}
+    if value.type.kind is Kind.BOOLEAN and not value.enum:
+        return {name: bool(raw) if raw in (0, 1) else None}
+    return dict(value_columns(layout.device, name, value, raw))
+
+
+def group_rows(layout: DeviceLayout, group: Any, start: int, payload: bytes) -> Iterator[tuple[str, Any]]:
+    """The columns of the registers that lie within a payload."""
+    places = {register.name: register for register in layout.registers}
+    for register in group.registers:
+        own = places[register.name]
+        for number in range(own.count):
+            offset = 2 * (own.address + number * own.stride - start)
+            if register.reserved or offset < 0 or offset + register.value.size > len(payload):
+                continue
+            suffix = f"_{number + register.index_from}" if own.count > 1 else ""
+            data = payload[offset : offset + register.value.size]
+            name = f"{Name.of(own.name).snake()}{suffix}"
+            yield from columns_of(layout, name, register.answer, data, own.order, own.swapped).items()
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("device", WORDS)
+def test_registers_within_a_payload_have_their_values_and_others_are_null(device: str, engine: str) -> None:
+    layout, dice = layout_of(device), random.Random(device)
+    names = {record.name for record in layout.records.values()}
+    for group in layout.device.word_groups():
+        addresses = [register.address for register in group.registers]
+        starts = [dice.choice(addresses) - dice.choice((0, 0, 1, 3)) for _ in range(12)]
+        payloads = [dice.randbytes(2 * dice.randint(0, 40)) for _ in starts]
+        query = group.name if group.name not in names else f"{group.name}_registers"
+        rows = engine_of(engine, layout).rows(query, {"start": starts, "payload": payloads})
+        for start, payload, row in zip(starts, payloads, rows, strict=True):
+            wanted = dict(group_rows(layout, group, start, payload))
+            for column, value in row.items():
+                # DuckDB gives a column of the source another name where a register has its name.
+                if column not in ("place", "start", "payload", "start_1"):
+                    assert is_equal(wanted.get(column), value), (column, start, payload.hex(), value)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("device", ["tc100", "ck10", "widget"])
+def test_each_element_of_a_table_within_a_payload_is_a_row(device: str, engine: str) -> None:
+    layout, dice = layout_of(device), random.Random(device)
+    for name, table in layout.tables.items():
+        own, size = table.table, table.record.size or 0
+        starts = [own.base + dice.randrange(own.stride * 3) for _ in range(6)]
+        payloads = [dice.randbytes(2 * dice.randint(0, 3 * own.stride)) for _ in starts]
+        rows = element_rows(layout, engine, name, starts, payloads, list(own.indexes))
+        count = 0
+        for place, (start, payload) in enumerate(zip(starts, payloads, strict=True)):
+            for index in own.indexes:
+                offset = 2 * (own.address(index) - start)
+                data = payload[offset : offset + size] if offset >= 0 else b""
+                if len(data) < size:
+                    assert (place, index) not in rows
+                    continue
+                count += 1
+                row = rows[place, index]
+                refusal, wanted = answer_of(layout, table.record, data)
+                assert row["refusal"] == refusal
+                assert all(is_equal(value, row[column]) for column, value in wanted.items())
+        assert count == len(rows)
+
+
+def answer_of(layout: DeviceLayout, record: RecordLayout, data: bytes) -> tuple[str | None, Columns]:
+    """The reason for which the reference refuses some data, and the columns of data that it decodes."""
+    try:
+        return None, record_columns(layout.device, record, decoded(record, data, layout.device))
+    except CodecError as error:
+        return error.reason, {}
+
+
+def element_rows(
+    layout: DeviceLayout, engine: str, name: str, starts: list[int], payloads: list[bytes], indexes: list[int]
+) -> dict[tuple[int, int], dict[str, Any]]:
+    """The rows of a table by the place of the payload and the number of the element."""
+    runner = engine_of(engine, layout)
+    if engine == "duckdb":
+        rows = runner.rows(name, {"start": starts, "payload": payloads})
+        return {(row["place"], row["element"]): row for row in rows}
+    arguments = {
+        "start": [start for start in starts for _ in indexes],
+        "payload": [payload for payload in payloads for _ in indexes],
+        "element": indexes * len(starts),
+    }
+    rows = runner.rows(name, arguments)
+    known = [row for row in rows if any(row[key] is not None for key in row if key not in (*arguments, "place"))]
+    return {(row["place"] // len(indexes), row["element"]): row for row in known}
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("device", PARAMETERS)
+def test_a_parameter_has_the_value_of_its_number(device: str, engine: str) -> None:
+    layout, dice = layout_of(device), random.Random(device)
+    orders = Orders(layout.device.byte_order, layout.device.word_order)
+    for parameters in layout.device.parameters.values():
+        rows, wanted = [], []
+        for parameter in parameters.parameters:
+            if parameter.reserved or not parameter.name:
+                continue
+            inner = dice.choice([None, *(sub for sub in parameter.subindices if not sub.reserved)])
+            value = (inner or parameter).value
+            answer = value.as_answer(parameter.trigger if inner is None else False)
+            data = dice.randbytes(value.size)
+            covered = [low for sub in parameter.subindices for low, _ in sub.indices.intervals]
+            subindex = inner.indices.low if inner else max(covered, default=0) + 1000
+            name = Name.of(parameter.name).snake()
+            if inner is not None:
+                name = f"{name}_{Name.of(inner.name).snake() or inner.indices.low}"
+            rows.append((parameters.base + parameter.number, subindex, data))
+            wanted.append(columns_of(layout, name, answer, data, *orders.of(value)))
+        columns = zip(*rows, strict=True)
+        arguments = dict(zip(("number", "subindex", "payload"), map(list, columns), strict=True))
+        for expected, row in zip(wanted, engine_of(engine, layout).rows(parameters.name, arguments), strict=True):
+            for column, actual in row.items():
+                if column not in arguments and column != "place":
+                    assert is_equal(expected.get(column), actual), (column, row["number"], expected, actual)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("device", ["tc100", "widget", "hostile"])
+def test_findings_are_those_of_the_explanation_and_reserved_bits(device: str, engine: str) -> None:
+    layout, dice = layout_of(device), random.Random(device)
+    names = {record.name for record in layout.records.values()}
+    places = {register.name: register for register in layout.registers}
+    for group in layout.device.word_groups():
+        name = f"{group.name}_findings" if group.name not in names else f"{group.name}_registers_findings"
+        starts = [dice.choice([register.address for register in group.registers]) for _ in range(8)]
+        payloads = [dice.randbytes(2 * dice.randint(1, 30)) for _ in starts]
+        rows = engine_of(engine, layout).rows(name, {"start": starts, "payload": payloads})
+        reported = {(row["place"], row["field"], row["reason"]) for row in rows}
+        wanted = set()
+        for place, (start, payload) in enumerate(zip(starts, payloads, strict=True)):
+            for register in group.registers:
+                own = places[register.name]
+                offset = 2 * (own.address - start)
+                if own.count > 1 or offset < 0 or offset + register.value.size > len(payload) or register.reserved:
+                    continue
+                data = payload[offset : offset + register.value.size]
+                value = replace(register.answer)
+                reason = decode_value(layout.device, value, data, own.order, own.swapped).reason
+                if reason:
+                    wanted.add((place, Name.of(own.name).snake(), reason))
+        single = {Name.of(own.name).snake() for own in layout.registers if own.count == 1 and not own.register.reserved}
+        assert wanted == {row for row in reported if row[2] in FIND and row[1] in single}
+        assert all(row["raw"] is not None for row in rows if row["reason"] != "unknown_value")
