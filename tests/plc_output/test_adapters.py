@@ -146,6 +146,22 @@ def test_a_walk_compiles_with_its_adapter(walk: str, tmp_path: Path) -> None:
     translated(functions + STUBS + adapter + block, tmp_path)
 
 
+def test_the_walk_compiles_with_what_the_page_replaces_for_a_ck10(tmp_path: Path) -> None:
+    adapter, walk = STRUCTURED["FB_Tc100SerialPort"], WALKS["PRG_Tc100Axis"]
+    page = (DOCS / "plc.md").read_text("utf-8")
+    rows = re.findall(r"^\| `(uiSpeed [^`]+)`[^|]* \| `([^`]+)` \|$", page, re.MULTILINE)
+    assert len(rows) == 2
+    for before, after in [("Tc100", "Ck10"), *rows]:
+        assert before in walk
+        adapter, walk = adapter.replace(before, after), walk.replace(before, after)
+    adapter, walk = standard(adapter, "Ck10"), standard(walk, "Ck10")
+    # The buffer of the adapter is its own; no block of the device is lent it.
+    adapter = adapter.replace("T_Ck10_BYTE_0_254", "T_Own")
+    functions = needed(text(source(newest(SPECS, "ck10"))), called_in(walk))
+    own = "TYPE T_Own : ARRAY [0..254] OF BYTE; END_TYPE\n"
+    translated(functions + own + STUBS + adapter + walk, tmp_path)
+
+
 def test_the_walk_for_tia_portal_compiles_with_its_adapters(tmp_path: Path) -> None:
     adapters = "".join(siemens(SIEMENS[f"HiwinETelegram111{way}"]) for way in ("Input", "Output"))
     block = siemens(SIEMENS_WALKS["HiwinEAxis"])

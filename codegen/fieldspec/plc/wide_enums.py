@@ -8,7 +8,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.plc.dialects import Dialect
 from fieldspec.plc.enums import coded
-from fieldspec.plc.routines.world import one_type_holds, raw_bounds
+from fieldspec.plc.routines.world import has_common_type, raw_bounds
 
 _MOST = (1 << 63) - 1
 _HELP = "leave this output out for the device: name the others after --to"
@@ -17,7 +17,7 @@ _HELP = "leave this output out for the device: name the others after --to"
 def wide_enums(layout: DeviceLayout, dialect: Dialect) -> Iterator[Diagnostic]:
     """A finding for each enum that no type holds, and for each whose codes are too great for the list of texts."""
     for name, (low, high) in raw_bounds(layout).items():
-        if not one_type_holds(low, high):
+        if not has_common_type(low, high):
             text = f"values with {name} may be negative, or 2^63 and more; {dialect.title} has no type for both"
             yield Diagnostic("plc_enums_fit", text, layout.device.enums[name].place["name"], help=_HELP)
     if not dialect.texts:

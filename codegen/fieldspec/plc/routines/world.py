@@ -281,7 +281,7 @@ def raw_bounds(layout: DeviceLayout) -> dict[str, tuple[int, int]]:
     return bounds
 
 
-def one_type_holds(low: int, high: int) -> bool:
+def has_common_type(low: int, high: int) -> bool:
     """Whether a type of whole numbers holds two of them: none holds a negative one and one from 2^63 on."""
     return low >= 0 or high <= ELEMENTARY["LINT"].high
 

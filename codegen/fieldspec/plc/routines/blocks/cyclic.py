@@ -120,13 +120,13 @@ class _Maker:
                 steady = block.steady = block.declare("xSteady", BOOL, "local")
                 at_speed = block.declare("InVelocity", BOOL, "output", "the commanded speed is reached")
                 place, field = self._place(reached[0])
-                shown = holds(self.world, reached[0], field.value, True, place)
+                reached_bit = holds(self.world, reached[0], field.value, True, place)
                 same = every([compared(place, "=", raw) for place, raw in self.setpoints])
                 settled = Member(block.declared_once("fbSettle", TIMER, "local"), "Q", BOOL)
                 following = [
                     Assignment(steady, same),
                     *following,
-                    Assignment(at_speed, every([steady, settled, shown])),
+                    Assignment(at_speed, every([steady, settled, reached_bit])),
                 ]
                 self.lowered += [Assignment(steady, Truth(False)), Assignment(at_speed, Truth(False))]
         converted = [*block.at_start, when(block.unharmed(), following)] if following else []
