@@ -17,6 +17,7 @@
 # make soak-device  let 24 hours of random requests and faults pass for each simulated device
 # make dist    build the wheel and the sdist into dist/
 # make sbom    write dist/sbom.json, the bill of materials of what an installation holds, as CycloneDX
+# make docs-site  write the site of docs/ to build/site
 # make bench   measure, and write docs/benchmarks.md
 # make pins    choose new versions of the dependencies
 # make clean   remove what make has set up
@@ -38,8 +39,10 @@ SBOM := build/sbom
 FUZZER := build/fuzz/environment
 INSTALLED_FUZZER := $(FUZZER)/.installed
 NOISE := 2000000
+WRITER := build/docs/environment
+INSTALLED_WRITER := $(WRITER)/.installed
 
-.PHONY: build test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-texts queries plants plc-sizes capabilities accept soak soak-device dist sbom bench pins clean
+.PHONY: build test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-texts queries plants plc-sizes capabilities accept soak soak-device dist sbom docs-site bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -119,6 +122,10 @@ accept: $(INSTALLED)
 bench: $(INSTALLED_PEERS) $(if $(NPM),$(PEERS)/node_modules/.package-lock.json)
 	$(BENCH)/$(notdir $(BIN))/python benchmarks/run.py $(ONLY)
 
+# Every broken link, and every page that no other one leads to, ends it.
+docs-site: build $(INSTALLED_WRITER)
+	$(WRITER)/bin/python -m sphinx --fail-on-warning --keep-going --quiet -b html docs build/site
+
 pins: $(INSTALLED)
 	$(PIP) install --quiet $(UV)
 	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.10 --generate-hashes \
@@ -133,6 +140,9 @@ pins: $(INSTALLED)
 	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.11 --generate-hashes \
 	  --no-emit-index-url --no-emit-find-links --custom-compile-command "make pins" \
 	  requirements/fuzz.in --output-file requirements/fuzz.txt
+	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.11 --generate-hashes \
+	  --no-emit-index-url --no-emit-find-links --custom-compile-command "make pins" \
+	  requirements/docs.in --output-file requirements/docs.txt
 
 clean:
 	rm -rf $(VENV) $(BENCH) $(PEERS)/node_modules tests/tools/node_modules build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
@@ -162,6 +172,11 @@ $(INSTALLED_PEERS): requirements/bench.txt pyproject.toml
 $(INSTALLED_FUZZER): requirements/fuzz.txt
 	$(PYTHON) -m venv $(FUZZER)
 	$(FUZZER)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes --requirement $<
+	@touch $@
+
+$(INSTALLED_WRITER): requirements/docs.txt
+	$(PYTHON) -m venv $(WRITER)
+	$(WRITER)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes --requirement $<
 	@touch $@
 
 $(PEERS)/node_modules/.package-lock.json: $(PEERS)/package.json $(PEERS)/package-lock.json

@@ -171,7 +171,7 @@ def test_a_back_end_imports_layouts_and_no_other_back_end(path: Path) -> None:
     more = {"reference"} if own == "vectors" else set()  # vectors are the frames that codecs are compared with
     assert {name for name in ours if layer(name) not in BACK_ENDS_IMPORT | more} == set()
     others = {name.split(".")[2] for name in ours if name.startswith("fieldspec.backends.")}
-    assert others <= {own, "fact_texts", "templates"}
+    assert others <= {own, "fact_texts", "templates", "usages"}
 
 
 @pytest.mark.parametrize("library", HOMES)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -13,6 +15,7 @@ from selenium.webdriver.support.ui import WebDriverWait
 
 from docs_output.lab import cells, open_lab, requested, text_of, wait_for
 from external_tools import NODE_TOOLS, without
+from fieldspec.backends.docs.lab import lab_script
 
 AXE = NODE_TOOLS.parent / "axe-core" / "axe.min.js"
 HOMING = "01 06 20 1E 00 03 A2 0D"
@@ -214,6 +217,23 @@ def test_hostile_texts_stay_texts(browser: webdriver.Chrome, folder: Path) -> No
     scripts = browser.execute_script("return [...document.scripts].map((script) => script.getAttribute('src'))")
     assert scripts == ["../search.js", "../lab.js", "lab-1.js"]
     assert browser.get_log("browser") == []
+
+
+def test_no_name_of_the_script_is_declared_twice() -> None:
+    names = re.findall(r"^(?:async )?(?:function\*?|class|const|let) (\w+)", lab_script(), re.MULTILINE)
+    assert [name for name, count in Counter(names).items() if count > 1] == []
+    assert not re.search(r"^(?:import|export)\b", lab_script(), re.MULTILINE)
+
+
+def test_without_javascript_the_page_names_the_verbs(browser: webdriver.Chrome, folder: Path) -> None:
+    browser.execute_cdp_cmd("Emulation.setScriptExecutionDisabled", {"value": True})
+    try:
+        browser.get("about:blank")
+        browser.get((folder / "tc100" / "lab.html").as_uri())
+        assert "fieldspec decode tc100" in browser.find_element(By.TAG_NAME, "main").text
+        assert not browser.find_element(By.ID, "lab").is_displayed()
+    finally:
+        browser.execute_cdp_cmd("Emulation.setScriptExecutionDisabled", {"value": False})
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
+from docs_output.axe import screen, violations
 from docs_output.documented import documentation
 from docs_output.usage_rows import usages
 from fieldspec.backends.docs.fact_index import NAME, parsed
@@ -148,3 +149,16 @@ def test_hostile_texts_stay_texts_in_open_facts(browser: webdriver.Chrome, folde
     opened(browser)
     assert browser.execute_script("return document.querySelectorAll('main img, main b, main script').length") == 0
     assert browser.get_log("browser") == []
+
+
+@pytest.mark.parametrize(
+    ("anchor", "width", "scheme"),
+    [("registers/input_1_function", 1400, "light"), ("messages/telegram_3/response/status", 390, "dark")],
+)
+def test_axe_finds_no_violation_in_an_open_fact(
+    browser: webdriver.Chrome, folder: Path, anchor: str, width: int, scheme: str
+) -> None:
+    with screen(browser, width, scheme):
+        open_page(browser, folder / "glider-x/1.1.html", f"#{anchor}")
+        opened(browser)
+        assert violations(browser) == []

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from pathlib import Path
 
 import pytest
@@ -13,9 +12,8 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.remote.webelement import WebElement
 from selenium.webdriver.support.ui import Select, WebDriverWait
 
-from external_tools import NODE_TOOLS, without
+from docs_output.axe import screen, violations
 
-AXE = NODE_TOOLS.parent / "axe-core" / "axe.min.js"
 ROWS = """
     return [...document.getElementById(arguments[0]).querySelector("tbody").rows]
         .filter(row => !row.hidden && !row.classList.contains("opened"))
@@ -125,20 +123,9 @@ def test_nothing_is_cut_off_on_paper(browser: webdriver.Chrome, folder: Path) ->
     ],
 )
 def test_axe_finds_no_violation(browser: webdriver.Chrome, folder: Path, path: str, width: int, scheme: str) -> None:
-    if not AXE.exists():
-        without("axe-core")
-    metrics = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False}
-    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
-    media = {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
-    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", media)
-    try:
+    with screen(browser, width, scheme):
         browser.get("about:blank")
         browser.get((folder / path).as_uri())
         browser.find_element(By.ID, "query").send_keys("e")
         WebDriverWait(browser, 10).until(lambda _: browser.find_elements(By.CSS_SELECTOR, "#results a"))
-        browser.execute_script(AXE.read_text("utf-8"))
-        script = "const done = arguments[0]; axe.run().then(result => done(JSON.stringify(result.violations)))"
-        assert json.loads(browser.execute_async_script(script)) == []
-    finally:
-        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
-        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+        assert violations(browser) == []

@@ -17,7 +17,7 @@ from python_package import NAME, module_of, package
 ROOT = Path(__file__).parent.parent.parent
 GENERATED = ROOT / "generated"
 DEVICES = ["ck10", "esc11", "hiwin-e", "tc100"]
-MADE_UP = ["widget", "station", "glider-x", "meter", "mover", "hostile"]
+TEST_DEVICES = ["widget", "station", "glider-x", "meter", "mover", "hostile"]
 
 
 def own(text: str) -> str:
@@ -27,7 +27,7 @@ def own(text: str) -> str:
     return "\n".join([blocks[0], *senders])
 
 
-@pytest.mark.parametrize("device", [*DEVICES, *MADE_UP])
+@pytest.mark.parametrize("device", [*DEVICES, *TEST_DEVICES])
 def test_python_for_the_site_encodes_requests(device: str) -> None:
     package()
     for path, text in code("python", device):
@@ -36,7 +36,7 @@ def test_python_for_the_site_encodes_requests(device: str) -> None:
         assert "encode_request" not in own(text) or scope["frame"], path
 
 
-@pytest.mark.parametrize("device", [*DEVICES, *MADE_UP])
+@pytest.mark.parametrize("device", [*DEVICES, *TEST_DEVICES])
 def test_python_for_the_site_has_the_names_of_the_package(device: str) -> None:
     layout, codes = usages("python", device)
     module = module_of(layout)

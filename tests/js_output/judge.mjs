@@ -1,58 +1,13 @@
-// Runs the frames of a file through generated modules and prints what differs from the expectation, one JSON a line.
+// Runs the frames of a file through generated modules and prints what they make of them, one JSON a line.
 import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
+import { judge } from "./judging.mjs";
 
 const modules = new Map();
 
 async function load(path) {
   if (!modules.has(path)) modules.set(path, await import(pathToFileURL(path)));
   return modules.get(path);
-}
-
-/** A value as JSON of the tests: bigints, bytes and numbers that JSON does not have are objects with one key. */
-function portable(value) {
-  if (typeof value === "bigint") return { $n: String(value) };
-  if (value instanceof Uint8Array) return { $b: Buffer.from(value).toString("hex") };
-  if (typeof value === "number" && !Number.isFinite(value)) return { $f: String(value) };
-  if (Object.is(value, -0)) return { $f: "-0" };
-  if (Array.isArray(value)) return value.map(portable);
-  if (typeof value === "object" && value !== null) {
-    return Object.fromEntries(Object.entries(value).sort().map(([key, inner]) => [key, portable(inner)]));
-  }
-  return value;
-}
-
-function named(exports, key, name) {
-  return Object.values(exports).find((value) => value?.[key] !== undefined && value.name === name);
-}
-
-function outcome(action) {
-  try {
-    return { value: action() };
-  } catch (error) {
-    if (error.name !== "CodecError") throw error;
-    return { error: [error.reason, error.offset] };
-  }
-}
-
-function judge(exports, job) {
-  const link = named(exports, "encodeRequest", job.link);
-  const message = link.messages.find((entry) => entry.name === job.message);
-  const frame = new Uint8Array(Buffer.from(job.frame, "hex"));
-  const read = () => (job.direction === "request" ? link.decodeRequest(frame, message) : link.decodeResponse(frame, message));
-  const have = outcome(read);
-  if (have.error) return { error: have.error };
-  const { kind, header, data } = have.value;
-  const result = { value: { kind, message: have.value.message?.name ?? null, header: portable(header), data: portable(data) } };
-  const again = outcome(() =>
-    kind === "exception"
-      ? link.encodeException(header, have.value.code, data)
-      : kind === "request"
-        ? link.encodeRequest(header, have.value.message, data)
-        : link.encodeResponse(header, have.value.message, data),
-  );
-  result.again = again.error ? again.error[0] : Buffer.from(again.value).toString("hex");
-  return result;
 }
 
 for (const line of readFileSync(process.argv[2], "utf8").split("\n")) {

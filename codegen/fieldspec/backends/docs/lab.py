@@ -19,6 +19,9 @@ NAME = "lab"
 SCRIPT = "lab.js"
 """The script of all labs."""
 
+SCRIPTS = ("search.js", SCRIPT)
+"""The scripts that a lab loads at once; it loads the data of a version when that is chosen."""
+
 _PARTS = ("elements", "table", "log_list", "form", "start")
 _IMPORT = re.compile(r"^import [^;]*;\n", re.MULTILINE)
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const)\b)", re.MULTILINE)
@@ -44,7 +47,7 @@ def files(layouts: Sequence[DeviceLayout], place: PagePlace) -> dict[str, str]:
         policy=policy(style, scripts=True),
         panel=panel(place),
         versions=[(page_name(layout.device.version), layout.device.version) for layout in versions],
-        scripts=scripts(place, ("search.js", SCRIPT)),
+        scripts=scripts(place, SCRIPTS),
     )
     data = {
         f"{device.id}/{NAME}-{page_name(layout.device.version)}.js": f"fieldspecLab.add({explainer_data(layout)});\n"

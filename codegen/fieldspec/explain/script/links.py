@@ -7,6 +7,9 @@ from fieldspec.explain.script.values import fact_data, intervals, stated, value_
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.model.checksums import checksum_named
 from fieldspec.model.escape import Escape
+from fieldspec.model.link import ExceptionResponse
+
+DIRECTIONS = ("request", "response")
 
 
 def link_data(link: LinkLayout) -> dict[str, Data]:
@@ -19,13 +22,11 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
             {
                 "title": own.title,
                 "encoding": own.encoding,
-                "start": own.start.hex(),
-                "end": own.end.hex(),
                 "messageName": own.message_name,
                 "addresses": stated({"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast})
                 if addresses is not None
                 else None,
-                "exception": {"flag": exception.flag, "record": exception.record} if exception is not None else None,
+                "exception": _exception(exception) if exception is not None else None,
                 "serial": stated(
                     {
                         "baud": list(serial.baud),
@@ -39,11 +40,36 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
                 else None,
             }
         ),
+        "delimiters": {way: [mark.hex() for mark in own.delimiters(way)] for way in DIRECTIONS},
+        "subcodes": {way: _subcodes(link, way) for way in DIRECTIONS},
         "directionNames": {"request": own.request_name, "response": own.response_name},
-        "carried": {direction: list(link.carried(direction)) for direction in ("request", "response")},
+        "carried": {direction: list(link.carried(direction)) for direction in DIRECTIONS},
         "request": _frame(link.request),
         "response": _frame(link.response),
     }
+
+
+def _exception(exception: ExceptionResponse) -> Data:
+    """What marks an exception response, and its record; the mark is a flag, a code, or a part that is not normal."""
+    return {
+        "record": exception.record,
+        "flag": exception.flag,
+        **stated({"code": exception.code, "part": exception.part, "normal": intervals(exception.normal)}),
+    }
+
+
+def _subcodes(link: LinkLayout, direction: str) -> list[Data]:
+    """What tells messages of one code apart: the place in their data, and the messages by the numbers there."""
+    return [
+        {
+            "code": code,
+            "offset": shared.offset,
+            "size": shared.size,
+            "order": shared.order,
+            "messages": [[number, message.name] for number, message in shared.messages.items()],
+        }
+        for code, shared in link.subcodes(direction).items()
+    ]
 
 
 def _frame(frame: FrameLayout) -> dict[str, Data]:

@@ -62,6 +62,7 @@ def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str
             ],
             "unit": value.unit,
             **_scale(value.scale, value.offset),
+            "isShare": "/" in value.scale_text,
             "parameter": [parameter.set, parameter.part, parameter.number] if parameter is not None else None,
             "default": value.default,
         }

@@ -57,8 +57,17 @@ export function entryOf(device, value, raw, inDigits = false) {
     const digits = BigInt.asUintN(8 * value.size, BigInt(raw)).toString(16).toUpperCase();
     return `0x${digits.padStart(2 * value.size, "0")}`;
   }
-  // A share of a power of two is hardly ever exact in its unit.
-  return (value.scale?.includes("/") ? "" : inUnit(value, raw)) || String(raw);
+  return quantityText(value, raw) || String(raw);
+}
+
+/** The quantity of a raw value, if it leads back to the raw value: a rounded one may not. */
+function quantityText(value, raw) {
+  const text = inUnit(value, raw);
+  const [, quantity] = QUANTITY.exec(text) ?? [];
+  if (quantity === undefined || !value.unit) return "";
+  const exact = exactCount(value, quantity);
+  const isCount = value.isShare || exact[0] % exact[1] === 0n;
+  return isCount && nearestCount(exact) === BigInt(raw) ? text : "";
 }
 
 /** The raw value of an entered text. Throws CodecError, which calls the value `name`. */
@@ -111,7 +120,7 @@ function countEntry(device, name, value, text) {
 
 function quantityEntry(name, value, text, quantity) {
   const exact = exactCount(value, quantity);
-  if (!value.scale?.includes("/") && exact[0] % exact[1] !== 0n) {
+  if (!value.isShare && exact[0] % exact[1] !== 0n) {
     throw new CodecError("wrong_type", `${name}: \`${text}\` is no whole number of counts of ${value.scale ?? 1} ${value.unit}`);
   }
   const count = narrowed(nearestCount(exact));

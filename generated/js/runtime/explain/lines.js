@@ -81,12 +81,13 @@ export function bytesOfText(text) {
  */
 function inCharacters(text, links) {
   const inner = unquoted(text).trimStart();
-  for (const link of links) {
-    const mark = String.fromCharCode(...link.start);
+  const delimiters = links.flatMap((link) => Object.values(link.delimiters).map((marks) => [link, ...marks]));
+  for (const [link, start, close] of delimiters) {
+    const mark = String.fromCharCode(...start);
     if (link.encoding !== "hex_ascii" || !/^[\x20-\x7e\xa1-\xff]+$/.test(mark) || !inner.startsWith(mark)) continue;
     const [body, end] = ended(inner);
     const bytes = Uint8Array.from(body.replace(/\s+/gu, ""), (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
-    return withEnd(bytes, Uint8Array.from(end, (char) => char.charCodeAt(0)), link);
+    return withEnd(bytes, Uint8Array.from(end, (char) => char.charCodeAt(0)), close);
   }
   return null;
 }
@@ -106,16 +107,16 @@ function ended(text) {
 }
 
 /** A frame with its whole end delimiter, and a remark if the text has only a part of the delimiter. */
-function withEnd(body, end, link) {
+function withEnd(body, end, mark) {
   const joined = (...series) => Uint8Array.from(series.flatMap((bytes) => [...bytes]));
-  const [have, want] = [[...end].join(), [...link.end].join()];
-  if (end.length >= link.end.length && [...end.slice(end.length - link.end.length)].join() === want) {
-    return { frame: joined(body, link.end), remarks: [] };
+  const [have, want] = [[...end].join(), [...mark].join()];
+  if (end.length >= mark.length && [...end.slice(end.length - mark.length)].join() === want) {
+    return { frame: joined(body, mark), remarks: [] };
   }
-  if (end.length && [...link.end.slice(0, end.length)].join() !== have) return { frame: joined(body, end), remarks: [] };
-  const lacking = Array.from(link.end.slice(end.length), (byte) => CONTROLS[byte] ?? byte.toString(16).toUpperCase().padStart(2, "0"));
+  if (end.length && [...mark.slice(0, end.length)].join() !== have) return { frame: joined(body, end), remarks: [] };
+  const lacking = Array.from(mark.slice(end.length), (byte) => CONTROLS[byte] ?? byte.toString(16).toUpperCase().padStart(2, "0"));
   const remark = `${lacking.join(" ")} is missing at the end of the text and is assumed to have been sent`;
-  return { frame: joined(body, link.end), remarks: [remark] };
+  return { frame: joined(body, mark), remarks: [remark] };
 }
 
 /**

@@ -1,5 +1,7 @@
 // The form of a message: a frame is made of what is entered, with its lengths and checksums.
 
+const messageOption = ({ name, title, label }) => option(name, [name, title || label].filter(Boolean).join(": "));
+
 class MessageForm {
   constructor(lab) {
     this.lab = lab;
@@ -35,7 +37,7 @@ class MessageForm {
     if (id !== "build-message") {
       const before = message.value;
       const names = [...link.carriedMessages[direction.value].values()];
-      message.replaceChildren(...names.map(({ name, title, label }) => option(name, [name, title || label].filter(Boolean).join(": "))));
+      message.replaceChildren(...names.map(messageOption));
       if (link.carriedMessages[direction.value].has(before)) message.value = before;
       byId("build-message-label").textContent = titled(link.messageName);
     }
@@ -55,13 +57,17 @@ class MessageForm {
     const { link, direction, message, error, values } = explanation;
     const own = device.links.get(link);
     const isKnown = own.carriedMessages[error ? "request" : direction].has(message);
-    byId("build-values").hidden = !isKnown;
-    if (!isKnown) return;
+    if (!isKnown) {
+      this.choice = null;
+      this.fields.replaceChildren();
+      this.message("Nothing says which message this is, so there are no fields to edit. Choose one to build it.");
+      return;
+    }
     byId("build-link").value = link;
     byId("build-direction").replaceChildren(...DIRECTIONS.map((way) => option(way, own.directionNames[way])));
     byId("build-direction").value = direction;
     const names = [...own.carriedMessages[error ? "request" : direction].values()];
-    byId("build-message").replaceChildren(...names.map(({ name, title, label }) => option(name, [name, title || label].filter(Boolean).join(": "))));
+    byId("build-message").replaceChildren(...names.map(messageOption));
     byId("build-message").value = message;
     byId("build-message-label").textContent = titled(own.messageName);
     this.choice = { link, direction, message, error };
@@ -177,7 +183,6 @@ class MessageForm {
   }
 
   draw() {
-    byId("build-values").hidden = false;
     const focused = document.activeElement?.dataset?.path;
     this.fields.replaceChildren(...this.allLeaves().map((leaf, number) => this.leaf(leaf, number)));
     if (focused) [...this.fields.querySelectorAll("[data-path]")].find(({ dataset }) => dataset.path === focused)?.focus();
@@ -231,7 +236,7 @@ class MessageForm {
       const box = element("input", { type: "checkbox", checked: Boolean(raw & bitMask(bit)), dataset: { path, bit: bit.first } });
       return element("label", {}, box, ` ${bit.first} `, element("code", { textContent: bit.name }));
     });
-    return element("details", { open: this.openBits?.has(path), ontoggle: null }, element("summary", { textContent: "Bits" }), element("div", { className: "bit-boxes" }, ...boxes));
+    return element("details", {}, element("summary", { textContent: "Bits" }), element("div", { className: "bit-boxes" }, ...boxes));
   }
 
   // ---- what is entered ----

@@ -87,11 +87,11 @@ class FrameTable {
     this.bytes.replaceChildren(...Array.from(frame, (byte, at) => {
       const row = rows[rowAt.get(at)];
       const isFirst = row?.offset === at;
-      const style = ["byte", row?.kind ?? "", isFirst ? "first" : "", row?.reason && row.reason !== "out_of_range" ? "fault" : ""];
+      const style = [isFirst ? "first" : "", row?.reason && row.reason !== "out_of_range" ? "fault" : ""];
       return element("li", {
         className: style.filter(Boolean).join(" "),
         textContent: isText ? characterOf(byte) : hexOf([byte]),
-        dataset: { from: at, to: at + 1, row: rowAt.get(at) ?? "" },
+        dataset: { from: at, to: at + 1, row: rowAt.get(at) ?? "", kind: row?.kind ?? "" },
         title: row?.path ?? "",
       });
     }));
@@ -109,20 +109,20 @@ class FrameTable {
     const { device } = this.lab;
     const isWrong = row.verdict.startsWith("wrong");
     const isDoubtful = row.kind === "register" || row.reason === "out_of_range";
-    const name = row.path || (row.kind === "register" ? "" : row.kind === "unexplained" ? "surplus" : "");
+    const name = row.path || (row.kind === "unexplained" && !row.doc ? "surplus" : "");
     const labels = [row.printedName && element("code", { textContent: row.printedName }), " ", labelText(device, row.label)];
     const meanings = row.meanings.map((meaning) => element("li", {}, ...this.meaning(meaning)));
     const sent = row.characters && row.characters !== hexOf(row.raw) ? `${visibleCharacters(row.characters)} ` : "";
     const cells = [
       element("td", { className: "number" }, element("code", { textContent: first })),
       element("td", { className: "bytes" }, sent && element("span", { className: "quiet", textContent: sent }), element("code", { textContent: hexOf(row.raw, " ") })),
-      element("th", { scope: "row" }, this.factLink(row.fact, element("code", { textContent: name })), row.doc && !row.path ? row.doc : ""),
+      element("th", { scope: "row" }, this.factLink(row.fact, name && element("code", { textContent: name })), row.path ? "" : row.doc),
       element("td", {}, ...labels.filter(Boolean)),
       element("td", { className: "number", textContent: rawText(row) }),
       element("td", { className: "number", textContent: row.value }),
       element("td", { className: "wide" }, ...(meanings.length > 1 ? [element("ul", {}, ...meanings)] : meanings.flatMap((item) => [...item.childNodes]))),
       element("td", { className: isWrong ? "wrong" : "right", textContent: isWrong && isDoubtful ? row.verdict.replace("wrong", "doubtful") : row.verdict }),
-      element("td", { className: "source" }, row.source, ...row.errata.flatMap((id) => [" ", this.erratumLink(id)])),
+      element("td", { className: "source" }, row.source, ...row.errata.flatMap((id, at) => [at || row.source ? " " : "", this.erratumLink(id)])),
     ];
     const dataset = { row: number, from: row.offset, to: row.offset + row.length };
     return element("tr", { tabIndex: number ? -1 : 0, dataset, className: isWrong ? "fault" : "" }, ...cells);

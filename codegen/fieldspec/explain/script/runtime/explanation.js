@@ -1,3 +1,4 @@
+import { codeText, isException, messageWithCode } from "./device.js";
 import { hexOf, intervalsText, isWithin, latinOf, portableValue, sameBytes } from "./texts.js";
 import { decoded, decodeValue, judged, meaningOf, repeatedValue, wholeOf } from "./values.js";
 import { endRows, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from "./rows.js";
@@ -23,7 +24,7 @@ class ExplainedFrame {
     Object.assign(this, { device, direction, frame, asked });
     this.link = device.links.get(link);
     this.shape = this.link[direction];
-    this.wrapped = unwrapped(this.link, frame);
+    this.wrapped = unwrapped(this.link, direction, frame);
     this.spot = new Spot(frame, this.wrapped.start.length, this.link.encoding === "hex_ascii" ? 2 : 1);
     this.unreadable = null;
     [this.sentData, this.surplus] = this.withoutSurplus(this.wrapped.data);
@@ -184,25 +185,37 @@ class ExplainedFrame {
   /** The message that a code names. An exception response marks the code. */
   codeValue(part, read) {
     let code = Number(read.number);
-    const { exception } = this.link;
-    if (exception && this.direction === "response" && code & exception.flag) {
+    const { link, direction } = this;
+    const { exception } = link;
+    if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {
       this.error = true;
       code &= ~exception.flag;
       this.values.set(part.name, code);
     }
-    this.message = this.link.messagesByCode[this.error ? "request" : this.direction].get(code);
+    const carried = this.error ? "request" : direction;
+    const end = this.data.length - this.shape.trailerSize;
+    const body = this.error ? null : this.data.subarray(this.shape.headerSize, Math.max(this.shape.headerSize, end));
+    // An exception response carries no subcode; only the request tells which message it answers.
+    const shared = this.error ? link.messagesByCode[carried].get(code) ?? [] : [];
+    this.message = messageWithCode(link, carried, code, body) ?? shared.find(({ name }) => name === this.named);
     if (!this.message) {
       const digits = code.toString(16).padStart(2, "0");
       if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
-      const codes = [...this.sent.values()].filter((message) => message.code !== undefined);
-      return judged(read, false, `one of ${codes.map((message) => codeText(message.code)).join(", ")}`, "unknown_code");
+      const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
+      return judged(read, false, `one of ${known.join(", ")}`, "unknown_code");
     }
     const { name, label, title = "", notes = [], path } = this.message;
     const text = this.error ? `${title || label || name}, refused` : title;
     const meaning = { ...read, meanings: [meaningOf(name, label, text)], notes, facts: [path] };
     const expected = this.sent.get(this.named);
     if (!expected || expected === this.message || this.error) return meaning;
-    return judged(meaning, false, codeText(expected.code), "unknown_code");
+    return judged(meaning, false, codeText(link, direction, expected), "unknown_code");
+  }
+
+  /** The number of a part before the body, as far as the bytes reach. */
+  partNumber(name) {
+    const { offset, size, order, value } = this.shape.header.find((part) => part.name === name);
+    return wholeOf(this.data.subarray(offset, offset + size), order === "little" ? "little" : "big", value.signed);
   }
 
   addressValue(read) {
@@ -269,10 +282,6 @@ class ExplainedFrame {
   }
 }
 
-function codeText(code) {
-  return code.toString(16).toUpperCase().padStart(2, "0");
-}
-
 /** The least and the greatest size of a message's frames without delimiters, in bytes; Infinity is unbounded. */
 export function lengthsOf(link, direction, message) {
   const { headerSize, trailerSize } = link[direction];
@@ -282,7 +291,7 @@ export function lengthsOf(link, direction, message) {
 
 /** The names of the messages whose body can be as long as that of a frame. */
 export function namesOfLength(link, direction, frame) {
-  const { length } = unwrapped(link, frame).data;
+  const { length } = unwrapped(link, direction, frame).data;
   const { escape } = link[direction];
   const fitting = [...link.carriedMessages[direction].values()].filter((message) => {
     const [least, most] = lengthsOf(link, direction, message);

@@ -5,24 +5,25 @@ import { bytesOfHex, latinOf } from "./texts.js";
 const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
 
 /**
- * A frame of a link without its delimiters and its encoding. `start` and `end` are the bytes in the places of the
- * delimiters, `data` the bytes of the parts, and `surplus` what is left between them and the end. The rest of the frame
+ * A frame of a link without its delimiters, which are `marks`, and its encoding. `start` and `end` are the bytes in the
+ * places of the delimiters, `data` the bytes of the parts, and `surplus` what is left between them and the end. The rest of the frame
  * cannot be read if the reason is `not_hex`; `whole` is then false.
  */
-export function unwrapped(link, frame) {
-  const start = markOf(frame, link.start, link.encoding);
+export function unwrapped(link, direction, frame) {
+  const marks = link.delimiters[direction];
+  const start = markOf(frame, marks[0], link.encoding);
   const behind = frame.subarray(start.length);
-  const end = markOf(behind.toReversed(), link.end.toReversed(), link.encoding).toReversed();
+  const end = markOf(behind.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
   const inner = frame.subarray(start.length, frame.length - end.length);
   if (link.encoding === "binary") {
-    return { link, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
+    return { link, marks, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
   }
   const bad = inner.findIndex((byte) => !HEX_CHARACTERS.has(byte));
   const good = bad < 0 ? inner.length : bad;
   const pairs = good - (good % 2);
   const reason = good < inner.length ? "not_hex" : pairs < good ? "wrong_length" : "";
   const data = bytesOfHex(latinOf(inner.subarray(0, pairs)));
-  return { link, frame, start, data, surplus: inner.subarray(pairs), reason, end, whole: reason !== "not_hex" };
+  return { link, marks, frame, start, data, surplus: inner.subarray(pairs), reason, end, whole: reason !== "not_hex" };
 }
 
 /** The bytes in the place of a delimiter: the delimiter itself, or bytes that can be nothing else. */
