@@ -64,7 +64,7 @@ def test_registers_within_a_payload_have_their_values_and_others_are_null(device
         addresses = [register.address for register in group.registers]
         starts = [dice.choice(addresses) - dice.choice((0, 0, 1, 3)) for _ in range(12)]
         payloads = [dice.randbytes(2 * dice.randint(0, 40)) for _ in starts]
-        query = group.name if group.name not in names else f"{group.name}_registers"
+        query = group.name if group.name not in (*names, "int") else f"{group.name}_registers"
         rows = engine_of(engine, layout).rows(query, {"start": starts, "payload": payloads})
         for start, payload, row in zip(starts, payloads, rows, strict=True):
             wanted = dict(group_rows(layout, group, start, payload))
@@ -161,7 +161,9 @@ def test_findings_are_those_of_the_explanation_and_reserved_bits(device: str, en
     names = {record.name for record in layout.records.values()}
     places = {register.name: register for register in layout.registers}
     for group in layout.device.word_groups():
-        name = f"{group.name}_findings" if group.name not in names else f"{group.name}_registers_findings"
+        name = f"{group.name}_findings"
+        if group.name in (*names, "int"):
+            name = f"{group.name}_registers_findings"
         starts = [dice.choice([register.address for register in group.registers]) for _ in range(8)]
         payloads = [dice.randbytes(2 * dice.randint(1, 30)) for _ in starts]
         rows = engine_of(engine, layout).rows(name, {"start": starts, "payload": payloads})

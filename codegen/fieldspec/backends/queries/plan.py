@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from fieldspec.backends.fact_texts import sentence
 from fieldspec.backends.queries.content import Content, size_refusals, tail_of
@@ -14,6 +14,7 @@ from fieldspec.layout.record import Orders, RecordLayout, RegisterLayout
 from fieldspec.model.address_space import BIT
 from fieldspec.model.registers import Parameter, ParameterSet, RegisterGroup, Subindex
 from fieldspec.names import Name
+from fieldspec.reserved import PYTHON
 
 DATA = "data"
 """The intermediate result with the bytes of a record."""
@@ -35,11 +36,20 @@ class Query:
     judged: bool = True
 
 
-class Names:
-    """The names of the queries of a device."""
+_USED = """
+annotations bool dict float identity int isinstance list next payload_of range reversed str tuple
+"""
+"""The names that the modules of expressions and the files of macros use themselves."""
 
-    def __init__(self, *reserved: str) -> None:
-        self._taken = set(reserved)
+
+class Names:
+    """The names of the queries of a device and of its enums, the same in all languages."""
+
+    def __init__(self, enums: Iterable[str]) -> None:
+        self._taken = {*PYTHON, *_USED.split()}
+        self.enums = {
+            enum: self.take(f"{Name.of(enum).snake()}_name", f"{Name.of(enum).snake()}_member") for enum in enums
+        }
 
     def take(self, name: str, other: str) -> str:
         """The first free name of both; where none is free, the second one with underscores."""

@@ -12,7 +12,6 @@ from fieldspec.backends.queries.sql_text import names_of
 from fieldspec.backends.templates import text
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name
-from fieldspec.reserved import PYTHON
 
 _HEAD = '''"""{title}
 
@@ -20,28 +19,12 @@ _HEAD = '''"""{title}
 """
 '''
 
-_USED = [
-    "annotations",
-    "bool",
-    "dict",
-    "float",
-    "int",
-    "isinstance",
-    "list",
-    "next",
-    "range",
-    "reversed",
-    "str",
-    "tuple",
-]
-"""The names of Python that the module uses itself."""
-
 
 def polars_text(layout: DeviceLayout) -> str:
     """The module of a version."""
     device = layout.device
     versions = ", ".join([device.version, *layout.equal_versions])
-    names = Names("payload_of", *sorted(PYTHON), *_USED)
+    names = Names(device.enums)
     enums = {enum: f"_NAMES_OF_{Name.of(enum).upper()}" for enum in device.enums}
     head = _HEAD.format(
         title=_doc(f"{device.vendor} {device.name}, version {versions}: decoding as expressions of Polars."),

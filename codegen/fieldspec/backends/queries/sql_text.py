@@ -21,11 +21,11 @@ def sql_text(layout: DeviceLayout) -> str:
     device = layout.device
     versions = ", ".join([device.version, *layout.equal_versions])
     schema = stem(device.id, device.version)
-    names = Names("payload_of", "identity")
+    names = Names(device.enums)
     enums: dict[str, str] = {}
     macros: list[str] = []
     for enum in device.enums.values():
-        own = names.take(f"{Name.of(enum.name).snake()}_name", f"{Name.of(enum.name).snake()}_member")
+        own = names.enums[enum.name]
         enums[enum.name] = f"{name(schema)}.{name(own)}"
         macros += _enum_macro(enums[enum.name], enum)
     for query in queries(layout, names, enums, _dialect):
