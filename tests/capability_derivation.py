@@ -9,53 +9,83 @@ from __future__ import annotations
 import itertools
 import json
 import re
-from collections import defaultdict
+from collections import abc, defaultdict
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from fieldspec.audit.report import report
+from fieldspec.audit.section import Subject
 from fieldspec.backends import BUILT_IN, OUTPUTS
+from fieldspec.behaviour.part import Part
+from fieldspec.behaviour.reading import behaviour_of
 from fieldspec.diagnostics import has_errors
+from fieldspec.facts import of_versions
+from fieldspec.layout.device import DeviceLayout
 from fieldspec.lists.export import as_csv
 from fieldspec.lists.item import items
 from fieldspec.pipeline import layouts
+from fieldspec.proofs.running import errata_proofs, proven
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
-from fieldspec.reading.project import read
+from fieldspec.reading.project import DeviceSpec, read
 from fieldspec.reading.yaml_reader import decoded, parsed
 from fieldspec.schema import Schema, resolved, schema
-from fieldspec.schema.capabilities import EXPORT
-from fieldspec.source import SourceFile
-from layouts import TEST_SPECS
+from fieldspec.schema.capabilities import AUDIT, CHECK, EXPORT, SIMULATOR
+from fieldspec.source import SourceFile, Span
+from layouts import SPECS, TEST_SPECS
 
 Key = tuple[str, str]
 Way = tuple[str | int, ...]
 
 WITNESSES = Path(__file__).with_name("capability_witnesses.json")
-COSTLY = ("gadget", "gizmo", "probe", "meter", "grinder", "hostile", "glider-x", "protocols", "widget")
-"""The folders of the made-up devices, the quickest to build first."""
+CASES = Path(__file__).with_name("cases")
+LAST = ("station", "wattmeter", "beacon", "glider-x", "widget")
+"""The made-up devices that take the longest to build, tried behind all others."""
 
 
 class Witness(NamedTuple):
-    """A change of a spec that shows which outputs a key changes."""
+    """A change of a spec that shows which outputs a key changes. `project` is a key of PROJECTS."""
 
-    device: str
+    project: str
     path: str
     way: Way
     text: str | None
 
 
 class Place(NamedTuple):
-    """Where a mapping or a value stands: its file, the keys that lead there, the node, and its part of the schema."""
+    """Where a mapping or a value stands: its project and file, the keys that lead there, and its part of the schema."""
 
+    project: str
     path: str
     way: Way
     node: Node
     part: Schema
 
 
-FILES = {path.relative_to(TEST_SPECS).as_posix(): path.read_bytes() for path in sorted(TEST_SPECS.rglob("*.yaml"))}
-DEVICES = sorted({path.partition("/")[0] for path in FILES} - {"protocols"})
+def _files(folder: Path, root: Path) -> dict[str, bytes]:
+    return {path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*.yaml"))}
+
+
+def _projects() -> dict[str, dict[str, bytes]]:
+    """The files of made-up devices, of cases that pass and of some real devices, the quickest to build first."""
+    shared = _files(SPECS / "protocols", SPECS) | _files(TEST_SPECS / "protocols", TEST_SPECS)
+    devices = {path.parent.name: _files(path.parent, TEST_SPECS) for path in TEST_SPECS.glob("*/device.yaml")}
+    cases = {}
+    for folder in sorted(CASES.glob("*/passing*")):
+        flat = {f"gadget/{path.name}": path.read_bytes() for path in sorted(folder.glob("*.yaml"))}
+        cases[folder.relative_to(CASES).as_posix()] = flat or _files(folder, folder)
+    order = sorted(devices, key=lambda name: (LAST.index(name) + 1 if name in LAST else 0, name))
+    early = {name: devices[name] for name in order if name not in LAST}
+    late = {name: devices[name] for name in order if name in LAST}
+    late |= {name: _files(SPECS / name, SPECS) for name in ("esc11", "ck10", "tc100")}
+    return {
+        name: shared | files if any(b"\nuses:" in data for data in files.values()) else files
+        for name, files in (early | cases | late).items()
+    }
+
+
+PROJECTS = _projects()
 
 
 def name_of(part: Schema, name: str) -> str:
@@ -97,13 +127,14 @@ def parsed_text(text: str) -> Node:
 
 
 @cache
-def trees() -> dict[str, Node]:
-    """The spec files of all made-up devices, with untyped scalars."""
+def trees(project: str) -> dict[str, Node]:
+    """The spec files of a project, with untyped scalars."""
     result = {}
-    for path, data in FILES.items():
-        node, _ = parsed(decoded(path, data)[0])
-        assert node is not None
-        result[path] = node
+    for path, data in PROJECTS[project].items():
+        file = decoded(path, data)[0]
+        node = parsed(file)[0] if file is not None else None
+        if node is not None:
+            result[path] = node
     return result
 
 
@@ -113,29 +144,30 @@ def places() -> tuple[dict[Key, list[Place]], dict[str, list[Place]]]:
     values: dict[Key, list[Place]] = defaultdict(list)
     mappings: dict[str, list[Place]] = defaultdict(list)
 
-    def walk(path: str, node: Node, part: Schema, name: str, way: Way) -> None:
+    def walk(project: str, path: str, node: Node, part: Schema, name: str, way: Way) -> None:
         name, whole = name_of(part, name), resolved(part)
         if isinstance(node, Sequence):
             for number, item in enumerate(node.items):
-                walk(path, item, whole.get("items", {}), name + "[]", (*way, number))
+                walk(project, path, item, whole.get("items", {}), name + "[]", (*way, number))
         elif isinstance(node, Mapping):
-            mappings[name].append(Place(path, way, node, part))
+            mappings[name].append(Place(project, path, way, node, part))
             known = whole.get("properties", {})
             for key, inner in node.values.items():
                 inner_part = known.get(key) or whole.get("additionalProperties") or {}
                 if key in known:
-                    values[name, key].append(Place(path, (*way, key), inner, inner_part))
-                walk(path, inner, inner_part, f"{name}.{key}" if key in known else name + "{}", (*way, key))
+                    values[name, key].append(Place(project, path, (*way, key), inner, inner_part))
+                walk(project, path, inner, inner_part, f"{name}.{key}" if key in known else name + "{}", (*way, key))
 
-    for path in sorted(FILES, key=lambda path: (COSTLY.index(path.partition("/")[0]), path)):
-        walk(path, trees()[path], schema(), "", ())
+    for project in PROJECTS:
+        for path, tree in trees(project).items():
+            walk(project, path, tree, schema(), "", ())
     return values, mappings
 
 
 def yaml_text(node: Node) -> str:
     """A node as YAML in one line."""
     if isinstance(node, Scalar):
-        bare = not node.quoted and re.fullmatch(r"~|[-+.\w/]+( ?[-+.\w/]+)*", node.text)
+        bare = not node.quoted and re.fullmatch(r"~|[-+.\w/]+( [-+.\w/]+)*", node.text)
         return node.text if bare else json.dumps(node.text, ensure_ascii=False) if node.text or node.quoted else "~"
     if isinstance(node, Sequence):
         return f"[{', '.join(map(yaml_text, node.items))}]"
@@ -156,15 +188,47 @@ def put(node: Node, way: Way, new: Node | None) -> Node:
     return Sequence(node.file, node.start, node.end, tuple(inner))
 
 
-def outputs_of(device: str, changed: dict[str, bytes]) -> dict[str, str] | None:
-    """Everything that is made of a device, by output, without the identity; None if its files have errors."""
-    folders = (f"{device}/", "protocols/")
-    project = read({path: data for path, data in FILES.items() if path.startswith(folders)} | changed)
-    if has_errors(project.findings) or device not in project.devices:
-        return None
-    spec = project.devices[device]
+def audit_text(spec: DeviceSpec, versions: list[DeviceLayout]) -> str:
+    """The audit of the newest version, without the places in the files of the spec."""
+    subject = Subject(spec, versions[-1], versions, of_versions(versions), errata_proofs(spec))
+    sections = report(subject).sections
+    rows = [
+        [*(table.columns for table in section.tables), section.paragraphs, section.figures, section.questions]
+        + [["" if isinstance(cell, Span) else cell for cell in row] for table in section.tables for row in table.rows]
+        for section in sections
+    ]
+    return repr(rows)
+
+
+def behaviour_text(spec: DeviceSpec) -> str:
+    """What the simulator knows of all versions, without the places in the files of the spec."""
+    return repr([_placeless(behaviour_of(spec.tree_at(version)).parts) for version in spec.versions()])
+
+
+def _placeless(value: object) -> object:
+    if isinstance(value, Part):
+        keys = {key: _placeless(inner) for key, inner in value.keys.items()}
+        sources = [str(source) for source in value.sources]
+        return value.kind, value.name, keys, value.assumed, sources, value.standard
+    if isinstance(value, abc.Mapping):
+        return {key: _placeless(inner) for key, inner in value.items()}
+    return [_placeless(inner) for inner in value] if isinstance(value, tuple) else value
+
+
+def spec_of(project: str, changed: dict[str, bytes]) -> DeviceSpec | None:
+    """The device of a project with other texts of some files; None if they cannot be read."""
+    result = read(PROJECTS[project] | changed)
+    return None if has_errors(result.findings) else next(iter(result.devices.values()), None)
+
+
+def outputs_of(spec: DeviceSpec) -> dict[str, str]:
+    """Everything that is made of a device, by output, without the identity."""
     versions = layouts(spec)
-    contents = {EXPORT: "".join(as_csv(items(layout)) for layout in versions)}
+    contents = {
+        EXPORT: "".join(as_csv(items(layout)) for layout in versions),
+        AUDIT: audit_text(spec, versions),
+        SIMULATOR: behaviour_text(spec),
+    }
     for name in sorted(BUILT_IN):
         refused = OUTPUTS[name].refusals(versions)
         files: object = sorted(finding.code for finding in refused) if refused else OUTPUTS[name].files(versions)
@@ -174,49 +238,47 @@ def outputs_of(device: str, changed: dict[str, bytes]) -> dict[str, str] | None:
     return contents
 
 
+def findings_of(spec: DeviceSpec) -> set[tuple[str, str]]:
+    """The findings of a device without their places."""
+    return {(finding.code, finding.message) for finding in proven(spec)}
+
+
 @cache
-def unchanged(device: str) -> dict[str, str]:
-    """The outputs of a device as it is."""
-    contents = outputs_of(device, {})
-    assert contents is not None
-    return contents
+def unchanged(project: str, path: str) -> tuple[DeviceSpec, dict[str, str]] | None:
+    """A device as it is, with one of its files in the form in which changes are written, and its outputs."""
+    spec = spec_of(project, {path: yaml_text(trees(project)[path]).encode()})
+    return None if spec is None else (spec, outputs_of(spec))
 
 
 def changed_outputs(witness: Witness) -> set[str] | None:
-    """The outputs that a change changes; None where it leaves no device."""
+    """The outputs that a change changes; None where it leaves no device. Findings count where nothing else changes."""
     new = None if witness.text is None else parsed_text(witness.text)
-    text = yaml_text(put(trees()[witness.path], witness.way, new))
+    text = yaml_text(put(trees(witness.project)[witness.path], witness.way, new))
     try:
-        contents = outputs_of(witness.device, {witness.path: text.encode()})
+        present = unchanged(witness.project, witness.path)
+        spec = spec_of(witness.project, {witness.path: text.encode()})
+        if spec is None or present is None:
+            return None
+        original, before = present
+        changed = {name for name, text in outputs_of(spec).items() if text != before[name]}
     except (AssertionError, KeyError, IndexError, TypeError, ValueError, AttributeError):
         return None  # a device with findings may have no layout
-    if contents is None:
-        return None
-    before = unchanged(witness.device)
-    return {name for name, text in contents.items() if text != before[name]}
-
-
-def users(path: str) -> list[str]:
-    """The devices that a spec file belongs to."""
-    folder = path.partition("/")[0]
-    if folder != "protocols":
-        return [folder]
-    return [device for device in DEVICES if b"\nuses:" in FILES[f"{device}/device.yaml"]]
+    return changed or ({CHECK} if findings_of(spec) != findings_of(original) else set())
 
 
 def candidates(key: Key) -> Iterator[Witness]:
     """Changes of a key where it stands, and additions where it does not."""
     values, mappings = places()
     own = values[key] if key[0] != "fact" else values["register", key[1]] + values["message", key[1]]
-    for place in own[:3]:
+    for place in own[:4]:
         for text in itertools.islice(_other_texts(place, [other.node for other in own]), 6):
-            yield from (Witness(device, place.path, place.way, text) for device in users(place.path))
+            yield Witness(place.project, place.path, place.way, text)
     known = [place.node for (_, name), all_places in values.items() if name == key[1] for place in all_places]
     for place in mappings[key[0] if key[0] != "fact" else "register"][:4]:
         assert isinstance(place.node, Mapping)
         if key[1] not in place.node.values and place.way:
             for text in _new_texts(key[1], legal_keys()[key], known):
-                yield from (Witness(device, place.path, (*place.way, key[1]), text) for device in users(place.path))
+                yield Witness(place.project, place.path, (*place.way, key[1]), text)
 
 
 def _other_texts(place: Place, known: list[Node]) -> Iterator[str | None]:

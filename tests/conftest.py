@@ -22,7 +22,6 @@ SLOW = (
     "plc_memory",
     "plc_output",
     "random_devices",
-    "wireshark_output",
     "test_add_a_device.py",
     "test_audit_of_manuals.py",
     "test_build.py",
@@ -56,6 +55,7 @@ SLOW = (
     "test_schema.py",
     "test_versions_bad_input.py",
     "test_versions_example.py",
+    "wireshark_output",
 )
 """Files and folders that `--fast` leaves out: they run compilers, a browser or builds, or try many random inputs."""
 

@@ -80,7 +80,7 @@ def test_every_record_of_the_made_up_devices_has_a_layout_in_every_memory(
 ) -> None:
     run = CommandLine(capsys, monkeypatch, TEST_SPECS)
     layout = newest(TEST_SPECS, device)
-    data = [side for message in layout.messages.values() for side in (message.request, message.response)]
+    data = [side for message in layout.messages.values() for side in message.bodies]
     for record in (*layout.records.values(), *(record for record in data if record.fields)):
         for target in MEMORIES:
             ran = run("layout", device, record.name, "--target", target)

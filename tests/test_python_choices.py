@@ -48,7 +48,7 @@ def built_from(name: str) -> tuple[DeviceLayout, ModuleType]:
 
 def messages(layout: DeviceLayout) -> list[Any]:
     """The data of those messages that have a choice in them."""
-    data = [side for message in layout.messages.values() for side in (message.request, message.response)]
+    data = [side for message in layout.messages.values() for side in message.bodies]
     return [side for side in data if side.selector is not None]
 
 

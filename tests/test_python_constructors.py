@@ -43,7 +43,7 @@ def field_of(record: type[Any], quantity: str) -> str:
 def scaled_records(layout: DeviceLayout) -> list[RecordLayout]:
     """The records and messages of a device that have a quantity."""
     module = module_of(layout)
-    messages = [data for message in layout.messages.values() for data in (message.request, message.response)]
+    messages = [data for message in layout.messages.values() for data in message.bodies]
     return [record for record in [*layout.records.values(), *messages] if quantities_of(record_class(module, record))]
 
 

@@ -26,7 +26,7 @@ FRAME = bytes.fromhex("04 BF 91 00 00 07 00 00 00 00 FF FF CF C7 10 00 00 00 00 
 
 def fixed(layout: DeviceLayout) -> list[RecordLayout]:
     """The records, and data of messages, that have columns."""
-    data = [side for message in layout.messages.values() for side in (message.request, message.response)]
+    data = [side for message in layout.messages.values() for side in message.bodies]
     return [
         record
         for record in (*layout.records.values(), *data)

@@ -21,7 +21,7 @@ EACH = pytest.mark.parametrize("name", LAYOUTS)
 
 def records(layout: DeviceLayout) -> list[RecordLayout]:
     """All records, and the data of all messages."""
-    data = [side for message in layout.messages.values() for side in (message.request, message.response)]
+    data = [side for message in layout.messages.values() for side in message.bodies]
     return [*layout.records.values(), *data]
 
 

@@ -1,4 +1,4 @@
-"""Every command and every piece of code in the README, and in the page on the generated Python, works as described."""
+"""Every command and every piece of code in the README, and in the pages on the generated Python, works as described."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ TEXT = (ROOT / "README.md").read_text("utf-8")
 
 
 PYTHON = (ROOT / "docs" / "python.md").read_text("utf-8")
+CLIENT = (ROOT / "docs" / "client.md").read_text("utf-8")
 
 
 def blocks(language: str, text: str = TEXT) -> list[str]:
@@ -41,7 +42,7 @@ def test_make_and_make_test_are_the_commands_to_start_with() -> None:
     assert {"build", "test"} <= set(targets)
 
 
-@pytest.mark.parametrize("code", [*blocks("python"), *blocks("python", PYTHON)])
+@pytest.mark.parametrize("code", [*blocks("python"), *blocks("python", PYTHON), *blocks("python", CLIENT)])
 def test_the_python_code_runs(code: str) -> None:
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated" / "python")}
     result = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=False)

@@ -7,6 +7,7 @@ import textwrap
 from collections.abc import Iterator
 
 from fieldspec.audit.rules import RULES as OF_AUDITS
+from fieldspec.backends.rules import RULES as OF_OUTPUTS
 from fieldspec.behaviour.rules import RULES as OF_BEHAVIOURS
 from fieldspec.changes import RULES as OF_CHANGES
 from fieldspec.checks import CHECKS
@@ -23,7 +24,7 @@ _TITLES = {
     "checks": "Rules for a device",
     "behaviours": "Rules for what a device does over time",
     "proofs": "Rules for examples and errata",
-    "outputs": "Rules for what outputs for controllers can express",
+    "outputs": "Rules for what outputs can express",
     "audits": "Rules for a spec compared with its manual",
 }
 _INTRODUCTION = """\
@@ -134,7 +135,7 @@ def _rules() -> Iterator[Rule]:
         yield _parsed(code, "behaviours", text)
     for code, text in OF_PROOFS.items():
         yield _parsed(code, "proofs", text)
-    for code, text in OF_CONTROLLERS.items():
+    for code, text in (*OF_CONTROLLERS.items(), *OF_OUTPUTS.items()):
         yield _parsed(code, "outputs", text)
     for code, text in OF_AUDITS.items():
         yield _parsed(code, "audits", text)

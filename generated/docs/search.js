@@ -242,7 +242,7 @@
   function arrive() {
     let anchor = location.hash.slice(1);
     try { anchor = decodeURIComponent(anchor); } catch { /* it is no escape, but text */ }
-    if (!anchor) { return; }
+    if (!anchor || anchor.includes("=")) { return; }  // with values it is the state of a page, not a fact
     const target = document.getElementById(anchor);
     if (target) {
       target.tabIndex = -1;

@@ -3611,6 +3611,7 @@ local device = {
       is_coded = true,
       is_framed = true,
       messages = { "read_registers", "write_register", "write_registers" },
+      unanswered = {},
       exception = { flag = 128, record = "exception" },
       units = { ranges = { { 1, 16 } }, broadcast = 0 },
       request = {
@@ -3722,6 +3723,7 @@ local device = {
       is_coded = true,
       is_framed = true,
       messages = { "read_registers", "write_register", "write_registers" },
+      unanswered = {},
       exception = { flag = 128, record = "exception" },
       units = { ranges = { { 1, 16 } }, broadcast = 0 },
       request = {
@@ -4152,7 +4154,13 @@ end
 
 -- Items of the tree: one value with its name, its quantity, its bits, and what is wrong with it.
 
-local protocol = Proto(device.id, device.title)
+-- Wireshark may have a protocol with the name of the device: then another name takes its place in all names.
+local listed_id, is_free, protocol = device.id, pcall(Proto, device.id, device.title)
+if not is_free then
+    device.id = device.id .. "_device"
+    protocol = Proto(device.id, device.title)
+end
+
 local fields, names_of = {}, {}
 
 local experts = {
@@ -4185,7 +4193,8 @@ local function declare_fields()
         if row.type == "FRAMENUM" then
             names = frametype[row.names]
         end
-        local field = ProtoField.new(row.title, row.filter, ftypes[row.type], names, display, nil, row.text)
+        local name = device.id .. row.filter:sub(#listed_id + 1)
+        local field = ProtoField.new(row.title, name, ftypes[row.type], names, display, nil, row.text)
         fields[row.filter] = field
         list[#list + 1] = field
     end
@@ -4836,7 +4845,11 @@ function frames.message_of(link, direction, code, asked, message)
     if is_refusal then
         code = code - numbers.band(code, flag)
     end
-    return link.by_code[code], is_refusal
+    local named = link.by_code[code]
+    if direction == "response" and named and link.unanswered[named.name] then
+        named = nil
+    end
+    return named, is_refusal
 end
 
 local function record_of(link, direction, message, is_refusal)

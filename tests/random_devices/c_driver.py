@@ -7,6 +7,7 @@ from fieldspec.backends.c.fields import case_member, count_member, members
 from fieldspec.backends.c.frames import header_parts
 from fieldspec.backends.c.naming import Naming, frame_member, member
 from fieldspec.backends.c.runtime_files import status_names
+from fieldspec.backends.c.values import accessed_type
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
@@ -198,11 +199,20 @@ class Driver:
                 f"if (content != {_literal(value)}) {{ second = {REASONS.index('wrong_const')}; }} else ",
             )
         return (
-            f'if (strcmp(name, "{".".join((kind, *path))}") == 0) {{ {_declared(value)}'
+            f'if (strcmp(name, "{".".join((kind, *path))}") == 0) {{ {self._declared(value)}'
             f" if (size != {size}) {{ status = size < {size} ? 1 : 2; }} else {{"
             f" status = (int){decode}(data, {call}); if (status == 0) {{ {_show_value(value, 'content')}"
             f" length = {size}; {other}second = (int){encode}({argument}again); }} }} }}"
         )
+
+    def _declared(self, value: Value) -> str:
+        """The variable that functions of a value take: one of a closed enum has the type of the enum."""
+        if value.type.kind is Kind.TEXT:
+            return f"char content[{value.size + 1}];"
+        if value.type.kind is Kind.BYTES:
+            return f"uint8_t content[{value.size}];"
+        kind = accessed_type(self.naming, self.layout.device, value)
+        return f"{kind} content = ({kind})0;"
 
     def _frame_case(self, link: LinkLayout, direction: str, message: str) -> str:
         frame = link.frame(direction)
@@ -252,19 +262,6 @@ def _unset(field: FieldLayout) -> str:
 
 def _unset_record(record: RecordLayout) -> str:
     return "".join(_unset(field) for field in record.fields if field.record is not None)
-
-
-def _declared(value: Value) -> str:
-    if value.type.kind is Kind.TEXT:
-        return f"char content[{value.size + 1}];"
-    if value.type.kind is Kind.BYTES:
-        return f"uint8_t content[{value.size}];"
-    if value.type.kind is Kind.FLOAT:
-        return f"{'float' if value.size == 4 else 'double'} content = 0;"
-    if value.type.kind is Kind.BOOLEAN:
-        return "bool content = 0;"
-    bits = next(bits for bits in (8, 16, 32, 64) if bits >= 8 * value.size)
-    return f"{'' if value.type.signed else 'u'}int{bits}_t content = 0;"
 
 
 def _literal(value: Value) -> str:

@@ -22,7 +22,7 @@ from hypothesis import seed as seeded
 from hypothesis import strategies as st
 from hypothesis.errors import Flaky
 
-from random_devices.agreement import JUDGES, Judge, compare
+from random_devices.agreement import JUDGES, Comparison, Judge, compare
 from random_devices.devices import devices, text_of
 from random_devices.draft import Spec
 
@@ -92,7 +92,10 @@ def batch(seed: int, count: int = BATCH, judges: tuple[Judge, ...] = JUDGES, fra
     def run(spec: Spec, number: int) -> None:
         if shrinking.is_over:
             return
-        result = compare(spec, number, frames, judges)
+        try:
+            result = compare(spec, number, frames, judges)
+        except Exception as error:
+            result = Comparison(disagreements=[f"compiler: {type(error).__name__}: {error}"])
         if result.disagreements:
             shrinking.add(result.disagreements[0], text_of(spec))
             raise AssertionError(result.disagreements[0])
@@ -111,6 +114,7 @@ def batch(seed: int, count: int = BATCH, judges: tuple[Judge, ...] = JUDGES, fra
         phases=(Phase.generate, Phase.shrink),
         suppress_health_check=list(HealthCheck),
         derandomize=False,
+        report_multiple_bugs=False,
     )
     try:
         seeded(seed)(limits(given(devices(), st.integers(0, 9999))(run)))()

@@ -165,6 +165,22 @@ def spoiled(frame: bytes, dice: random.Random) -> bytes:
     return bytes(data)
 
 
+def with_another_constant(frame: FrameLayout, record: RecordLayout, data: bytes, dice: random.Random) -> bytes | None:
+    """The bytes of all parts with one byte of a constant changed, and the checksum as it was; None without constants.
+
+    Only a decoder that compares the constant, or computes the checksum of what it has received, notices it.
+    """
+    places = [part.at(len(data)) + dice.randrange(part.size) for part in frame.constants]
+    if record.selector is None:
+        constants = [f for f in record.fields if f.value is not None and f.value.const is not None and not f.is_list]
+        places += [frame.header_size + field.offset + dice.randrange(field.size) for field in constants]
+    changed = bytearray(data)
+    for place in dice.sample(places, min(1, len(places))):
+        if place < len(changed):
+            changed[place] ^= dice.choice((1, 2, 0x80, 0xFF))
+    return bytes(changed) if bytes(changed) != data else None
+
+
 def sealed(layout: DeviceLayout, link: str, frame: FrameLayout, data: bytes, dice: random.Random) -> bytes:
     """Bytes of all parts as a frame with the right length, checksum and mostly constants: the rest is decoded."""
     parts = bytearray(data)
@@ -178,8 +194,13 @@ def sealed(layout: DeviceLayout, link: str, frame: FrameLayout, data: bytes, dic
         for checksum in frame.checksums:
             at = checksum.at(len(parts))
             parts[at : at + checksum.size] = checksum.checksum(bytes(parts))
+    return marked(layout, link, bytes(parts))
+
+
+def marked(layout: DeviceLayout, link: str, parts: bytes) -> bytes:
+    """The bytes of all parts as a frame, in the encoding and between the delimiters of the link."""
     marks = layout.links[link].link
-    inner = bytes(parts).hex().upper().encode() if marks.encoding == "hex_ascii" else bytes(parts)
+    inner = parts.hex().upper().encode() if marks.encoding == "hex_ascii" else parts
     return marks.start + inner + marks.end
 
 

@@ -16,12 +16,14 @@ from fieldspec.model.value import Kind, Value
 from fieldspec.reference import CodecError, DeviceCodec, codec
 from random_devices.inputs import (
     header_values,
+    marked,
     number_or_text,
     record_bytes,
     record_values,
     sealed,
     spoiled,
     stored_fields,
+    with_another_constant,
 )
 
 UNKNOWN = None
@@ -203,7 +205,11 @@ def _frame_queries(
         frame = reference.links[link].encode(direction, message, {**head, **values}, error=bool(error), code=code)
         yield Query("frame", (link, direction, asked), frame)
         yield Query("frame", (link, direction, asked), spoiled(frame, dice))
-        parts = bytearray(spoiled(reference.links[link].parts(frame), dice))
+        parts = bytearray(reference.links[link].parts(frame))
+        changed = with_another_constant(shape, record, bytes(parts), dice)
+        if changed is not None:
+            yield Query("frame", (link, direction, asked), marked(layout, link, changed))
+        parts = bytearray(spoiled(bytes(parts), dice))
     except CodecError:
         parts = bytearray(dice.randbytes(shape.header_size + shape.trailer_size))
     if dice.random() < 0.5:

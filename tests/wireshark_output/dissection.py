@@ -6,6 +6,7 @@ import struct
 import subprocess
 import tempfile
 from collections.abc import Iterable, Sequence
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
@@ -81,9 +82,22 @@ def tshark(layouts: Sequence[DeviceLayout], capture: bytes, *options: str) -> su
     return run
 
 
+@cache
+def _names_of_wireshark() -> frozenset[str]:
+    """The names of the protocols that tshark has without the dissectors."""
+    run = subprocess.run([require_tool("tshark"), "-G", "protocols"], capture_output=True, text=True, check=True)
+    return frozenset(line.split("\t")[2] for line in run.stdout.splitlines())
+
+
+def prefix_of(layout: DeviceLayout) -> str:
+    """The name of the protocol of a device: another one where Wireshark itself has one of that name."""
+    name = Name.of(layout.device.id).snake()
+    return f"{name}_device" if name in _names_of_wireshark() else name
+
+
 def port_options(layout: DeviceLayout, ports: dict[tuple[str, str, str], int]) -> list[str]:
     """The preferences that attach the links of a device to the ports of a run, and the Decode As of messages."""
-    device = Name.of(layout.device.id).snake()
+    device = prefix_of(layout)
     options = []
     for (owner, link, message), port in ports.items():
         if owner != layout.device.id:
@@ -97,9 +111,9 @@ def port_options(layout: DeviceLayout, ports: dict[tuple[str, str, str], int]) -
 
 def dissected(layouts: Sequence[DeviceLayout], packets: Sequence[Packet], options: Sequence[str]) -> list[list[Item]]:
     """The fields that tshark shows of each packet, in order, those of its own tree items only."""
-    prefixes = " ".join(Name.of(layout.device.id).snake() for layout in layouts)
+    prefixes = " ".join(map(prefix_of, layouts))
     run = tshark(layouts, pcap(packets), "-T", "pdml", "-J", prefixes, *options)
-    names = {Name.of(layout.device.id).snake() for layout in layouts}
+    names = set(map(prefix_of, layouts))
     result: list[list[Item]] = []
     for packet in ElementTree.fromstring(run.stdout).iter("packet"):
         items = []

@@ -12,9 +12,8 @@ from external_tools import require_tool
 from fieldspec.backends.wireshark.backend import dissector
 from fieldspec.explain.explanation import explained
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.names import Name
 from layouts import SPECS, TEST_SPECS, newest
-from wireshark_output.dissection import Packet, pcap, tshark
+from wireshark_output.dissection import Packet, pcap, prefix_of, tshark
 
 TC100, ESC11, STATION = newest(SPECS, "tc100"), newest(SPECS, "esc11"), newest(TEST_SPECS, "station")
 HIWIN_E = newest(SPECS, "hiwin-e")
@@ -27,7 +26,7 @@ PORT = 2300
 
 def columns(layout: DeviceLayout, capture: bytes, names: Sequence[str], *options: str) -> list[list[str]]:
     """Some fields of each packet; those of several frames in a packet are joined by commas."""
-    prefix = Name.of(layout.device.id).snake()
+    prefix = prefix_of(layout)
     fields = [option for name in names for option in ("-e", name if name.startswith("_") else f"{prefix}.{name}")]
     run = tshark([layout], capture, "-2", "-T", "fields", *fields, *options)
     return [line.split("\t") for line in run.stdout.splitlines()]

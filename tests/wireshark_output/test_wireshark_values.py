@@ -7,14 +7,29 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from fieldspec.backends.wireshark.backend import refusals
 from fieldspec.explain.explanation import Explanation, ExplanationRow, explained
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.texts import Example
-from fieldspec.names import Name
 from layouts import SPECS, TEST_SPECS, layouts
-from wireshark_output.dissection import FIRST_PORT, HEADERS, Item, Packet, dissected, pcap, port_options, tshark
+from wireshark_output.dissection import (
+    FIRST_PORT,
+    HEADERS,
+    Item,
+    Packet,
+    dissected,
+    pcap,
+    port_options,
+    prefix_of,
+    tshark,
+)
 
-DEVICES = {name: versions[-1] for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()}
+DEVICES = {
+    name: versions[-1]
+    for root in (SPECS, TEST_SPECS)
+    for name, versions in layouts(root).items()
+    if not refusals(versions)
+}
 NUMBER = re.compile(r"-?\d+|0x[0-9a-f]+")
 DAMAGED_FRAMES = 8
 """The damaged frames of each example."""
@@ -140,7 +155,7 @@ def expect_values(case: Case, explanation: Explanation, items: list[Item]) -> No
 
 
 def expect_names(case: Case, explanation: Explanation, items: list[Item]) -> None:
-    prefix = Name.of(case.layout.device.id).snake()
+    prefix = prefix_of(case.layout)
     names = {item.name.rstrip("_").removeprefix(f"{prefix}.").removeprefix("register.") for item in items}
     for row in explanation.registers:
         if row.path and row.number is not None:
@@ -149,7 +164,7 @@ def expect_names(case: Case, explanation: Explanation, items: list[Item]) -> Non
 
 
 def expect_findings(case: Case, explanation: Explanation, items: list[Item]) -> None:
-    prefix = f"{Name.of(case.layout.device.id).snake()}.expert."
+    prefix = f"{prefix_of(case.layout)}.expert."
     rows = (*explanation.rows, *explanation.registers)
     reasons = {row.reason for row in rows if row.reason in FINDINGS}
     reported = {item.name.removeprefix(prefix) for item in items if item.name.startswith(prefix)}

@@ -45,8 +45,8 @@ class Connection:
 
     def read(self, seconds: float) -> bytes:
         """The bytes that come within some seconds. Raises CarrierError at the end."""
-        self._socket.settimeout(max(seconds, 0.0001))
         try:
+            self._socket.settimeout(max(seconds, 0.0001))
             data = self._socket.recv(4096)
         except TimeoutError:
             return b""
@@ -128,8 +128,8 @@ class Datagrams:
         """The datagram that comes within some seconds. Raises CarrierError at the end."""
         if self._closed:
             raise CarrierError(f"{self.name} is closed")
-        self._socket.settimeout(max(min(seconds, 0.2), 0.0001))
         try:
+            self._socket.settimeout(max(min(seconds, 0.2), 0.0001))
             data, peer = self._socket.recvfrom(65536)
         except TimeoutError:
             return b""

@@ -28,7 +28,7 @@ def _total(kind: Checksum, data: bytes, order: str) -> int:
     for at in range(0, len(data), kind.unit_size):
         unit = data[at : at + kind.unit_size].ljust(kind.unit_size, b"\0")
         term = int.from_bytes(unit if order == "big" else unit[::-1], "big")
-        number = (number + term) & kind.mask if kind.method == "sum" else number ^ term
+        number = (number + term if kind.method == "sum" else number ^ term) & kind.mask
     if kind.complement == "ones":
         return number ^ kind.mask
     return kind.mask + 1 - number & kind.mask if kind.complement == "twos" else number

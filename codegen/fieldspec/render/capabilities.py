@@ -9,7 +9,7 @@ from itertools import groupby
 from fieldspec.backends import BUILT_IN, OUTPUTS
 from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, of_dialect
 from fieldspec.plc.dialects import DIALECTS
-from fieldspec.schema.capabilities import EXPORT, effects
+from fieldspec.schema.capabilities import AUDIT, CHECK, EXPORT, SIMULATOR, effects
 
 COLUMNS = ("st", "twincat", "plcopen", "iec", "scl", "kv", "hmi")
 """The outputs for engineering tools, in the order of the columns."""
@@ -32,11 +32,12 @@ writes nothing; `fieldspec rule CODE` explains the rule.
 _KEYS = """\
 ## Keys
 
-The outputs that change when the key changes in a spec, apart from the identity, which every output has. An output that
-a row does not name has no place for what the key states: the lists for operator panels have no registers, and a codec
-has no use for the line of a manual. A key of which only `docs` is named is documentation. `export` are the lists of
-`fieldspec export`. Tests verify the lines: they change a key in made-up devices and compare everything that is built
-from them. Keys without a line have not been derived yet.
+The outputs that change when the key changes in a spec, apart from the identity, which every output has. An output
+that a row does not name has no place for what the key states: the lists for operator panels have no registers, and a
+codec has no use for the line of a manual. A key of which only `docs` is named is documentation. `export` are the
+lists of `fieldspec export`, `audit` is the report of `fieldspec audit`, `simulate` is what `fieldspec simulate` does,
+and `check` are the findings, which stand only at keys that change nothing else. Tests verify the lines: they change a
+key in made-up devices and compare everything that is built from them. Keys without a line have not been derived yet.
 """
 
 _ALL = "all outputs"
@@ -66,7 +67,7 @@ def _rows(keys: Mapping[str, tuple[str, ...]]) -> Iterator[str]:
 
 
 def _outputs_text(outputs: tuple[str, ...]) -> str:
-    ordered = [name for name in (*OUTPUTS, EXPORT) if name in outputs]
+    ordered = [name for name in (*OUTPUTS, EXPORT, AUDIT, SIMULATOR, CHECK) if name in outputs]
     return _ALL if set(outputs) >= BUILT_IN else ", ".join(ordered)
 
 

@@ -12,6 +12,15 @@ from pathlib import Path
 EXPORT = "export"
 """The lists of `fieldspec export`, beside the names of the outputs."""
 
+AUDIT = "audit"
+"""The report of `fieldspec audit`."""
+
+SIMULATOR = "simulate"
+"""What `fieldspec simulate` does."""
+
+CHECK = "check"
+"""The findings, of keys that change nothing else."""
+
 
 @cache
 def effects() -> dict[str, dict[str, tuple[str, ...]]]:

@@ -208,6 +208,9 @@ class EscapeFramer(Framer):
     def _prepare(self) -> None:
         """Delimiters are searched literally, so there is nothing to prepare."""
 
+    def _extent(self, buffer: bytearray, at: int) -> int:
+        return -1
+
     def feed(self, data: Data) -> list[bytes]:
         """The frames that these bytes complete, each with its delimiters and checksum."""
         buffer, start, end = self._buffer, self.frames.start, self.frames.end

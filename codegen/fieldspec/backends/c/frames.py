@@ -172,12 +172,14 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
     for part in header_parts(frame):
         number = load(naming, part_value(part), part_pointer(IN, part, LENGTH))
         body.append(assign(PointerMember(OUT, frame_member(part.name)), number))
-    body += [
-        *_read_code(naming, link, frame),
-        assign(PointerMember(OUT, "body"), add_size(IN, frame.header_size)),
-        assign(PointerMember(OUT, "body_length"), add_size(LENGTH, -around)),
-        return_ok(naming),
-    ]
+    body += _read_code(naming, link, frame)
+    # Where no message is answered, every code is refused and there is no body to return.
+    if not isinstance(body[-1], Return):
+        body += [
+            assign(PointerMember(OUT, "body"), add_size(IN, frame.header_size)),
+            assign(PointerMember(OUT, "body_length"), add_size(LENGTH, -around)),
+            return_ok(naming),
+        ]
     name = naming.function("link", link.name, direction, "open")
     return [comment(*about), Function(status_type(naming), name, tuple(parameters), tuple(body))]
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 
 from fieldspec.backends import PageLink
-from fieldspec.backends.docs import html, markdown, search_index
+from fieldspec.backends.docs import html, lab, markdown, search_index
 from fieldspec.backends.docs.changes import NAME, changed, link, page_name, steps, versions
 from fieldspec.backends.docs.context import Holding
 from fieldspec.backends.docs.document import Document, every, headings, text_piece
@@ -31,7 +31,8 @@ def files(layouts: Sequence[DeviceLayout], links: Sequence[PageLink] = ()) -> di
     holding = Holding(layouts)
     pages = {layout.device.version: page(layout, holding) for layout in layouts}
     title = clean(layouts[-1].device.name)
-    index = device_place(title, is_index=True)
+    has_lab = lab.has_lab(layouts)
+    index = device_place(title, is_index=True, has_lab=has_lab)
     texts = {
         f"{folder}/index.html": html.page(versions(layouts, device_steps, ".html", links), index),
         f"{folder}/README.md": markdown.page(versions(layouts, device_steps, ".md", links)),
@@ -40,16 +41,18 @@ def files(layouts: Sequence[DeviceLayout], links: Sequence[PageLink] = ()) -> di
     if device_steps:
         rows = {version: frozenset(every(document.sections)) for version, document in pages.items()}
         sections = {version: frozenset(headings(document.sections)) for version, document in pages.items()}
-        texts[f"{folder}/{NAME}.html"] = html.page(changed(device_steps, ".html", rows), device_place(title))
+        texts[f"{folder}/{NAME}.html"] = html.page(
+            changed(device_steps, ".html", rows), device_place(title, has_lab=has_lab)
+        )
         texts[f"{folder}/{NAME}.md"] = markdown.page(changed(device_steps, ".md", sections))
     came_by = {step.new.device.version for step in device_steps}
     for version, document in pages.items():
         name = page_name(version)
         fresh = version in came_by
-        place = device_place(title, name)
+        place = device_place(title, name, has_lab=has_lab)
         texts[f"{folder}/{name}.html"] = html.page(_leading(document, version, ".html") if fresh else document, place)
         texts[f"{folder}/{name}.md"] = markdown.page(_leading(document, version, ".md") if fresh else document)
-    return texts
+    return texts | lab.files(layouts, device_place(title)) if has_lab else texts
 
 
 def fact_links(layout: DeviceLayout, contents: Mapping[str, bytes]) -> dict[str, str]:
@@ -68,5 +71,5 @@ def _leading(document: Document, version: str, ending: str) -> Document:
 
 
 def shared() -> dict[str, str]:
-    """The scripts of all pages, as they are. Pages say everything without them, too."""
-    return {name: text(f"backends/docs/{name}") for name in SCRIPTS}
+    """The scripts of all pages, as they are, and that of the labs. Pages say everything without them, too."""
+    return {name: text(f"backends/docs/{name}") for name in SCRIPTS} | {lab.SCRIPT: lab.lab_script()}

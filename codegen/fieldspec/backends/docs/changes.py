@@ -91,7 +91,7 @@ def _step(old: DeviceLayout, new: DeviceLayout) -> Step:
 
 def page_name(version: str) -> str:
     """The name of a version's page; those that other pages of the device have get an underscore behind them."""
-    return f"{version}_" if version.lower() in (NAME, "index", "readme") else version
+    return f"{version}_" if version.lower() in (NAME, "index", "readme", "lab") else version
 
 
 def changed(device_steps: Sequence[Step], ending: str, anchors: dict[str, frozenset[str]]) -> Document:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from base64 import b64encode
 from collections.abc import Sequence
 from hashlib import sha256
+from urllib.parse import quote
 
 from fieldspec.backends.docs import search_index
 from fieldspec.classes import dataclass
@@ -29,10 +30,12 @@ class PagePlace:
     parents: tuple[tuple[str, str], ...] = ()
 
 
-def device_place(device: str, page: str = "", is_index: bool = False) -> PagePlace:
-    """The place of a page of a device, by the device's name."""
-    parents = (("All devices", "../index.html"),)
-    return PagePlace("../", (search_index.NAME,), page, parents if is_index else (*parents, (device, "index.html")))
+def device_place(device: str, page: str = "", is_index: bool = False, has_lab: bool = False) -> PagePlace:
+    """The place of a page of a device, by the device's name; it leads to the frame lab if the device has one."""
+    parents: tuple[tuple[str, str], ...] = (("All devices", "../index.html"),)
+    parents = parents if is_index else (*parents, (device, "index.html"))
+    lab = (("Frame lab", f"lab.html#version={quote(page)}" if page else "lab.html"),) if has_lab else ()
+    return PagePlace("../", (search_index.NAME,), page, (*parents, *lab))
 
 
 def policy(style: str, scripts: bool) -> str:

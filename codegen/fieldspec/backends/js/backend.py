@@ -5,16 +5,15 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 
+from fieldspec.backends.js.explainer import explainer_files
 from fieldspec.backends.js.module import module_texts
 from fieldspec.backends.js.text import comment, literal
 from fieldspec.backends.templates import text
+from fieldspec.explain import script
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name, version_word
 
 RUNTIME = (
-    "checksums",
-    "error",
-    "escapes",
     "framer",
     "index",
     "link",
@@ -32,6 +31,8 @@ PACKAGE = "fieldspec-devices"
 def shared() -> dict[str, str]:
     """The modules that all devices share, with their types, and the description of the package for npm."""
     files = {f"runtime/{name}.js": text(f"backends/js/runtime/{name}.js") for name in RUNTIME}
+    files |= {f"runtime/{name}.js": text(script.runtime_path(name)) for name in script.SHARED}
+    files |= {f"runtime/explain/{name}.js": text(script.runtime_path(name)) for name in script.RUNTIME}
     package = {
         "name": PACKAGE,
         "version": "0.0.0",
@@ -48,6 +49,7 @@ def shared() -> dict[str, str]:
     return {
         **files,
         "runtime/index.d.ts": text("backends/js/runtime/index.d.ts"),
+        "runtime/explain/explainer.d.ts": text("backends/js/runtime/explainer.d.ts"),
         "package.json": json.dumps(package, indent=2) + "\n",
     }
 
@@ -62,8 +64,13 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         code, types = module_texts(layout)
         texts[f"{folder}/{modules[layout.device.version]}.js"] = code
         texts[f"{folder}/{modules[layout.device.version]}.d.ts"] = types
+        if layout.links:
+            texts |= explainer_files(layout, f"{folder}/{modules[layout.device.version]}_explain")
     modules |= {equal: modules[layout.device.version] for layout in versions for equal in layout.equal_versions}
     newest = modules[device.version]
+    if versions[-1].links:
+        for ending in ("js", "d.ts"):
+            texts[f"{folder}/explain.{ending}"] = f'export * from "./{newest}_explain.js";\n'
     head = comment(
         [
             f"{device.vendor} {device.name}: the names of the newest version.",

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Sequence
+from collections.abc import Container, Mapping, Sequence
+from typing import Any
 
 from fieldspec.backends.fact_texts import sentence
+from fieldspec.backends.python.client import client_view
 from fieldspec.backends.python.detection import detection_view
 from fieldspec.backends.python.device import device_view
-from fieldspec.backends.python.imports import imports_view
+from fieldspec.backends.python.imports import client_imports, imports_view
 from fieldspec.backends.python.naming import Scope, module_name, package_name
 from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.templates import fill
@@ -15,13 +17,19 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 
 PACKAGE = "fieldspec_devices"
-PACKAGE_NAMES = ("for_firmware", "latest")
+PACKAGE_NAMES = ("client", "for_firmware", "latest")
 RUNTIME = (
     "__init__",
     "_bits",
     "_checks",
     "_carried",
     "_checksums",
+    "_client",
+    "_client_async",
+    "_client_cyclic",
+    "_client_registers",
+    "_client_sync",
+    "_client_tasks",
     "_choices",
     "_codes",
     "_conversions",
@@ -39,7 +47,9 @@ RUNTIME = (
     "_registers",
     "_typing",
     "_values",
+    "errors",
     "many",
+    "transports",
 )
 
 
@@ -55,7 +65,12 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     device = versions[-1].device
     folder = f"{PACKAGE}/{package_name(device.id)}"
     modules = {layout.device.version: scope.take(module_name(layout.device.version)) for layout in versions}
-    texts = {f"{folder}/{modules[layout.device.version]}.py": _module(layout) for layout in versions}
+    texts = {}
+    for layout in versions:
+        module = modules[layout.device.version]
+        view = device_view(layout)
+        texts[f"{folder}/{module}.py"] = _module(view)
+        texts |= _client(layout, f"{folder}/{module}_client.py", module, view)
     module_lines = [
         f" {modules[layout.device.version]}: version {', '.join((layout.device.version, *layout.equal_versions))},"
         f" identity {layout.identity}"
@@ -74,6 +89,18 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         detection=detection_view(versions[-1]),
         lines=[[(literal(version), literal(modules[version])) for version in line] for line in _lines(device, modules)],
     )
+    newest = f"{modules[device.version]}_client"
+    if f"{folder}/{newest}.py" in texts:
+        about = [
+            sentence(f"Clients of {device.vendor} {device.name}"),
+            "This module has the names of the newest version.",
+        ]
+        texts[f"{folder}/client.py"] = fill(
+            "python/client_package.py.j2",
+            doc=docstring(about),
+            newest=newest,
+            type=detection_view(versions[-1])["type"],
+        )
     return texts
 
 
@@ -83,8 +110,7 @@ def _lines(device: Device, modules: Container[str]) -> list[list[str]]:
     return [line for line in lines if line] or [[device.version]]
 
 
-def _module(layout: DeviceLayout) -> str:
-    view = device_view(layout)
+def _module(view: Mapping[str, Any]) -> str:
     body = fill("python/body.py.j2", **view)
     imports = imports_view(body)
     return fill(
@@ -96,3 +122,12 @@ def _module(layout: DeviceLayout) -> str:
         tables=imports.tables,
         body=body,
     )
+
+
+def _client(layout: DeviceLayout, path: str, module: str, view: Mapping[str, Any]) -> dict[str, str]:
+    """The module with the clients of a version; none for a device that answers nothing."""
+    client = client_view(layout, module, view)
+    if client is None:
+        return {}
+    body = fill("python/client.py.j2", view=client)
+    return {path: fill("python/client_module.py.j2", view=client, body=body, imports=client_imports(body))}

@@ -50,11 +50,10 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
     words = Words(enums, {name: view.name for name, view in flags.items()}, names)
     records = [_record(layout, name, words) for name in layout.records]
     exchanges = [_exchange(message, words, scope) for message in layout.messages.values()]
-    links = [
-        link_view(link, exchanges, layout.records, words, scope)
-        for link in layout.links.values()
-        if any(carries(link, exchange.message) for exchange in exchanges)
+    carrying = [
+        link for link in layout.links.values() if any(carries(link, exchange.message) for exchange in exchanges)
     ]
+    links = [link_view(link, exchanges, layout.records, words, scope) for link in carrying]
     messages = [view for exchange in exchanges for view in _messages(exchange, links, layout)]
     order = device.byte_order
     accesses = space_accesses(device, exchanges)
@@ -99,6 +98,9 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         ),
         "parameters": sets,
         "spaces": space_views(layout, sets, words, exchanges, scope),
+        "words": words,
+        "exchanges": exchanges,
+        "links_by_name": dict(zip((link.name for link in carrying), links, strict=True)),
     }
     public = ["DEVICE", "IDENTITY", "REGISTERS", "TABLES", "VERSION"]
     public += ["read_request", "read_requests", "read_value"] * (view["read"] is not None)

@@ -31,6 +31,17 @@ def imports_view(body: str) -> ImportsView:
     return ImportsView(standard, shared, tables)
 
 
+def client_imports(body: str) -> list[str]:
+    """The lines that import what the text of a client needs from the shared modules."""
+    used = _private_names(body)
+    return [
+        f"from ..{module} import {name} as _{name}"
+        for module, names in _CLIENT.items()
+        for name in sorted(names.split())
+        if f"_{name}" in used
+    ]
+
+
 def _private_names(text: str) -> set[str]:
     return set(re.findall(r"\b_[A-Za-z0-9]\w*", text))
 
@@ -66,6 +77,14 @@ _SHARED = {
     ),
     "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
     "_values": "Boolean Bytes Closed Constant Double Float Number Open Setting Text Trigger Word",
+}
+_CLIENT = {
+    "_client": "Link Session",
+    "_client_async": "AsyncBaseClient AsyncMotion AsyncParameterClient AsyncRegisterClient",
+    "_client_cyclic": "CyclicWork",
+    "_client_registers": "Group ParameterAccess ParameterWork RegisterWork",
+    "_client_sync": "BlockingClient Motion ParameterClient RegisterClient",
+    "_client_tasks": "Condition DeviceWork Jog",
 }
 _CRC = [f"_C{place}" for place in range(8)]
 _CRC_EXCHANGED = [f"_X{place}" for place in range(8)]

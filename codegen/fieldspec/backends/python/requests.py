@@ -159,7 +159,8 @@ class ParameterMessageView:
 
     `head` begins the method that creates the request, and `construction` ends it. `single_head` begins the method for
     one value where a request takes `several`; it passes on the arguments `passed`. `field` carries the values. `table`
-    has the values of the selector by the types of parameters; it is empty where there is no selector.
+    has the values of the selector by the types of parameters; it is empty where there is no selector. `required` are
+    the arguments beside parameter and value that have no initial value; an `indexed` one takes the place of an element.
     """
 
     request: str
@@ -171,6 +172,8 @@ class ParameterMessageView:
     field: str
     several: bool
     table: list[str]
+    required: tuple[str, ...]
+    indexed: bool
 
 
 def parameter_messages(
@@ -248,6 +251,8 @@ def _view(
         field=value.name,
         several=value.is_list,
         table=item_lines(f"{table}: dict[str, {selector.type}] = {{", rows, "}", 0) if selector is not None else [],
+        required=tuple(text.partition(":")[0] for text in keywords if "=" not in text),
+        indexed=subindex is not None,
     )
 
 

@@ -12,6 +12,7 @@ from fieldspec.backends.wireshark.records import DIRECTIONS, message_data, recor
 from fieldspec.backends.wireshark.registers import parameter_sets, register_data, table_data
 from fieldspec.backends.wireshark.text import Data, comment, line_text, table
 from fieldspec.backends.wireshark.values import enum_data, word_data
+from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name, stem
 
@@ -35,6 +36,22 @@ _COMMON = {
 def shared() -> dict[str, str]:
     """No files: each dissector is complete in itself."""
     return {}
+
+
+def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """The links whose bytes are escaped: a dissector would show the values of other bytes."""
+    links = {link.name: link.link for layout in versions for link in layout.links.values()}
+    help_text = "leave this output out for the device: name the others after --to"
+    return [
+        Diagnostic(
+            "wireshark_frames_unescaped",
+            f"{name} escapes bytes, which the dissector does not undo",
+            link.place["escape"],
+            help=help_text,
+        )
+        for name, link in links.items()
+        if link.escape is not None
+    ]
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:

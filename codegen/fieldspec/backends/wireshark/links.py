@@ -34,6 +34,7 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
         "is_framed": any(shape["is_framed"] for shape in shapes.values()),
         "is_numbered": any(part.part.same_as for part in link.response.header),
         "messages": messages,
+        "unanswered": {name: True for name in messages if name not in link.carried("response")},
         "exception": None if exception is None else {"flag": exception.flag, "record": exception.record},
         "units": None
         if addresses is None

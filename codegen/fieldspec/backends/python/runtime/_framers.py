@@ -104,6 +104,13 @@ class Framer:
         """Drops all bytes so far."""
         self._buffer.clear()
 
+    @property
+    def missing(self) -> int:
+        """How many bytes the next frame still needs, as far as its beginning shows it; 1 at the least."""
+        size = len(self._buffer)
+        needed = self.shortest if size < self.shortest else self._extent(self._buffer, 0)
+        return max(1, needed - size)
+
     def _extent(self, buffer: bytearray, at: int) -> int:
         """The length of the frame that seems to begin at a byte: 0 for none, -1 where it is unknown."""
         raise NotImplementedError
@@ -249,6 +256,9 @@ class MarkFramer(Framer):
 
     def _prepare(self) -> None:
         """Delimiters are searched literally, so there is nothing to prepare."""
+
+    def _extent(self, buffer: bytearray, at: int) -> int:
+        return -1
 
     def feed(self, data: Data) -> list[bytes]:
         """The frames that these bytes complete, each with its delimiters and checksum."""

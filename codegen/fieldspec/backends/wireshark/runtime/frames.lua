@@ -47,7 +47,11 @@ function frames.message_of(link, direction, code, asked, message)
     if is_refusal then
         code = code - numbers.band(code, flag)
     end
-    return link.by_code[code], is_refusal
+    local named = link.by_code[code]
+    if direction == "response" and named and link.unanswered[named.name] then
+        named = nil
+    end
+    return named, is_refusal
 end
 
 local function record_of(link, direction, message, is_refusal)

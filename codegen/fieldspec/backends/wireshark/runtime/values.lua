@@ -1,6 +1,12 @@
 -- Items of the tree: one value with its name, its quantity, its bits, and what is wrong with it.
 
-local protocol = Proto(device.id, device.title)
+-- Wireshark may have a protocol with the name of the device: then another name takes its place in all names.
+local listed_id, is_free, protocol = device.id, pcall(Proto, device.id, device.title)
+if not is_free then
+    device.id = device.id .. "_device"
+    protocol = Proto(device.id, device.title)
+end
+
 local fields, names_of = {}, {}
 
 local experts = {
@@ -33,7 +39,8 @@ local function declare_fields()
         if row.type == "FRAMENUM" then
             names = frametype[row.names]
         end
-        local field = ProtoField.new(row.title, row.filter, ftypes[row.type], names, display, nil, row.text)
+        local name = device.id .. row.filter:sub(#listed_id + 1)
+        local field = ProtoField.new(row.title, name, ftypes[row.type], names, display, nil, row.text)
         fields[row.filter] = field
         list[#list + 1] = field
     end

@@ -9,32 +9,16 @@ from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.task import Step, Task
+from fieldspec.model.watches import JOG, REFUSAL, STARTING, before_effect, is_last_wait, watches
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, holds, kind_of, outputs_of
 from fieldspec.plc.routines.blocks.ports import axis_key, member
 from fieldspec.plc.routines.blocks.standard import BlockDraft, chain
-from fieldspec.plc.routines.blocks.tasks import (
-    JOG,
-    REFUSAL,
-    TAKING_OVER,
-    before_effect,
-    describe,
-    end_steps,
-    is_last_wait,
-    target,
-    watches,
-)
+from fieldspec.plc.routines.blocks.tasks import TAKING_OVER, describe, end_steps, target
 from fieldspec.plc.routines.blocks.words import masked, opposite, value_of
 from fieldspec.plc.routines.expressions import UINT, Expression, Member, Negation, Whole, compared, every
 from fieldspec.plc.routines.routine import Assignment, Routine, Statement, when
 from fieldspec.plc.routines.world import World
 
-_STARTING = frozenset(
-    {
-        *("switch_on", "servo_enable", "homing_start", "move_start", "move_enable"),
-        *("jog_positive", "jog_negative", "jog_start", "point_start"),
-    }
-)
-"""The roles of bits that let something begin or go on. A block that fails clears those that it has set."""
 _BY_LEVEL = frozenset({"homing_start", "jog_positive", "jog_negative", "jog_start"})
 """Those of them that no other motion needs. A block clears them even where another one has taken over."""
 _REQUEST, _RESPONSE = "request", "response"
@@ -119,7 +103,7 @@ class _Maker:
         return [
             operand
             for operand in self.operands.all
-            if operand.path.startswith(path) and _STARTING & {*operand.roles} and operand.bit is not None
+            if operand.path.startswith(path) and STARTING & {*operand.roles} and operand.bit is not None
         ]
 
     def _operand(self, step: Step) -> Operand:
@@ -203,7 +187,7 @@ class _Maker:
         block = self.block
         assert block.abort is not None
         low = [bit.put(False) for bit in self.pulsed]
-        starting = [bit for bit in self.set if bit.roles & _STARTING]
+        starting = [bit for bit in self.set if bit.roles & STARTING]
         own = [bit.put(False) for bit in starting if bit.roles & _BY_LEVEL]
         undone = [bit.put(False) for bit in starting if not bit.roles & _BY_LEVEL]
         late = [when(block.late, [block.fail("late")])] if block.late is not None else []

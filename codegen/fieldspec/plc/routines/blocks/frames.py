@@ -9,21 +9,13 @@ from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.record import Message
 from fieldspec.model.task import Step, Task
+from fieldspec.model.watches import JOG, REFUSAL, before_effect, watches
 from fieldspec.names import Name
 from fieldspec.plc.routines.blocks.lines import LineDraft
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, holds, outputs_of
 from fieldspec.plc.routines.blocks.ports import AXIS, FRAMES, member, own_links
 from fieldspec.plc.routines.blocks.standard import ERRORS, chain, meanings
-from fieldspec.plc.routines.blocks.tasks import (
-    JOG,
-    REFUSAL,
-    TAKING_OVER,
-    before_effect,
-    describe,
-    end_steps,
-    target,
-    watches,
-)
+from fieldspec.plc.routines.blocks.tasks import TAKING_OVER, describe, end_steps, target
 from fieldspec.plc.routines.blocks.words import opposite, value_of
 from fieldspec.plc.routines.exchanges import compare_answer
 from fieldspec.plc.routines.expressions import (

@@ -10,23 +10,12 @@ from fieldspec.model.device import Device
 from fieldspec.model.fact import ScalarValue
 from fieldspec.model.operand import REGISTERS, Operand, Operands
 from fieldspec.model.task import Step, Task
+from fieldspec.model.watches import JOG, MOVING, REFUSAL, Watch, before_effect, is_last_wait, watches
 from fieldspec.plc.routines.blocks.lines import LineDraft
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, holds, kind_of, outputs_of
 from fieldspec.plc.routines.blocks.ports import AXIS
 from fieldspec.plc.routines.blocks.standard import chain
-from fieldspec.plc.routines.blocks.tasks import (
-    JOG,
-    MOVING,
-    REFUSAL,
-    TAKING_OVER,
-    Watch,
-    before_effect,
-    describe,
-    end_steps,
-    is_last_wait,
-    target,
-    watches,
-)
+from fieldspec.plc.routines.blocks.tasks import TAKING_OVER, describe, end_steps, target
 from fieldspec.plc.routines.expressions import (
     BITS,
     UINT,

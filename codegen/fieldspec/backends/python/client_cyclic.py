@@ -1,0 +1,183 @@
+"""Tasks by the fields of cyclic messages, and the clients of these messages."""
+
+from __future__ import annotations
+
+from fieldspec.backends.fact_texts import described
+from fieldspec.backends.python.client_names import CODEC, Argument, ClientNames, NoTask, is_scaled, raw_number
+from fieldspec.backends.python.client_tasks import TaskDraft, TaskView, condition, ends, wait_value
+from fieldspec.backends.python.links import Exchange
+from fieldspec.backends.python.slots import Slots
+from fieldspec.backends.python.text import docstring, literal
+from fieldspec.backends.python.writing import tuple_of
+from fieldspec.classes import dataclass, replace
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.record import RecordLayout
+from fieldspec.model.fact import ScalarValue
+from fieldspec.model.operand import Operand, Operands
+from fieldspec.model.task import Step, Task
+from fieldspec.model.watches import JOG, REFUSAL, STARTING, before_effect, is_last_wait, watches
+from fieldspec.names import Name
+
+_REQUEST, _RESPONSE = "request", "response"
+
+
+@dataclass(frozen=True, slots=True)
+class CyclicView:
+    """The client of a cyclic message: its classes, the link, the first request, its tasks."""
+
+    name: str
+    link: str
+    request: str
+    response: str
+    initial: str
+    tasks: list[TaskView]
+    doc: list[str]
+
+
+def cyclic_view(names: ClientNames, operands: Operands, link: LinkLayout, exchange: Exchange) -> CyclicView:
+    """The client of a cyclic message."""
+    message = exchange.message
+    tasks: list[TaskView] = []
+    missing: list[str] = []
+    for task in names.layout.device.tasks:
+        if message.name not in task.messages:
+            continue
+        try:
+            tasks.append(_CyclicTask(names, operands, task, exchange).view())
+        except NoTask as reason:
+            missing.append(f" {task.name}: {reason}")
+    title = message.message.title or Name.of(message.name).title()
+    known = f"{Name.of(link.link.message_name or 'message').title()} {message.message.number}." * (
+        message.message.number is not None
+    )
+    return CyclicView(
+        name=Name.of(message.name).pascal(),
+        link=f"_{Name.of(link.name).upper()}",
+        request=f"{CODEC}.{exchange.request_name}",
+        response=f"{CODEC}.{exchange.response_name}",
+        initial=literal(initial_bytes(message.request).hex()),
+        tasks=tasks,
+        doc=docstring(
+            [
+                *described(f"The cyclic exchange: {title}", message.message, known),
+                *(["Tasks without a method:", *missing] if missing else []),
+            ],
+            4,
+        ),
+    )
+
+
+def initial_bytes(record: RecordLayout) -> bytes:
+    """The bytes of a request in which everything is 0 but constants and initial values.
+
+    Raises NoTask for a number whose words are exchanged.
+    """
+    data = bytearray(record.size or 0)
+    for field in record.fields:
+        value = field.value
+        if value is None:
+            continue
+        number = value.const if isinstance(value.const, int) else value.default
+        if isinstance(number, int) and not isinstance(number, bool) and not field.is_list:
+            if field.swapped:
+                raise NoTask(f"{field.name} has exchanged words")
+            order = "big" if field.order == "big" else "little"
+            raw = number.to_bytes(field.size, "big", signed=value.type.signed)
+            data[field.offset : field.offset + field.size] = raw if order == "big" else raw[::-1]
+    return bytes(data)
+
+
+class _CyclicTask:
+    """A task with one cyclic message."""
+
+    def __init__(self, names: ClientNames, operands: Operands, task: Task, exchange: Exchange) -> None:
+        self.names, self.task, self.exchange = names, task, exchange
+        self.draft = TaskDraft(names, operands, task, exchange.message.name)
+        self.started: list[tuple[str, int]] = []
+        self.pulsed: list[tuple[str, int]] = []
+
+    def view(self) -> TaskView:
+        """The method."""
+        draft, task, message = self.draft, self.task, self.exchange.message.name
+        watched = [
+            self._condition(watch.operand, watch.value, watch.reason)
+            for watch in watches(self.names.layout.device, draft.operands, task, message)
+        ]
+        first = before_effect(task)
+        if first:
+            looked = [self._condition(draft.target(step), wait_value(step), "unready") for step in task.steps[:first]]
+            draft.steps.append(f"task.look({', '.join(looked)})")
+        if task.kind == "reset_alarm":
+            self._clear_starting()
+        ending = ends(task) if task.kind == JOG else None
+        last: list[str] = []
+        for at, step in enumerate(task.steps[first:], first):
+            steps = self._step(step)
+            if ending is not None and at == ending[1]:
+                last = steps
+            else:
+                draft.steps += steps
+        bits = [
+            f"{key}={tuple_of([f'({literal(name)}, 0x{mask:X})' for name, mask in own])}"
+            for key, own in (("started", self.started), ("pulsed", self.pulsed))
+            if own
+        ]
+        view = draft.view("task", watched, last, 0, ending is not None, bits)
+        return replace(view, name=self._name())
+
+    def _name(self) -> str:
+        """The name of the method, without that of the message, which the class has."""
+        return self.task.name.removesuffix(f"_{self.exchange.message.name}")
+
+    def _clear_starting(self) -> None:
+        path = f"messages/{self.exchange.message.name}/{_REQUEST}/"
+        words: dict[str, int] = {}
+        for operand in self.draft.operands.all:
+            if operand.path.startswith(path) and STARTING & {*operand.roles} and operand.bit is not None:
+                slot = self._slot(operand, _REQUEST)
+                words[slot.name] = words.get(slot.name, 0) | operand.bit.mask
+        self.draft.steps += [f"task.put({literal(name)}, 0x{mask:X}, False)" for name, mask in words.items()]
+        if words:
+            self.draft.steps.append("task.settle()")
+            self.draft.remarks.append(
+                "Clears the bits that switch on and start first, so that nothing goes on by itself afterwards."
+            )
+
+    def _slot(self, operand: Operand, direction: str) -> Slots:
+        slot = self.names.attribute(self.exchange, direction, operand.holder)
+        if slot is None or slot.field.value is None or slot.is_list:
+            raise NoTask(f"`{operand.path}` is no single value of the {direction} of {self.exchange.message.name}")
+        return slot
+
+    def _condition(self, operand: Operand, stated: ScalarValue, reason: str) -> str:
+        slot = self._slot(operand, _RESPONSE)
+        return condition(self.names, operand, slot.value, stated, literal(slot.name), reason)
+
+    def _step(self, step: Step) -> list[str]:
+        draft = self.draft
+        operand = draft.target(step)
+        if step.action == "wait":
+            reason = "refused" if REFUSAL in operand.roles else "unready"
+            settling = ["task.settle()"] if is_last_wait(self.task, step) else []
+            return [*settling, f"task.wait({self._condition(operand, wait_value(step), reason)})"]
+        if step.action == "read" and operand.bit is None:
+            slot = self._slot(operand, _RESPONSE)
+            draft.results.append(self.names.answer_type(slot.value))
+            return [f"task.read({literal(self.names.scaled_name(self.exchange, _RESPONSE, slot))})"]
+        slot = self._slot(operand, _REQUEST)
+        bit = operand.bit
+        if bit is not None and step.action in ("set", "clear", "pulse"):
+            place = f"{literal(slot.name)}, 0x{bit.mask:X}"
+            if step.action == "pulse":
+                self.pulsed.append((slot.name, bit.mask))
+                return [f"task.pulse({place})"]
+            if step.action == "set" and STARTING & {*operand.roles}:
+                self.started.append((slot.name, bit.mask))
+            return [f"task.put({place}, {step.action == 'set'})"]
+        if step.action != "write" or bit is not None:
+            raise NoTask(f"`{step.action} {step.target}` is nothing that a cyclic message can do")
+        if not step.argument:
+            return [f"task.write({literal(slot.name)}, {raw_number(self.names.layout, slot.value, None, step.value)})"]
+        argument: Argument = draft.argument(step.argument, slot.value)
+        name = self.names.scaled_name(self.exchange, _REQUEST, slot) if is_scaled(slot.value) else slot.name
+        return [f"task.write({literal(name)}, {argument.name})"]

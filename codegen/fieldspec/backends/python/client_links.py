@@ -1,0 +1,126 @@
+"""Links of clients: how requests and responses belong together, and the times that the manual prints."""
+
+from __future__ import annotations
+
+from fieldspec.backends.python.client_names import CODEC, ClientNames
+from fieldspec.backends.python.links import LinkView
+from fieldspec.backends.python.text import item_lines, literal
+from fieldspec.backends.python.writing import tuple_of
+from fieldspec.classes import dataclass
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.model.link import Link, Serial
+from fieldspec.model.operand import Operands
+from fieldspec.model.texts import Limit
+from fieldspec.names import Name
+
+_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6}
+"""The units of times, in seconds."""
+
+
+@dataclass(frozen=True, slots=True)
+class ClientLinkView:
+    """A link of a client: its constant, its name as a literal, and the call that creates it."""
+
+    name: str
+    title: str
+    call: list[str]
+
+
+def is_framed(link: LinkLayout) -> bool:
+    """Whether anything stands around a body."""
+    spoken = link.link
+    return bool(
+        link.request.header or link.request.trailer or spoken.encoding == "hex_ascii" or spoken.start or spoken.end
+    )
+
+
+def reply_type(view: LinkView) -> str:
+    """The type of a response on a link."""
+    wrapper = view.response.wrapper if view.response is not None else "_Response"
+    return f"{wrapper}[_R]" if wrapper.startswith("_") else f"{CODEC}.{wrapper}[_R]"
+
+
+def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: ClientNames) -> ClientLinkView:
+    """The view of a link: how requests and responses belong together, and the times that the manual prints."""
+    addressed = link.request.role("unit_address") is not None
+    arguments = [f"{CODEC}.{view.name}", f"addressed={addressed}"]
+    answered = {part.name for part in link.response.parts}
+    counters = [
+        f"({literal(part.name)}, {part.value.ranges.low}, {part.value.ranges.high})"
+        if part.value is not None and part.value.ranges is not None
+        else f"({literal(part.name)}, 0, {part.value.type.high if part.value is not None else 255})"
+        for part in (*link.request.header, *link.request.trailer)
+        if part.role == "plain" and part.is_argument and part.name in answered
+    ]
+    arguments += [f"counters={tuple_of(counters)}"] if counters else []
+    timeout = _timeout(layout, link)
+    arguments += [f"timeout={timeout!r}"] if timeout is not None else []
+    pause = _pause(link.link)
+    arguments += [f"pause={pause!r}"] if pause else []
+    repeated, value_counts = [], []
+    for message in link.carried("response").values():
+        access = message.message.accesses
+        exchange = names.exchanges[message.name]
+        if access is None:
+            continue
+        request = f"{CODEC}.{exchange.request_name}"
+        asked = {slot.title: slot for slot in exchange.request.stored}
+        answer = {slot.title: slot for slot in exchange.response.stored}
+        if access.operation == "write":
+            same = [title for title in (access.start, access.count) if title in asked and title in answer]
+            if same and all(asked[title].name == answer[title].name for title in same):
+                repeated.append(f"{request}: {tuple_of([literal(asked[title].name) for title in same])}")
+        elif access.count in asked and access.values in answer and layout.device.bit_access(message.message) is None:
+            value_counts.append(
+                f"{request}: ({literal(asked[access.count].name)}, {literal(answer[access.values].name)})"
+            )
+    arguments += [f"repeated={{{', '.join(repeated)}}}"] if repeated else []
+    arguments += [f"value_counts={{{', '.join(value_counts)}}}"] if value_counts else []
+    name = f"_{Name.of(link.name).upper()}"
+    return ClientLinkView(name, literal(link.name), item_lines(f"{name} = _Link(", arguments, ")", 0))
+
+
+def _timeout(layout: DeviceLayout, link: LinkLayout) -> float | None:
+    """The longest time that a step of a task states for an answer on a link; None where none does."""
+    limits = {limit.place.path: limit for limit in layout.device.limits}
+    carried = {f"messages/{name}" for name in link.messages}
+    operands = Operands(layout.device)
+    known = [
+        seconds(limits[step.timeout])
+        for task in layout.device.tasks
+        for step in task.steps
+        if step.action == "send"
+        and step.timeout in limits
+        and any(operand.path in carried for operand in operands.target(step.target))
+    ]
+    return max((time for time in known if time is not None), default=None)
+
+
+def seconds(limit: Limit) -> float | None:
+    """The most that a limit permits, in seconds; None where it is no time."""
+    factor = _UNITS.get(limit.unit)
+    return None if factor is None or limit.most is None else round(float(limit.most) * factor, 9)
+
+
+def _pause(link: Link) -> float:
+    """The seconds of silence before a request, at the settings as delivered."""
+    if link.silence_milliseconds is not None:
+        return float(link.silence_milliseconds) / 1000
+    if link.silence_characters is None or link.serial is None:
+        return 0.0
+    return round(float(link.silence_characters) * _bits(link.serial) / _baud(link.serial), 6)
+
+
+def _baud(serial: Serial) -> int:
+    return serial.default_baud or (serial.baud[0] if serial.baud else 9600)
+
+
+def _bits(serial: Serial) -> int:
+    parity = serial.parity[0] if serial.parity else "none"
+    return (
+        1
+        + (max(serial.data_bits) if serial.data_bits else 8)
+        + (parity != "none")
+        + (serial.stop_bits[0] if serial.stop_bits else 1)
+    )

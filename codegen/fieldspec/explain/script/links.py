@@ -1,0 +1,118 @@
+"""Links and their frames as data of the explainer."""
+
+from __future__ import annotations
+
+from fieldspec.explain.script.literals import Data
+from fieldspec.explain.script.values import fact_data, intervals, stated, value_data
+from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.model.checksums import checksum_named
+from fieldspec.model.escape import Escape
+
+
+def link_data(link: LinkLayout) -> dict[str, Data]:
+    """A link with the frames of both directions, and the names of the messages that each of these carries."""
+    own = link.link
+    addresses, exception, serial = own.unit_addresses, own.exception_response, own.serial
+    return {
+        **fact_data(own),
+        **stated(
+            {
+                "title": own.title,
+                "encoding": own.encoding,
+                "start": own.start.hex(),
+                "end": own.end.hex(),
+                "messageName": own.message_name,
+                "addresses": stated({"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast})
+                if addresses is not None
+                else None,
+                "exception": {"flag": exception.flag, "record": exception.record} if exception is not None else None,
+                "serial": stated(
+                    {
+                        "baud": list(serial.baud),
+                        "default": serial.default_baud,
+                        "dataBits": list(serial.data_bits),
+                        "parity": list(serial.parity),
+                        "stopBits": list(serial.stop_bits),
+                    }
+                )
+                if serial is not None
+                else None,
+            }
+        ),
+        "directionNames": {"request": own.request_name, "response": own.response_name},
+        "carried": {direction: list(link.carried(direction)) for direction in ("request", "response")},
+        "request": _frame(link.request),
+        "response": _frame(link.response),
+    }
+
+
+def _frame(frame: FrameLayout) -> dict[str, Data]:
+    return {
+        "headerSize": frame.header_size,
+        "trailerSize": frame.trailer_size,
+        "header": [_part(part) for part in frame.header],
+        "trailer": [_part(part) for part in frame.trailer],
+        "checksums": [part.name for part in frame.checksums],
+        **stated({"escape": _escape(frame.escape) if frame.escape is not None else None}),
+        "escapeStart": frame.escape_start,
+        "escapeStop": frame.escape_stop or 0,
+    }
+
+
+def _part(part: PartLayout) -> dict[str, Data]:
+    return {
+        **fact_data(part.part),
+        "role": part.role,
+        "offset": part.offset,
+        "size": part.size,
+        **stated(
+            {
+                "order": part.order,
+                "value": value_data(part.value, part.order) if part.value is not None else None,
+                "algorithm": _algorithm(part) if part.algorithm else None,
+                "digits": part.digits,
+                "start": part.start,
+                "stop": part.stop,
+                "unitSize": part.unit_size,
+                "base": part.base,
+                "constant": part.constant,
+                "reserved": part.reserved,
+                "escaped": part.escaped,
+                "sameAs": part.part.same_as,
+            }
+        ),
+    }
+
+
+def _algorithm(part: PartLayout) -> dict[str, Data]:
+    """The parameters of a checksum; numbers that may be wide are texts of digits."""
+    kind = checksum_named(part.algorithm)
+    if kind.method == "crc":
+        return {
+            "method": "crc",
+            "width": kind.width,
+            "polynomial": str(kind.polynomial),
+            "initial": str(kind.initial),
+            "reflectIn": kind.reflect_in,
+            "reflectOut": kind.reflect_out,
+            "finalXor": str(kind.final_xor),
+        }
+    return {
+        "method": kind.method,
+        "width": kind.width,
+        "initial": str(kind.initial),
+        "complement": kind.complement,
+        "unitSize": kind.unit_size,
+        "order": part.order,
+    }
+
+
+def _escape(escape: Escape) -> dict[str, Data]:
+    return stated(
+        {
+            "method": escape.method,
+            "pairs": [list(pair) for pair in escape.pairs],
+            "pattern": escape.pattern.hex(),
+            "inserted": escape.inserted,
+        }
+    )

@@ -1,0 +1,85 @@
+"""Records and messages as data of the explainer."""
+
+from __future__ import annotations
+
+from fieldspec.explain.row import errata_of_message
+from fieldspec.explain.script.literals import Data
+from fieldspec.explain.script.values import fact_data, stated, value_data
+from fieldspec.layout.frame import MessageLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.device import Device
+from fieldspec.model.record import RegisterAccess
+
+
+def record_data(record: RecordLayout) -> dict[str, Data]:
+    """A record; `chosen` has its forms by the values of the field that decides them."""
+    forms: dict[int, tuple[RecordLayout, list[int]]] = {}
+    for number, form in record.chosen.items():
+        forms.setdefault(id(form), (form, []))[1].append(number)
+    return {
+        **fact_data(record.record),
+        "least": record.least,
+        **stated({"most": record.most, "size": record.size}),
+        "fields": [_field(field) for field in record.fields],
+        **stated(
+            {
+                "selector": record.selector.name if record.selector is not None else "",
+                "chosen": [[numbers, record_data(form)] for form, numbers in forms.values()],
+            }
+        ),
+    }
+
+
+def _field(field: FieldLayout) -> dict[str, Data]:
+    own = field.field
+    measures, repeat = own.measures, own.repeat
+    return {
+        **fact_data(own),
+        "name": field.name,
+        "offset": field.offset,
+        "size": field.size,
+        **stated(
+            {
+                "count": field.count,
+                "isList": field.is_list,
+                "repeat": [repeat.low, repeat.high] if repeat is not None else None,
+                "lengths": [list(interval) for interval in repeat.intervals] if repeat is not None else None,
+                "value": value_data(field.value, field.order, field.swapped) if field.value is not None else None,
+                "record": field.record.name if field.record is not None else "",
+                "cases": bool(field.cases),
+                "reserved": own.reserved,
+                "measures": [measures.of, measures.field] if measures is not None else None,
+                "sameAs": own.same_as,
+                "signal": own.signal,
+            }
+        ),
+    }
+
+
+def message_data(device: Device, message: MessageLayout) -> dict[str, Data]:
+    """A message with the data of its request, and of its response if the device answers it."""
+    own = message.message
+    return {
+        **fact_data(own),
+        **stated({"title": own.title, "code": own.code, "number": own.number}),
+        "request": record_data(message.request),
+        "response": record_data(message.response),
+        **stated(
+            {
+                "access": _access(device, device.register_access(own)),
+                "bitAccess": _access(device, device.bit_access(own)),
+                "errata": list(errata_of_message(device, own)),
+            }
+        ),
+    }
+
+
+def _access(device: Device, access: RegisterAccess | None) -> Data:
+    if access is None:
+        return None
+    return {
+        "operation": access.operation,
+        "start": access.start,
+        **stated({"count": access.count, "values": access.values, "space": device.space_name(access.space)}),
+        **({"set": access.set, "clear": access.clear} if access.set is not None else {}),
+    }

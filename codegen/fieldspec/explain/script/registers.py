@@ -1,0 +1,109 @@
+"""Registers, tables, gaps and parameters as data of the explainer."""
+
+from __future__ import annotations
+
+from fieldspec.explain.row import citations
+from fieldspec.explain.script.literals import Data
+from fieldspec.explain.script.values import fact_data, intervals, stated, value_data
+from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.record import RegisterLayout
+from fieldspec.model.device import Device
+from fieldspec.model.registers import Parameter, ParameterSet
+
+
+def register_data(device: Device, layout: RegisterLayout) -> dict[str, Data]:
+    """A register with all of its elements."""
+    register = layout.register
+    return {
+        **fact_data(register),
+        "name": layout.name,
+        "address": layout.address,
+        "words": layout.words,
+        "count": layout.count,
+        "stride": layout.stride,
+        "first": register.index_from,
+        "value": value_data(register.value, layout.order, layout.swapped),
+        **stated(
+            {
+                "space": device.space_name(register.space),
+                "access": register.access,
+                "atomic": register.atomic,
+                "trigger": register.trigger,
+                "elementSources": [citations([source]) for source in register.element_sources],
+            }
+        ),
+    }
+
+
+def table_data(device: Device, layout: TableLayout) -> dict[str, Data]:
+    """A table of records in registers."""
+    table = layout.table
+    accesses = {field.name: layout.access(field.field) for field in layout.record.fields}
+    return {
+        **fact_data(table),
+        "base": table.base,
+        "stride": table.stride,
+        "count": table.count,
+        "first": table.index_from,
+        "words": layout.words,
+        "record": layout.record.name,
+        "accesses": stated(accesses),
+        "atomic": [field.name for field in layout.record.fields if field.field.atomic],
+        **stated({"space": device.space_name(table.space)}),
+    }
+
+
+def gaps_data(layout: DeviceLayout) -> list[Data]:
+    """The addresses that the manual leaves out, with the reasons."""
+    device = layout.device
+    return [
+        {"space": device.space_name(group.space), "addresses": intervals(gap.addresses), "reason": gap.reason}
+        for group in device.groups
+        for gap in group.gaps
+    ]
+
+
+def set_data(words: ParameterSet) -> dict[str, Data]:
+    """A set of parameters."""
+    return {
+        **fact_data(words),
+        "base": words.base,
+        **stated(
+            {"space": words.space, "numbers": intervals(words.numbers), "printedAs": words.printed_as.partition("{")[0]}
+        ),
+        **({"digits": _digits(words.printed_as)} if words.printed_as else {}),
+        "parameters": [_parameter(parameter) for parameter in words.parameters],
+    }
+
+
+def _digits(form: str) -> list[Data]:
+    """How a number is printed: the digits at least, their base, and the text behind them."""
+    inner, _, behind = form.partition("{")[2].partition("}")
+    code = inner.partition(":")[2]
+    upper, base = code[-1:] == "X", 16 if code[-1:] in ("x", "X") else 10
+    return [int(code.rstrip("xXd") or "0"), base, upper, behind]
+
+
+def _parameter(parameter: Parameter) -> dict[str, Data]:
+    return {
+        **fact_data(parameter),
+        "number": parameter.number,
+        "value": value_data(parameter.value),
+        **stated(
+            {
+                "count": parameter.count if parameter.count != 1 else None,
+                "elements": parameter.elements,
+                "trigger": parameter.trigger,
+                "reserved": parameter.reserved,
+                "subindices": [
+                    {
+                        **fact_data(subindex),
+                        "indices": intervals(subindex.indices),
+                        "value": value_data(subindex.value),
+                        **stated({"reserved": subindex.reserved}),
+                    }
+                    for subindex in parameter.subindices
+                ],
+            }
+        ),
+    }

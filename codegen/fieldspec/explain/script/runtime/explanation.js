@@ -1,0 +1,323 @@
+import { hexOf, intervalsText, isWithin, latinOf, portableValue, sameBytes } from "./texts.js";
+import { decoded, decodeValue, judged, meaningOf, repeatedValue, wholeOf } from "./values.js";
+import { endRows, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from "./rows.js";
+import { checksumOf, EscapeError, lengthNumber, mostEscaped, originalPlaces, partOffset, unwrapped } from "./frames.js";
+import { accessedSpan, registerRows } from "./registers.js";
+import { ExplainedBody } from "./body.js";
+
+const NOTHING = new Map();
+
+/** The explanation of a whole frame as the answer to `request`, the explanation of another one, or null. Never throws. */
+export function explained(device, link, direction, frame, message = "", request = null) {
+  return new ExplainedFrame(device, link, direction, frame, message, request).explanation();
+}
+
+/** The reasons for which a codec refuses a frame; none if it accepts the frame. */
+export function reasonsOf({ rows }) {
+  return rows.map(({ reason }) => reason).filter((reason) => reason && reason !== "out_of_range");
+}
+
+/** A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those behind them. */
+class ExplainedFrame {
+  constructor(device, link, direction, frame, message, asked) {
+    Object.assign(this, { device, direction, frame, asked });
+    this.link = device.links.get(link);
+    this.shape = this.link[direction];
+    this.wrapped = unwrapped(this.link, frame);
+    this.spot = new Spot(frame, this.wrapped.start.length, this.link.encoding === "hex_ascii" ? 2 : 1);
+    this.unreadable = null;
+    [this.sentData, this.surplus] = this.withoutSurplus(this.wrapped.data);
+    this.data = this.shape.escape ? this.original(this.sentData) : this.sentData;
+    this.named = message || (asked?.message ?? "");
+    this.sent = this.link.carriedMessages[direction];
+    this.message = this.sent.get(this.named);
+    this.error = false;
+    this.values = new Map();
+  }
+
+  /** The whole explanation. The header comes first, as its code tells what the body is. */
+  explanation() {
+    if (this.unreadable !== null) return this.unreadableFrame(this.unreadable);
+    const rows = [...startRows(this.wrapped), ...this.headRows()];
+    let registers = [];
+    if (this.data.length >= this.shape.headerSize) {
+      const body = this.body();
+      registers = body.registers;
+      rows.push(...body.rows, ...this.tailRows());
+    }
+    if (this.surplus.length) rows.push(surplusRow(this.spot, this.data.length, this.surplus));
+    rows.push(...endRows(this.wrapped));
+    const errata = [...this.device.errataOfWords([this.link.path]), ...(this.message?.errata ?? [])];
+    return this.result(this.message?.name ?? "", rows, registers, errata);
+  }
+
+  result(message, rows, registers, errata) {
+    const { link, direction, error, frame, values } = this;
+    return { link: link.name, direction, message, error, frame, rows, registers, values, errata };
+  }
+
+  /** The bytes of the parts before they were escaped; finds out where they are in the frame. */
+  original(sent) {
+    const { escape, escapeStart: start, escapeStop } = this.shape;
+    if (sent.length < this.shape.headerSize + this.shape.trailerSize) return sent;
+    const stop = sent.length + escapeStop;
+    let originals;
+    try {
+      originals = originalPlaces(escape, sent.subarray(start, stop));
+    } catch (error) {
+      if (!(error instanceof EscapeError)) throw error;
+      this.unreadable = start + error.offset;
+      return sent;
+    }
+    const inner = originals.map(([, place]) => place + start);
+    if (inner.length) inner[0] = start;  // what is sent before the first byte belongs to it
+    const data = Uint8Array.from([...sent.subarray(0, start), ...originals.map(([byte]) => byte), ...sent.subarray(stop)]);
+    const end = sent.length + this.surplus.length;
+    this.spot.places = [
+      ...Array.from({ length: start }, (_, at) => at),
+      ...inner,
+      ...Array.from({ length: end + 1 - stop }, (_, at) => stop + at),
+    ];
+    this.spot.originals = Uint8Array.from([...data, ...this.surplus]);
+    return data;
+  }
+
+  /** The explanation of a frame with bytes that are the escape of nothing, from the byte `at` on. */
+  unreadableFrame(at) {
+    const [start, stop] = [this.shape.escapeStart, this.data.length + this.shape.escapeStop];
+    const text = `the byte at ${this.wrapped.start.length + at} is not escaped, or its escape means nothing`;
+    const rows = [...startRows(this.wrapped), ...this.outsideRows(this.shape.header)];
+    rows.push(wrongRow(this.spot, start, this.data.subarray(start, stop), "wrong_mark", text));
+    rows.push(...this.outsideRows(this.shape.trailer));
+    if (this.surplus.length) rows.push(surplusRow(this.spot, this.data.length, this.surplus));
+    rows.push(...endRows(this.wrapped));
+    this.values = new Map();
+    return this.result(this.named, rows, [], []);
+  }
+
+  /** The rows of parts that are not escaped. */
+  outsideRows(parts) {
+    return parts.filter(({ escaped }) => !escaped).map((part) => {
+      const at = partOffset(part, this.data.length);
+      const data = this.data.subarray(at, at + part.size);
+      return this.partRow(part, at, data);
+    });
+  }
+
+  partRow(part, at, data) {
+    return factRow(this.device, "part", part.name, part, this.spot, at, data, this.partValue(part, data), this.link);
+  }
+
+  /** The bytes whose length or checksum a part has: those that are sent, or those before they are escaped. */
+  measuredBytes(part) {
+    return this.shape.escape && !part.escaped ? this.sentData : this.data;
+  }
+
+  /** The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier. */
+  withoutSurplus(data) {
+    const nothing = data.subarray(data.length);
+    let { length, checks } = this.shape;
+    if (this.shape.escape) {
+      length = length?.escaped ? undefined : length;
+      checks = checks.filter(({ escaped }) => !escaped);
+    }
+    if (!length || !checks.length || !this.wrapped.whole) return [data, nothing];
+    const number = Number(wholeOf(data.subarray(length.offset, length.offset + length.size), length.order, false));
+    const stated = number * (length.unitSize ?? 1) + (length.base ?? 0);
+    const early = this.shape.headerSize + this.shape.trailerSize <= stated && stated < data.length;
+    const isRight = (bytes) => checks.every((check) => {
+      const at = partOffset(check, bytes.length);
+      return sameBytes(checksumOf(check, bytes), bytes.subarray(at, at + check.size));
+    });
+    if (early && !isRight(data) && isRight(data.subarray(0, stated))) return [data.subarray(0, stated), data.subarray(stated)];
+    return [data, nothing];
+  }
+
+  headRows() {
+    const rows = [];
+    for (const part of this.shape.header) {
+      const data = this.data.subarray(part.offset, part.offset + part.size);
+      if (data.length < part.size) {
+        if (this.wrapped.whole || data.length) rows.push(this.shortRow(part, part.offset, data));
+        return rows;
+      }
+      rows.push(this.partRow(part, part.offset, data));
+    }
+    return rows;
+  }
+
+  shortRow(part, at, data) {
+    const missing = part.size - data.length;
+    const text = `${missing} ${missing === 1 ? "byte is" : "bytes are"} missing for ${part.name}`;
+    return wrongRow(this.spot, at, data, "incomplete", text, part.name, part.path);
+  }
+
+  /** The value of a part, judged by its role. */
+  partValue(part, raw) {
+    if (part.role === "checksum") return this.checkedValue(part, raw);
+    const read = decodeValue(this.device, part.value, raw, part.order ?? "big", false, part.reserved);
+    if (part.reserved) return read;
+    if (part.role === "length") return this.judgedLength(part, read);
+    if (part.offset < 0) return read;
+    this.values.set(part.name, read.number);
+    if (part.role === "code") return this.codeValue(part, read);
+    if (part.role === "unit_address") return this.addressValue(read);
+    const should = part.sameAs ? this.asked?.values.get(part.sameAs) : undefined;
+    return read.reason || should === undefined ? read : repeatedValue(read, should);
+  }
+
+  /** A length, compared with the bytes that it counts. */
+  judgedLength(part, read) {
+    if (!this.wrapped.whole) return read;
+    const should = lengthNumber(part, this.measuredBytes(part).length);
+    return judged(read, should !== undefined && read.number == should, should ?? "for another number of bytes", "wrong_length");
+  }
+
+  /** A checksum, compared with the one that the bytes have. */
+  checkedValue(part, raw) {
+    const read = decoded(part.digits ? latinOf(raw) : wholeOf(raw, part.order ?? "big", false));
+    if (!this.wrapped.whole) return read;
+    const should = checksumOf(part, this.measuredBytes(part));
+    return judged(read, sameBytes(raw, should), part.digits ? latinOf(should) : hexOf(should, " "), "wrong_check");
+  }
+
+  /** The message that a code names. An exception response marks the code. */
+  codeValue(part, read) {
+    let code = Number(read.number);
+    const { exception } = this.link;
+    if (exception && this.direction === "response" && code & exception.flag) {
+      this.error = true;
+      code &= ~exception.flag;
+      this.values.set(part.name, code);
+    }
+    this.message = this.link.messagesByCode[this.error ? "request" : this.direction].get(code);
+    if (!this.message) {
+      const digits = code.toString(16).padStart(2, "0");
+      if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
+      const codes = [...this.sent.values()].filter((message) => message.code !== undefined);
+      return judged(read, false, `one of ${codes.map((message) => codeText(message.code)).join(", ")}`, "unknown_code");
+    }
+    const { name, label, title = "", notes = [], path } = this.message;
+    const text = this.error ? `${title || label || name}, refused` : title;
+    const meaning = { ...read, meanings: [meaningOf(name, label, text)], notes, facts: [path] };
+    const expected = this.sent.get(this.named);
+    if (!expected || expected === this.message || this.error) return meaning;
+    return judged(meaning, false, codeText(expected.code), "unknown_code");
+  }
+
+  addressValue(read) {
+    const { addresses } = this.link;
+    if (!addresses?.ranges) return read;
+    if (read.number === addresses.broadcast) {
+      return { ...read, meanings: [meaningOf("broadcast", "", "for all stations")], verdict: "", reason: "" };
+    }
+    if (isWithin(addresses.ranges, read.number)) return read;
+    return judged(read, false, intervalsText(addresses.ranges), "out_of_range");
+  }
+
+  /** The rows of the body, and those of the registers that it reads or writes. */
+  body() {
+    const start = this.shape.headerSize;
+    const end = this.wrapped.whole ? Math.max(start, this.data.length - this.shape.trailerSize) : this.data.length;
+    const isException = this.error && this.link.exception;
+    const record = isException ? this.device.records.get(this.link.exception.record) : this.message?.[this.direction];
+    if (!record) return { rows: this.unknownRows(start, end), registers: [] };
+    const { message } = this;
+    const asked = this.asked?.values ?? NOTHING;
+    const isRequest = Boolean(message) && record === message.request;
+    const body = new ExplainedBody(this.device, record, message ?? record, isRequest, this.data, start, end, this.spot, asked);
+    for (const [name, value] of body.values) this.values.set(name, value);
+    const rows = body.rows.filter((row) => this.wrapped.whole || row.kind !== "unexplained" || row.length);
+    const access = this.error ? undefined : message?.access ?? message?.bitAccess;
+    if (!access) return { rows, registers: [] };
+    const values = record.named.get(access.values);
+    const at = values ? start + values.offset : start;
+    const isOpen = !values || values.count === undefined;
+    const last = isOpen ? end : Math.min(end, start + values.offset + values.size * values.count);
+    const data = values ? this.data.subarray(at, Math.max(at, last)) : this.data.subarray(0, 0);
+    const isBits = access === message.bitAccess;
+    const carried = isBits ? data : data.subarray(0, data.length - (data.length % 2));
+    const span = accessedSpan(access, isBits, body.values, asked, at, carried);
+    return { rows, registers: span ? registerRows(this.device, span, this.spot, access.operation) : [] };
+  }
+
+  /** The row of a body that nothing describes. */
+  unknownRows(start, end) {
+    const data = this.data.subarray(start, end);
+    if (!this.shape.code) {
+      const text = "the frame carries no code, and nothing else says which message it is";
+      return [wrongRow(this.spot, start, data, "unknown_code", text)];
+    }
+    if (end <= start) return [];
+    return [{ ...wrongRow(this.spot, start, data, "", ""), verdict: "", doc: "The data of an unknown message." }];
+  }
+
+  tailRows() {
+    if (!this.wrapped.whole) return [];
+    const rows = [];
+    const start = Math.max(this.shape.headerSize, this.data.length - this.shape.trailerSize);
+    for (const part of this.shape.trailer) {
+      const at = start + this.shape.trailerSize + part.offset;
+      const data = this.data.subarray(at, at + part.size);
+      if (data.length < part.size) {
+        rows.push(this.shortRow(part, at, data));
+        return rows;
+      }
+      rows.push(this.partRow(part, at, data));
+    }
+    return rows;
+  }
+}
+
+function codeText(code) {
+  return code.toString(16).toUpperCase().padStart(2, "0");
+}
+
+/** The least and the greatest size of a message's frames without delimiters, in bytes; Infinity is unbounded. */
+export function lengthsOf(link, direction, message) {
+  const { headerSize, trailerSize } = link[direction];
+  const record = message[direction];
+  return [record.least + headerSize + trailerSize, (record.most ?? Infinity) + headerSize + trailerSize];
+}
+
+/** The names of the messages whose body can be as long as that of a frame. */
+export function namesOfLength(link, direction, frame) {
+  const { length } = unwrapped(link, frame).data;
+  const { escape } = link[direction];
+  const fitting = [...link.carriedMessages[direction].values()].filter((message) => {
+    const [least, most] = lengthsOf(link, direction, message);
+    if (escape) return most === Infinity || length <= mostEscaped(escape, most);
+    return least <= length && length <= most;
+  });
+  return fitting.map(({ name }) => name);
+}
+
+/** Readings as data: link, direction, message and whether it is an exception response. */
+function readingData([link, direction, message, error]) {
+  return { link, direction, message: message || null, error };
+}
+
+/** An explanation as data, with the readings that fit, how one of them was chosen, and remarks on the input. */
+export function explanationData(device, explanation, readings, chosen, remarks, wrong) {
+  const rows = [...explanation.rows, ...explanation.registers];
+  const errata = new Set([...explanation.errata, ...rows.flatMap((row) => row.errata)]);
+  return {
+    device: device.data.device,
+    version: device.data.version,
+    frame: hexOf(explanation.frame),
+    link: explanation.link,
+    direction: explanation.direction,
+    direction_name: device.links.get(explanation.link).directionNames[explanation.direction],
+    message: explanation.message || null,
+    error: explanation.error,
+    wrong,
+    reasons: reasonsOf(explanation),
+    chosen,
+    readings: readings.map(readingData),
+    remarks,
+    values: portableValue(explanation.values),
+    rows: explanation.rows.map(rowData),
+    registers: explanation.registers.map(rowData),
+    errata: device.data.errata.filter(({ id }) => errata.has(id)),
+  };
+}

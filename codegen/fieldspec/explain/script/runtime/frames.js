@@ -1,0 +1,153 @@
+import { checksumBytes, crcOf, totalOf } from "../checksums.js";
+import { cobs, inserting, replacing } from "../escapes.js";
+import { bytesOfHex, latinOf } from "./texts.js";
+
+const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
+
+/**
+ * A frame of a link without its delimiters and its encoding. `start` and `end` are the bytes in the places of the
+ * delimiters, `data` the bytes of the parts, and `surplus` what is left between them and the end. The rest of the frame
+ * cannot be read if the reason is `not_hex`; `whole` is then false.
+ */
+export function unwrapped(link, frame) {
+  const start = markOf(frame, link.start, link.encoding);
+  const behind = frame.subarray(start.length);
+  const end = markOf(behind.toReversed(), link.end.toReversed(), link.encoding).toReversed();
+  const inner = frame.subarray(start.length, frame.length - end.length);
+  if (link.encoding === "binary") {
+    return { link, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
+  }
+  const bad = inner.findIndex((byte) => !HEX_CHARACTERS.has(byte));
+  const good = bad < 0 ? inner.length : bad;
+  const pairs = good - (good % 2);
+  const reason = good < inner.length ? "not_hex" : pairs < good ? "wrong_length" : "";
+  const data = bytesOfHex(latinOf(inner.subarray(0, pairs)));
+  return { link, frame, start, data, surplus: inner.subarray(pairs), reason, end, whole: reason !== "not_hex" };
+}
+
+/** The bytes in the place of a delimiter: the delimiter itself, or bytes that can be nothing else. */
+function markOf(frame, mark, encoding) {
+  const place = frame.subarray(0, mark.length);
+  if (encoding === "binary" || (place.length === mark.length && mark.every((byte, at) => byte === place[at]))) return place;
+  const at = place.findIndex((byte) => HEX_CHARACTERS.has(byte));
+  return frame.subarray(0, at < 0 ? mark.length : at);
+}
+
+/** Where a part is if all parts together have `length` bytes. */
+export function partOffset(part, length) {
+  return part.offset >= 0 ? part.offset : length + part.offset;
+}
+
+/** The bytes of the parts that `part` covers or is. Bounds are those of a slice: negative ones count from the end. */
+export function sliceOf(data, start, stop) {
+  const bound = (at) => Math.max(0, at < 0 ? data.length + at : Math.min(at, data.length));
+  const [first, last] = [bound(start), stop === undefined ? data.length : bound(stop)];
+  return data.subarray(first, Math.max(first, last));
+}
+
+const FUNCTIONS = new WeakMap();
+
+function functionOf(algorithm) {
+  if (!FUNCTIONS.has(algorithm)) {
+    const initial = BigInt(algorithm.initial);
+    const compute = algorithm.method === "crc"
+      ? crcOf({ ...algorithm, initial, polynomial: BigInt(algorithm.polynomial), finalXor: BigInt(algorithm.finalXor) })
+      : totalOf({ ...algorithm, initial });
+    FUNCTIONS.set(algorithm, compute);
+  }
+  return FUNCTIONS.get(algorithm);
+}
+
+/** The bytes of a checksum over its part of all parts. */
+export function checksumOf(part, data) {
+  const covered = sliceOf(data, part.start ?? 0, part.stop);
+  const algorithm = functionOf(part.algorithm);
+  return Uint8Array.from(checksumBytes({ ...part, algorithm }, covered, 0, covered.length));
+}
+
+/** The value of a length part if all parts together have `length` bytes; undefined if it cannot express that. */
+export function lengthNumber(part, length) {
+  const units = (length - (part.base ?? 0)) / (part.unitSize ?? 1);
+  const [low, high] = typeBounds(part.value);
+  return Number.isInteger(units) && low <= units && units <= high ? units : undefined;
+}
+
+/** The least and the greatest whole number of a value's type; bigints for more than six bytes. */
+export function typeBounds({ kind, size, signed }) {
+  if (kind === "boolean") return [0, 1];
+  const bits = BigInt(8 * size);
+  const [low, high] = signed ? [-(1n << (bits - 1n)), (1n << (bits - 1n)) - 1n] : [0n, (1n << bits) - 1n];
+  return size > 6 ? [low, high] : [Number(low), Number(high)];
+}
+
+/** Bytes that are the escape of nothing; `offset` is the place of the first one. */
+export class EscapeError extends Error {
+  constructor(offset) {
+    super(`the byte at ${offset} is the escape of nothing`);
+    this.offset = offset;
+  }
+}
+
+/** The original bytes, each with the place of the byte that is sent for it. Throws EscapeError. */
+export function originalPlaces(escape, data) {
+  if (escape.method === "cobs") return placesOfBlocks(data);
+  return escape.method === "replace" ? replacedPlaces(escape, data) : placesWithoutInserted(escape, data);
+}
+
+function replacedPlaces(escape, data) {
+  const originals = new Map(escape.pairs.map(([byte, first, second]) => [first * 256 + second, byte]));
+  const special = new Set(escape.pairs.flatMap(([byte, first]) => [byte, first]));
+  const places = [];
+  for (let at = 0; at < data.length; ) {
+    if (!special.has(data[at])) {
+      places.push([data[at], at]);
+      at += 1;
+      continue;
+    }
+    const byte = at + 1 < data.length ? originals.get(data[at] * 256 + data[at + 1]) : undefined;
+    if (byte === undefined) throw new EscapeError(at);
+    places.push([byte, at]);
+    at += 2;
+  }
+  return places;
+}
+
+function placesWithoutInserted({ pattern, inserted }, data) {
+  const places = [];
+  let begin = 0;
+  for (let at = 0; at < data.length; ) {
+    places.push([data[at], at]);
+    at += 1;
+    const first = at - pattern.length;
+    if (first < begin || !pattern.every((byte, place) => data[first + place] === byte)) continue;
+    if (at === data.length || data[at] !== inserted) throw new EscapeError(at);
+    at += 1;
+    begin = at;
+  }
+  return places;
+}
+
+function placesOfBlocks(data) {
+  const places = [];
+  for (let at = 0; at < data.length; ) {
+    const end = at + data[at];
+    if (end === at || end > data.length || data.subarray(at, end).includes(0)) throw new EscapeError(at);
+    for (let place = at + 1; place < end; place++) places.push([data[place], place]);
+    if (data[at] < 0xff && end < data.length) places.push([0, end]);
+    at = end;
+  }
+  if (!data.length) throw new EscapeError(0);
+  return places;
+}
+
+/** What is sent for some bytes. */
+export function escapedBytes({ method, pairs, pattern, inserted }, data) {
+  if (method === "cobs") return cobs.escaped(data);
+  return (method === "replace" ? replacing(pairs) : inserting([...pattern], inserted)).escaped(data);
+}
+
+/** The most bytes that are sent for `size` bytes. */
+export function mostEscaped({ method, pattern }, size) {
+  if (method === "replace") return 2 * size;
+  return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / pattern.length);
+}

@@ -1,0 +1,195 @@
+import { bytesOfHex } from "./texts.js";
+
+// Patterns of bytes in a text, in the spellings of terminals, sniffers and programming languages.
+const EACH_ENCLOSED = /^(?:(?:\[[0-9A-Fa-f]{2}\]\s*)+|(?:<[0-9A-Fa-f]{2}>\s*)+)$/;
+const QUOTED = /^(?:b?(["'])(.*)\1[,;]?|\[(.*)\]|\{(.*)\}|\((.*)\))$/s;
+const SEPARATOR = /[\s,;:+_|-]+|(?<=[0-9A-Fa-f])(?=\\x)/;
+const PIECE = /^(?:(?:0x|\\x|16#|&h|\$)?(?<digits>[0-9a-f]+)|(?<suffixed>[0-9a-f]+)h)$/i;
+const LAST = /(?:\\x(?<code>[0-9a-f]{2})|[<[]?(?<name>crlf|cr|lf|\\r|\\n)[>\]]?|(?<real>[\r\n]))$/i;
+const CHARACTERS = { "\\r": "\r", "\\n": "\n", cr: "\r", lf: "\n", crlf: "\r\n" };
+const CONTROLS = { 0x02: "STX", 0x03: "ETX", 0x0a: "LF", 0x0d: "CR" };
+
+// Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment behind them.
+const WORDS = {
+  request: ["tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"],
+  response: ["rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"],
+};
+const DIRECTION_OF = new Map(Object.entries(WORDS).flatMap(([direction, words]) => words.map((word) => [word, direction])));
+const MOST_MARKS = 8;  // each is tried, and a line of a log has few
+const LETTER = "[\\p{L}\\p{N}_]";
+const MARK = new RegExp(
+  `(?<!${LETTER}|\\.)(?<word>${[...DIRECTION_OF.keys()].join("|")})(?!${LETTER}|\\.)(?:\\s*[\\[(][^\\])]{0,40}[\\])])?(?:\\s*[:=](?=\\s|${LETTER}|$))?`
+  + `|(?:^|(?<=[\\s\\]]))(?<arrow>[\\-=]{0,2}>{1,3}|<{1,3}[\\-=]{0,2})(?=[\\s:\\[]|${LETTER}|$)(?![0-9A-Fa-f]{2}>)`,
+  "giu",
+);
+const COMMENT = /(?:^|(?<=\s))(?:#|\/\/).*/s;
+const CLOCK = "(?:[01]?\\d|2[0-3]):[0-5]\\d:[0-5]\\d(?:[.,]\\d{1,9}|:\\d{3,6})?Z?";
+const DATE = "(?:\\d{4}[-/.]\\d{1,2}[-/.]\\d{1,2}|\\d{1,2}[-/.]\\d{1,2}[-/.]\\d{4})";
+const TIME = `(?:${DATE}T${CLOCK}|${DATE}|${CLOCK}|[-+]?\\d+\\.\\d+(?:s|ms|us)?)[,;]?(?=\\s)`;
+const ENCLOSED = "\\[[^\\]]{0,80}\\]|\\([^)]{0,80}\\)";
+const BEFORE = new RegExp(
+  `^(?:[\\s,;|=-]+|${TIME}|\\d{4,}[-:](?=[0-9A-Fa-f]{2}\\b)|0000[0-9A-Fa-f]{4}:?\\s+(?=[0-9A-Fa-f]{2}\\b)|(?:${ENCLOSED}|[^\\s:]+:)(?=\\s))`,
+);
+const BEHIND = new RegExp(`\\s(?:${ENCLOSED}|\\|.{0,80}\\|)$`);
+
+/** A text that is not bytes. The message says why; `isEmpty` if there is nothing in it that may be bytes. */
+export class Unreadable extends Error {
+  constructor(message, isEmpty = false) {
+    super(message);
+    this.name = "Unreadable";
+    this.isEmpty = isEmpty;
+  }
+}
+
+/** Whether every byte has its own brackets. */
+function isEachEnclosed(text) {
+  return EACH_ENCLOSED.test(text.trim());
+}
+
+/** A text without the quotes, brackets or braces around it. Brackets around each byte stay. */
+function unquoted(text) {
+  const match = isEachEnclosed(text) ? null : QUOTED.exec(text.trim());
+  return match ? match.slice(2).find((inner) => inner !== undefined) : text;
+}
+
+/** Whether a word can be read as bytes. */
+function isHexWord(word) {
+  const pieces = word.split(SEPARATOR).filter(Boolean);
+  return pieces.length > 0 && pieces.every((piece) => PIECE.test(piece));
+}
+
+/** The bytes of a text. Throws Unreadable. */
+export function bytesOfText(text) {
+  let inner = unquoted(text);
+  if (isEachEnclosed(inner)) inner = inner.replace(/[[\]<>]+/g, " ");
+  let digits = "";
+  for (const piece of inner.split(SEPARATOR)) {
+    if (!piece) continue;
+    const match = PIECE.exec(piece);
+    if (!match) throw new Unreadable(`\`${piece}\` is not a byte in hexadecimal digits`);
+    const own = match.groups.digits || match.groups.suffixed;
+    if (own.length % 2 && own.length > 1) throw new Unreadable(`\`${piece}\` has an odd number of digits`);
+    digits += own.padStart(2, "0");
+  }
+  if (!digits) throw new Unreadable("there are no bytes in it");
+  return bytesOfHex(digits);
+}
+
+/**
+ * A frame that the text shows as characters, with a remark on what is missing at its end. Null if the text does not
+ * begin like a frame of one of the links that send characters.
+ */
+function inCharacters(text, links) {
+  const inner = unquoted(text).trimStart();
+  for (const link of links) {
+    const mark = String.fromCharCode(...link.start);
+    if (link.encoding !== "hex_ascii" || !/^[\x20-\x7e\xa1-\xff]+$/.test(mark) || !inner.startsWith(mark)) continue;
+    const [body, end] = ended(inner);
+    const bytes = Uint8Array.from(body.replace(/\s+/gu, ""), (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
+    return withEnd(bytes, Uint8Array.from(end, (char) => char.charCodeAt(0)), link);
+  }
+  return null;
+}
+
+/** The text without the control characters at its end, which may be spelled as words, and these characters. */
+function ended(text) {
+  let rest = text;
+  let end = "";
+  for (;;) {
+    const trimmed = rest.replace(/[ \t]+$/, "");
+    const match = LAST.exec(trimmed.slice(-8));
+    if (!match) return [rest, end];
+    const { code, name, real } = match.groups;
+    rest = trimmed.slice(0, trimmed.length - match[0].length);
+    end = (code ? String.fromCharCode(parseInt(code, 16)) : real || CHARACTERS[name.toLowerCase()]) + end;
+  }
+}
+
+/** A frame with its whole end delimiter, and a remark if the text has only a part of the delimiter. */
+function withEnd(body, end, link) {
+  const joined = (...series) => Uint8Array.from(series.flatMap((bytes) => [...bytes]));
+  const [have, want] = [[...end].join(), [...link.end].join()];
+  if (end.length >= link.end.length && [...end.slice(end.length - link.end.length)].join() === want) {
+    return { frame: joined(body, link.end), remarks: [] };
+  }
+  if (end.length && [...link.end.slice(0, end.length)].join() !== have) return { frame: joined(body, end), remarks: [] };
+  const lacking = Array.from(link.end.slice(end.length), (byte) => CONTROLS[byte] ?? byte.toString(16).toUpperCase().padStart(2, "0"));
+  const remark = `${lacking.join(" ")} is missing at the end of the text and is assumed to have been sent`;
+  return { frame: joined(body, link.end), remarks: [remark] };
+}
+
+/**
+ * The frame in a line of a log: its bytes, empty if the line only announces the next one; the direction of the mark in
+ * the line, or empty; remarks on what is missing. Null for a blank line or a comment. Throws Unreadable.
+ */
+export function logLine(text, links) {
+  if (/^(?:[ \t\n\r\f\v]*[0-9a-f]{2})+[ \t\n\r\f\v]*$/i.test(text)) {
+    return { frame: bytesOfHex(text.replace(/\s+/g, "")), direction: "", remarks: [] };
+  }
+  let line = text.endsWith("\n") && !text.endsWith("\r\n") ? text.slice(0, -1) : text;
+  line = line.replace(COMMENT, "");
+  if (!line.trim()) return null;
+  const marks = [];
+  for (const match of line.matchAll(MARK)) {
+    marks.push(match);
+    if (marks.length === MOST_MARKS) break;
+  }
+  for (let number = marks.length - 1; number >= 0; number--) {
+    const mark = marks[number];
+    try {
+      const read = frameBehind(line.slice(mark.index + mark[0].length), links);
+      return { ...read, direction: directionOf(line, marks.slice(0, number + 1), links) };
+    } catch (error) {
+      if (!(error instanceof Unreadable)) throw error;
+    }
+  }
+  try {
+    return unmarked(line, links);
+  } catch (error) {
+    const direction = error instanceof Unreadable && error.isEmpty ? directionOf(line, marks, links) : "";
+    if (!direction) throw error;
+    return { frame: new Uint8Array(), direction, remarks: [] };
+  }
+}
+
+/**
+ * The direction that marks tell; empty if they tell none. Words count more than arrows, and an arrow behind a name tells
+ * nothing, as it may point either way. A word that a link uses for the other direction tells nothing either: the log may
+ * take either side's view.
+ */
+function directionOf(text, marks, links) {
+  const words = marks.map(({ groups }) => groups.word?.toLowerCase()).filter(Boolean);
+  if (words.length) {
+    const word = words.at(-1);
+    const direction = DIRECTION_OF.get(word);
+    const other = direction === "request" ? "response" : "request";
+    return links.some((link) => link.directionNames[other] === word) ? "" : direction;
+  }
+  const last = marks.at(-1);
+  if (!last || /[A-Za-z]/.test(text.slice(0, last.index).replace(new RegExp(TIME, "g"), ""))) return "";
+  return last.groups.arrow.includes(">") ? "request" : "response";
+}
+
+/** The frame of a line without marks; brackets around each byte tell its direction. */
+function unmarked(text, links) {
+  const read = frameBehind(text, links);
+  const start = text.trim()[0];
+  const enclosed = text.split(start).length - 1 === read.frame.length;
+  return { ...read, direction: (enclosed && { "[": "request", "<": "response" }[start]) || "" };
+}
+
+/** The frame behind times, labels and words, and remarks on what the text lacks of it. */
+function frameBehind(text, links) {
+  let rest = text.replace(/^[ \t]+/, "");
+  while (rest) {
+    const frame = inCharacters(rest, links);
+    if (frame) return frame;
+    if (isEachEnclosed(rest) || unquoted(rest) !== rest) return { frame: bytesOfText(rest), remarks: [] };
+    const before = BEFORE.exec(rest);
+    const word = /^\S+/.exec(rest);
+    if (before) rest = rest.slice(before[0].length);
+    else if (word && !isHexWord(word[0])) rest = rest.slice(word[0].length);
+    else return { frame: bytesOfText(rest.trimEnd().replace(BEHIND, "")), remarks: [] };
+  }
+  throw new Unreadable("there are no bytes in it", true);
+}

@@ -1,0 +1,111 @@
+/** Whether a raw value is a whole number; truth values are. A floating-point number is one by its value alone. */
+export function isWhole(number) {
+  return typeof number === "bigint" || typeof number === "boolean" || Number.isInteger(number);
+}
+
+/** An exact decimal number, coefficient * 10 ** exponent, of a text without an exponent. */
+export function decimalOf(text) {
+  const [whole, places = ""] = text.split(".");
+  return { coefficient: BigInt(whole + places), exponent: -places.length };
+}
+
+/** The exact product of a whole number and a decimal number. */
+export function decimalProduct(number, { coefficient, exponent }) {
+  return { coefficient: BigInt(number) * coefficient, exponent };
+}
+
+/** The exact sum of two decimal numbers, with the places of the one that has more. */
+export function decimalSum(left, right) {
+  const exponent = Math.min(left.exponent, right.exponent);
+  const at = (decimal) => decimal.coefficient * 10n ** BigInt(decimal.exponent - exponent);
+  return { coefficient: at(left) + at(right), exponent };
+}
+
+/** A decimal number with at most so many digits, of two equally near ones the even one. */
+export function decimalRounded({ coefficient, exponent }, digits) {
+  const negative = coefficient < 0n;
+  const size = negative ? -coefficient : coefficient;
+  const surplus = size.toString().length - digits;
+  if (surplus <= 0) return { coefficient, exponent };
+  const unit = 10n ** BigInt(surplus);
+  let whole = size / unit;
+  const twice = 2n * (size % unit);
+  if (twice > unit || (twice === unit && whole % 2n === 1n)) whole += 1n;
+  const rounded = { coefficient: negative ? -whole : whole, exponent: exponent + surplus };
+  return whole.toString().length > digits ? decimalRounded(rounded, digits) : rounded;
+}
+
+/** A quotient of whole numbers: exact with as few places as it needs, else rounded to so many digits. */
+export function decimalQuotient(above, below, digits) {
+  const negative = above < 0n !== below < 0n;
+  const [top, bottom] = [above < 0n ? -above : above, below < 0n ? -below : below];
+  if (top % bottom === 0n) return { coefficient: negative ? -(top / bottom) : top / bottom, exponent: 0 };
+  const places = Math.max(0, digits + 2 + bottom.toString().length - top.toString().length);
+  const scaled = top * 10n ** BigInt(places);
+  // Two digits more than are wanted, the last one odd where a rest remains, so that rounding sees no tie.
+  let coefficient = scaled / bottom;
+  const isExact = scaled % bottom === 0n;
+  if (!isExact) coefficient = coefficient * 10n + 1n;
+  let result = decimalRounded({ coefficient, exponent: -places - (isExact ? 0 : 1) }, digits);
+  if (isExact) {
+    while (result.exponent < 0 && result.coefficient % 10n === 0n) {
+      result = { coefficient: result.coefficient / 10n, exponent: result.exponent + 1 };
+    }
+  }
+  return negative ? { ...result, coefficient: -result.coefficient } : result;
+}
+
+/** A decimal number without zeros at its end. */
+function shortest({ coefficient, exponent }) {
+  if (coefficient === 0n) return { coefficient, exponent: 0 };
+  while (coefficient % 10n === 0n) {
+    coefficient /= 10n;
+    exponent += 1;
+  }
+  return { coefficient, exponent };
+}
+
+function inFull({ coefficient, exponent }) {
+  if (exponent >= 0) return String(coefficient * 10n ** BigInt(exponent));
+  const sign = coefficient < 0n ? "-" : "";
+  const digits = String(coefficient < 0n ? -coefficient : coefficient).padStart(1 - exponent, "0");
+  return `${sign}${digits.slice(0, exponent)}.${digits.slice(exponent)}`;
+}
+
+const digitsOf = ({ coefficient }) => String(coefficient < 0n ? -coefficient : coefficient).length;
+
+const MOST_PLACES = 6;
+const MOST_DIGITS = 8;
+const ROUNDED_DIGITS = 6;
+
+/**
+ * A number without an exponent, in full if it is short, else rounded to six digits. If the rounded number would look
+ * exact, as 25 for 24.9999999 does, more digits are written.
+ */
+export function decimalText(number) {
+  if (-number.exponent <= MOST_PLACES) return inFull(number);
+  const short = shortest(number);
+  if (-short.exponent <= MOST_PLACES || digitsOf(short) <= MOST_DIGITS) return inFull(short);
+  for (let digits = ROUNDED_DIGITS; digits < digitsOf(short); digits++) {
+    const rounded = shortest(decimalRounded(short, digits));
+    if (digitsOf(rounded) === digits) return inFull(rounded);
+  }
+  return inFull(short);
+}
+
+/** The shortest digits of a floating-point number, with a point or an exponent: `0.1`, `25.0`, `1e-07`. */
+export function floatText(number) {
+  if (Number.isNaN(number)) return "nan";
+  if (!Number.isFinite(number)) return number < 0 ? "-inf" : "inf";
+  const [, sign, lead, rest = "", power] = /^(-?)(\d)(?:\.(\d+))?e([+-]\d+)$/.exec(number.toExponential());
+  const exponent = Number(power);
+  const minus = sign || (Object.is(number, -0) ? "-" : "");
+  if (exponent < -4 || exponent >= 16) {
+    const size = String(Math.abs(exponent)).padStart(2, "0");
+    return `${minus}${lead}${rest && `.${rest}`}e${exponent < 0 ? "-" : "+"}${size}`;
+  }
+  const digits = lead + rest;
+  if (exponent < 0) return `${minus}0.${"0".repeat(-exponent - 1)}${digits}`;
+  const whole = digits.slice(0, exponent + 1).padEnd(exponent + 1, "0");
+  return `${minus}${whole}.${digits.slice(exponent + 1) || "0"}`;
+}

@@ -1,0 +1,135 @@
+import { isWhole } from "./numbers.js";
+import { typeBounds } from "./frames.js";
+import { decodeValue, forWriting, meaningOf } from "./values.js";
+import { isWithin } from "./texts.js";
+
+/** The parameter with a number of a set. */
+export function parameterNumbered(words, number) {
+  return words.parameters.find((row) => row.number <= number && number < row.number + (row.count ?? 1));
+}
+
+/** A number as the manual writes it. */
+export function numberText(words, number) {
+  if (!words.digits) return String(number);
+  const [least, base, upper, behind] = words.digits;
+  const digits = BigInt(number).toString(base).padStart(least, "0");
+  return `${words.printedAs ?? ""}${upper ? digits.toUpperCase() : digits}${behind}`;
+}
+
+/** The set, named or in a space, that has a number on the wire, and the number in it. */
+export function parameterAt(device, name, wireNumber) {
+  for (const words of device.setsNamed(name)) {
+    const number = Number(wireNumber) - words.base;
+    if (parameterNumbered(words, number) || (words.numbers && isWithin(words.numbers, number))) return { words, number };
+  }
+  return undefined;
+}
+
+/** A parameter of a set, or one of its elements. `parameter` is undefined for a number that the spec does not list. */
+class ParameterElement {
+  constructor(words, number, parameter, index = null, subindex = undefined) {
+    Object.assign(this, { words, number, parameter, index, subindex });
+  }
+
+  get fact() {
+    return this.subindex ?? this.parameter;
+  }
+
+  get meaning() {
+    const text = `parameter ${numberText(this.words, this.number)}${this.index === null ? "" : `[${this.index}]`}`;
+    if (!this.fact) return meaningOf(this.words.name, "", text);
+    const names = new Set([this.parameter, this.subindex].map((fact) => fact?.name).filter(Boolean));
+    return meaningOf([...names].join("."), this.fact.label, text);
+  }
+
+  get source() {
+    return this.fact?.source || this.parameter?.source || "";
+  }
+}
+
+function elementOf(words, number, parameter, at) {
+  const several = parameter && (parameter.elements !== undefined || parameter.subindices);
+  if (!several || !isWhole(at ?? "")) return new ParameterElement(words, number, parameter);
+  const subindex = parameter.subindices?.find(({ indices }) => isWithin(indices, at));
+  return new ParameterElement(words, number, parameter, at, subindex);
+}
+
+/**
+ * The row of element `index` of a field, with the name and the meaning that its parameter gives it. `known` are the
+ * values of the frame so far and those of the request that it answers. `outer` is the message.
+ */
+export function withParameter(device, row, field, index, known, outer, isRequest) {
+  if (!field.value?.parameter) return row;
+  const [name, part, numberField] = field.value.parameter;
+  if (part === "values") {
+    const [words] = device.setsNamed(name);
+    const parameter = words.parameters[index];
+    if (!parameter) return row;
+    return readAs(device, row, field, new ParameterElement(words, parameter.number, parameter), isRequest);
+  }
+  const asked = part === "number" ? row.number : known(numberField);
+  const match = isWhole(asked ?? "") ? parameterAt(device, name, asked) : undefined;
+  if (!match) return row;
+  const { words, number } = match;
+  let at = null;
+  if (part === "subindex") {
+    at = row.number;
+  } else if (part !== "number") {
+    const first = known(indexField(outer, numberField)) ?? 0;
+    at = isWhole(first) ? Number(first) + index : null;
+  }
+  const element = elementOf(words, number, parameterNumbered(words, number), at);
+  if (part === "value") return readAs(device, row, field, element, isRequest);
+  if (part === "subindex" && element.index === null) return row;
+  return { ...row, meanings: [...row.meanings, element.meaning] };
+}
+
+/** The name of the field with the index of the first element that a message carries; empty if it has none. */
+function indexField(outer, numberField) {
+  for (const field of [...(outer.request?.fields ?? []), ...(outer.response?.fields ?? [])]) {
+    const [, part, number] = field.value?.parameter ?? [];
+    if (part === "subindex" && number === numberField) return field.name;
+  }
+  return "";
+}
+
+/** The row with its bytes read as the value of a parameter. No codec refuses a frame for what is wrong with that. */
+function readAs(device, row, field, element, isRequest) {
+  const { fact, parameter, meaning } = element;
+  if (!fact || !parameter) return { ...row, meanings: [meaning, ...row.meanings] };
+  const again = row.reason ? undefined : bytesAgain(fact.value, field, row);
+  if (!again) return { ...row, meanings: [meaning, ...row.meanings], notes: [...row.notes, ...(fact.notes ?? [])] };
+  let read = decodeValue(device, isRequest ? forWriting(fact.value) : fact.value, ...again, fact.reserved);
+  // What starts something does not answer what was written.
+  if (parameter.trigger && !isRequest) read = { ...read, verdict: "", reason: "" };
+  const errata = [...row.errata, ...device.errataAt(parameter.path), ...device.errataOfWords(read.facts)];
+  return {
+    ...row,
+    fact: fact.path,
+    doc: fact.doc || row.doc,
+    number: read.number,
+    value: read.text,
+    meanings: [meaning, ...read.meanings],
+    verdict: read.verdict,
+    reason: read.reason ? "out_of_range" : "",
+    source: element.source || row.source,
+    notes: [...row.notes, ...(fact.notes ?? []), ...read.notes],
+    errata: [...new Set(errata)],
+  };
+}
+
+const COUNTS = ["integer", "boolean"];
+
+/** The bytes of a row as bytes of another value, with their order; undefined if they cannot be read as it. */
+function bytesAgain(value, field, row) {
+  const own = field.value;
+  const alike = own.kind === value.kind || (COUNTS.includes(own.kind) && COUNTS.includes(value.kind));
+  if (value.size === field.size && (alike || (own.kind !== "float" && value.kind !== "float"))) {
+    return [row.raw, own.order ?? "big", Boolean(own.swapped)];
+  }
+  const [low, high] = alike && isWhole(row.number) ? typeBounds(value) : [1, 0];
+  if (low > row.number || row.number > high) return undefined;
+  const number = BigInt.asUintN(8 * value.size, BigInt(row.number));
+  const bytes = Uint8Array.from({ length: value.size }, (_, at) => Number((number >> BigInt(8 * (value.size - 1 - at))) & 255n));
+  return [bytes, "big", false];
+}

@@ -1,0 +1,88 @@
+import { floatText } from "./numbers.js";
+
+const DIGITS = Array.from({ length: 256 }, (_, byte) => byte.toString(16).toUpperCase().padStart(2, "0"));
+
+/** Bytes as hexadecimal digits. */
+export function hexOf(bytes, separator = "") {
+  return Array.from(bytes, (byte) => DIGITS[byte]).join(separator);
+}
+
+/** The bytes of hexadecimal digits. */
+export function bytesOfHex(digits) {
+  return Uint8Array.from({ length: digits.length / 2 }, (_, at) => parseInt(digits.slice(2 * at, 2 * at + 2), 16));
+}
+
+/** The characters of bytes, one for each. */
+export function latinOf(bytes) {
+  return Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+}
+
+/** Whether two series of bytes are the same. */
+export function sameBytes(left, right) {
+  return left.length === right.length && left.every((byte, at) => byte === right[at]);
+}
+
+/** Whether two raw values are the same; a truth value is the same as its number. */
+export function sameValue(left, right) {
+  if (left instanceof Uint8Array || right instanceof Uint8Array) {
+    return left instanceof Uint8Array && right instanceof Uint8Array && sameBytes(left, right);
+  }
+  if (Array.isArray(left) || Array.isArray(right)) {
+    return Array.isArray(left) && Array.isArray(right) && left.length === right.length
+      && left.every((item, at) => sameValue(item, right[at]));
+  }
+  if (left instanceof Map || right instanceof Map) {
+    return left instanceof Map && right instanceof Map && left.size === right.size
+      && [...left].every(([key, item]) => right.has(key) && sameValue(item, right.get(key)));
+  }
+  if (typeof left === "string" || typeof right === "string") return left === right;
+  return left == right;  // numbers, bigints and truth values
+}
+
+/** A raw value as a verdict prints it. */
+export function valueText(value) {
+  if (typeof value === "boolean") return value ? "True" : "False";
+  if (typeof value === "number" && !Number.isInteger(value)) return floatText(value);
+  if (value instanceof Uint8Array) return `b${quotedText(latinOf(value))}`;
+  if (typeof value === "string") return quotedText(value);
+  if (Array.isArray(value)) return `[${value.map(valueText).join(", ")}]`;
+  if (value instanceof Map) return `{${[...value].map(([key, item]) => `${quotedText(key)}: ${valueText(item)}`).join(", ")}}`;
+  return String(value);
+}
+
+const SPELLED = { "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t" };
+
+function quotedText(text) {
+  const quote = text.includes("'") && !text.includes('"') ? '"' : "'";
+  const inner = Array.from(text, (char) => {
+    if (char === quote) return `\\${char}`;
+    if (SPELLED[char]) return SPELLED[char];
+    const code = char.charCodeAt(0);
+    return code < 0x20 || code > 0x7e ? `\\x${DIGITS[code & 0xff].toLowerCase()}` : char;
+  });
+  return quote + inner.join("") + quote;
+}
+
+/** A raw value for JSON: bytes, and numbers that JSON does not have, as text; bigints stay. */
+export function portableValue(value) {
+  if (value instanceof Uint8Array) return hexOf(value);
+  if (typeof value === "number" && !Number.isFinite(value)) return floatText(value);
+  if (Array.isArray(value)) return value.map(portableValue);
+  if (value instanceof Map) return Object.fromEntries([...value].map(([key, item]) => [key, portableValue(item)]));
+  return value ?? null;
+}
+
+/** Intervals as a spec writes them: `0..127, 200`. */
+export function intervalsText(ranges) {
+  return ranges.map(([low, high]) => (low == high ? `${low}` : `${low}..${high}`)).join(", ");
+}
+
+/** Whether a number is in one of some intervals. */
+export function isWithin(ranges, number) {
+  return ranges.some(([low, high]) => low <= number && number <= high);
+}
+
+/** `a, b or c` */
+export function enumeration(names, last) {
+  return names.length > 1 ? `${names.slice(0, -1).join(", ")} ${last} ${names.at(-1)}` : names.join("");
+}

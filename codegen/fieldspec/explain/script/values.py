@@ -1,0 +1,148 @@
+"""Facts, values, enums and words of bits as data of the explainer."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+
+from fieldspec.classes import TYPE_CHECKING
+from fieldspec.explain.row import citations
+from fieldspec.explain.script.literals import Data
+from fieldspec.model.enums import Bit, Enum, Flags, Member
+from fieldspec.model.fact import Fact
+from fieldspec.model.value import Ranges, Value
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+
+def stated(data: Mapping[str, Data]) -> dict[str, Data]:
+    """Data without what is None, false, or empty, which the explainer takes for absent; 0 stays."""
+    return {key: value for key, value in data.items() if value or (value == 0 and value is not False)}
+
+
+def fact_data(fact: Fact) -> dict[str, Data]:
+    """What the row of a fact prints, besides its value."""
+    return stated(
+        {
+            "name": fact.name,
+            "path": fact.place.path,
+            "printed": fact.printed_name,
+            "label": fact.label,
+            "doc": fact.doc,
+            "source": citations(fact.sources),
+            "notes": list(fact.notes),
+        }
+    )
+
+
+def intervals(ranges: Ranges | None) -> Data:
+    """Intervals as pairs; None without any."""
+    return None if ranges is None else [list(interval) for interval in ranges.intervals]
+
+
+def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str, Data]:
+    """A value with its place in a word order. Its keys are those of `Value`, where their meanings are the same."""
+    parameter = value.parameter
+    return stated(
+        {
+            "kind": value.type.kind.value,
+            "size": value.size,
+            "signed": value.type.signed,
+            "order": order if value.size > 1 and value.type.is_number else "",
+            "swapped": swapped,
+            "const": value.const,
+            "enum": value.enum,
+            "flags": value.flags,
+            "ranges": intervals(value.ranges),
+            "writeRanges": intervals(value.write_ranges),
+            "sentinels": [
+                stated({"value": sentinel.value, "name": sentinel.name, "doc": sentinel.doc, "nan": sentinel.is_nan})
+                for sentinel in value.sentinels
+            ],
+            "unit": value.unit,
+            **_scale(value.scale, value.offset),
+            "parameter": [parameter.set, parameter.part, parameter.number] if parameter is not None else None,
+            "default": value.default,
+        }
+    )
+
+
+def _scale(scale: Decimal | Fraction, offset: Decimal) -> dict[str, Data]:
+    """The scale and the offset as texts with all their places, where a quantity differs from its count."""
+    if scale == 1 and offset == 0:
+        return {}
+    text = f"{scale:f}" if isinstance(scale, Decimal) else f"{scale.numerator}/{scale.denominator}"
+    return {"scale": text, "offset": f"{offset:f}"}
+
+
+def enum_data(enum: Enum) -> dict[str, Data]:
+    """An enum with its members."""
+    return {
+        **stated({"name": enum.name, "path": enum.place.path, "open": enum.open}),
+        "members": [_member(member) for member in enum.members],
+    }
+
+
+def _member(member: Member) -> dict[str, Data]:
+    return {
+        "value": member.value,
+        **stated(
+            {
+                "name": member.name,
+                "path": member.place.path,
+                "label": member.label,
+                "problem": member.problem,
+                "doc": member.doc,
+                "notes": list(member.notes),
+                "unavailable": member.unavailable,
+                "aliases": list(member.aliases),
+            }
+        ),
+    }
+
+
+def word_data(word: Flags) -> dict[str, Data]:
+    """A word with its bits and states."""
+    return stated(
+        {
+            "name": word.name,
+            "path": word.place.path,
+            "size": word.type.size,
+            "bits": [_bit(bit) for bit in word.bits],
+            "states": [
+                stated(
+                    {
+                        "name": state.name,
+                        "label": state.label,
+                        "printed": state.printed_name,
+                        "mask": word.masked(state)[0],
+                        "value": word.masked(state)[1],
+                    }
+                )
+                for state in word.states
+            ],
+        }
+    )
+
+
+def _bit(bit: Bit) -> dict[str, Data]:
+    return {
+        "first": bit.first,
+        "width": bit.width,
+        **stated(
+            {
+                "name": bit.name,
+                "label": bit.label,
+                "one": bit.one,
+                "doc": bit.doc,
+                "enum": bit.enum,
+                "edge": bit.edge,
+                "reserved": bit.reserved,
+                "signed": bit.signed,
+                "isNumber": bit.is_number,
+                "unit": bit.unit,
+                **_scale(bit.scale, bit.offset),
+            }
+        ),
+    }

@@ -1,0 +1,1 @@
+export * from "./v1_17_explain.js";

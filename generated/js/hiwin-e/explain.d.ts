@@ -1,0 +1,1 @@
+export * from "./v2_14_4_explain.js";

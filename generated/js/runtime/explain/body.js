@@ -1,0 +1,145 @@
+import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
+import { sameValue, valueText } from "./texts.js";
+import { formOfData } from "./device.js";
+import { decodeValue, judged, meaningOf, repeatedValue } from "./values.js";
+import { factRow, surplusRow, wrongRow } from "./rows.js";
+import { withParameter } from "./parameters.js";
+
+/** The row of a field that carries a signal, with the percentages that its conversions give. */
+function withPercentages(device, row, field, number) {
+  if (!field.signal || field.value.kind === "float" || !isWhole(number)) return row;
+  const conversions = device.data.conversions.filter(({ signals }) => signals.includes(field.signal));
+  const meanings = conversions.map((conversion) => {
+    const { name, label, complement, full, references } = conversion;
+    const count = complement ? BigInt(full) - BigInt(number) : BigInt(number);
+    const percent = decimalText(decimalQuotient(100n * count, BigInt(full), 200));
+    return meaningOf(name, label, `${percent} % of ${references}`);
+  });
+  return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;
+}
+
+/**
+ * The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes. `rows` and `values` go as
+ * far as the bytes do. `asked` are the values of the request that the frame answers. `outer` is the message or the
+ * record; its sources stand in for fields without their own.
+ */
+export class ExplainedBody {
+  constructor(device, record, outer, isRequest, data, start, end, spot, asked) {
+    Object.assign(this, { device, outer, isRequest, data, start, end, spot, asked });
+    this.record = formOfData(record, data.subarray(start, end)) ?? record;
+    this.values = new Map();
+    this.rows = [];
+    this.explainFields();
+  }
+
+  explainFields() {
+    let at = this.start;
+    for (const [number, field] of this.record.fields.entries()) {
+      if (field.cases) {
+        this.rows.push(this.undecidedRow(field, at));
+        return;
+      }
+      const count = this.countOf(field);
+      const room = field.size ? Math.max(0, Math.min(count, Math.floor((this.end - at) / field.size))) : 0;
+      this.explainField(field, at, room);
+      at += room * field.size;
+      if (room < count) {
+        this.rows.push(this.missingRow(number, at));
+        return;
+      }
+    }
+    if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
+  }
+
+  /** How many elements a field should have: as many as fit if their number is free. */
+  countOf(field) {
+    if (!field.repeat) return field.count ?? 0;
+    const [low, high] = field.repeat;
+    return Math.min(Math.max(Math.floor((this.end - this.start - field.offset) / field.size), low), high);
+  }
+
+  /** The row of the place where the body ends too early. */
+  missingRow(number, at) {
+    const missing = this.record.least - (this.end - this.start);
+    const later = this.record.fields.slice(number).map(({ name }) => name).join(", ");
+    return this.wrongRow(this.record.fields[number], at, "incomplete", `${missing} bytes are missing for ${later}`);
+  }
+
+  /** The row of a field whose type is open, because the field that decides it has a value without a case. */
+  undecidedRow(field, at) {
+    const size = this.end - this.start;
+    const { least, most, selector } = this.record;
+    if (size < least) return this.missingRow(this.record.fields.length - 1, at);
+    const text = `${selector} ${valueText(this.values.get(selector))} does not decide the type of ${field.name}`;
+    if (most === undefined || size <= most) return this.wrongRow(field, at, "unknown_value", text);
+    return this.wrongRow(field, at, "wrong_length", `${text}, which is ${size - most} bytes too long`);
+  }
+
+  /** The row of the rest of the body, where a field is expected. */
+  wrongRow(field, at, reason, text) {
+    const row = wrongRow(this.spot, at, this.data.subarray(at, this.end), reason, text, field.name, field.path);
+    return { ...row, errata: this.device.errataAt(field.path) };
+  }
+
+  explainField(field, at, count) {
+    const values = [];
+    for (let index = 0; index < count; index++) {
+      const path = field.isList ? `${field.name}[${index}]` : field.name;
+      values.push(this.explainElement(field, path, at + index * field.size, index));
+    }
+    if (field.isList) this.values.set(field.name, values);
+    else if (values.length) this.values.set(field.name, values[0]);
+  }
+
+  explainElement(field, path, at, index) {
+    if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at);
+    return this.explainValue(field, path, at, index, true);
+  }
+
+  /** Adds the rows of a record within the body, of which all bytes are there. */
+  explainRecord(record, path, at) {
+    const values = new Map();
+    for (const field of record.fields) {
+      const elements = [];
+      for (let index = 0; index < (field.count ?? 0); index++) {
+        const inner = `${path}.${field.name}${field.isList ? `[${index}]` : ""}`;
+        const place = at + field.offset + index * field.size;
+        elements.push(field.record
+          ? this.explainRecord(this.device.records.get(field.record), inner, place)
+          : this.explainValue(field, inner, place, index, false));
+      }
+      values.set(field.name, field.isList ? elements : elements[0]);
+    }
+    return values;
+  }
+
+  explainValue(field, path, at, index, isTop) {
+    const { value } = field;
+    const raw = this.data.subarray(at, at + field.size);
+    let read = decodeValue(this.device, value, raw, value.order ?? "big", value.swapped, field.reserved);
+    const { number } = read;
+    if (isTop) read = this.measured(field, this.repeated(field, read));
+    const known = (name) => (this.values.has(name) ? this.values.get(name) : this.asked.get(name));
+    let row = factRow(this.device, "field", path, field, this.spot, at, raw, read, this.outer);
+    row = withParameter(this.device, row, field, index, known, this.outer, this.isRequest);
+    this.rows.push(withPercentages(this.device, row, field, number));
+    return number;
+  }
+
+  /** The value of a field that measures another one, judged by the size of that field. */
+  measured(field, read) {
+    const [of, name] = field.measures ?? [];
+    const other = this.record.named.get(name);
+    if (!other || other.cases) return read;
+    const room = Math.floor((this.end - this.start - other.offset) / other.size);
+    const items = other.isList ? Math.max(0, Math.min(this.countOf(other), room)) : 1;
+    const should = of === "bytes" ? items * other.size : items;
+    return judged(read, sameValue(read.number, should), should, "wrong_measure");
+  }
+
+  /** The value of a field that repeats one of the request, judged by the value there. */
+  repeated(field, read) {
+    const should = field.sameAs ? this.asked.get(field.sameAs) : undefined;
+    return read.reason || should === undefined ? read : repeatedValue(read, should);
+  }
+}

@@ -1,0 +1,126 @@
+import { bytesOfHex } from "./texts.js";
+
+/**
+ * The data of a device, indexed for the explainer. Everything that is looked up by a name or a number which a user or
+ * the bytes of a frame decide is in a Map.
+ */
+export class ExplainedDevice {
+  constructor(data) {
+    this.data = data;
+    this.enums = new Map(Object.entries(data.enums).map(([name, listing]) => [name, indexedEnum(listing)]));
+    this.flags = new Map(Object.entries(data.flags));
+    this.records = new Map(Object.entries(data.records).map(([name, record]) => [name, indexedRecord(record)]));
+    this.messages = new Map(Object.entries(data.messages).map(([name, message]) => [
+      name,
+      { ...message, request: indexedRecord(message.request), response: indexedRecord(message.response) },
+    ]));
+    this.links = new Map(Object.entries(data.links).map(([name, link]) => [name, this.indexedLink(link)]));
+    this.sets = new Map(Object.entries(data.sets));
+    this.errata = new Map(data.errata.map((erratum) => [erratum.id, erratum]));
+    this.within = new Map();
+    this.of = new Map();
+    this.readingsOf = new Map();
+    for (const [number, { id, fact }] of data.errata.entries()) {
+      for (let end = fact.length; end > 0; end = fact.lastIndexOf("/", end - 1)) this.add(this.within, fact.slice(0, end), id);
+      for (const path of new Set([fact, fact.split("/restated/")[0]])) this.add(this.of, path, [number, id]);
+    }
+    for (const example of data.examples) {
+      this.add(this.readingsOf, example.frame, [example.link, example.direction, example.message ?? "", Boolean(example.error)]);
+    }
+  }
+
+  add(index, key, entry) {
+    if (!index.has(key)) index.set(key, []);
+    index.get(key).push(entry);
+  }
+
+  indexedLink(link) {
+    const carried = {}, coded = {};
+    for (const direction of ["request", "response"]) {
+      const messages = link.carried[direction].map((name) => [name, this.messages.get(name)]);
+      carried[direction] = new Map(messages);
+      coded[direction] = new Map(messages.filter(([, { code }]) => code !== undefined).map(([, message]) => [message.code, message]).reverse());
+    }
+    return {
+      ...link,
+      carriedMessages: carried,
+      messagesByCode: coded,
+      start: bytesOfHex(link.start ?? ""),
+      end: bytesOfHex(link.end ?? ""),
+      request: indexedFrame(link.request),
+      response: indexedFrame(link.response),
+    };
+  }
+
+  /** The ids of the errata of a fact and of the facts below it. */
+  errataAt(path) {
+    return this.within.get(path) ?? [];
+  }
+
+  /** The ids of the errata of enums, members and words that gave a value its meaning, not those of other members. */
+  errataOfWords(facts) {
+    const rows = new Map(facts.flatMap((path) => this.of.get(path) ?? []));
+    return [...rows].sort(([left], [right]) => left - right).map(([, id]) => id);
+  }
+
+  /** The parameter set with a name, or all sets of the space with that name. */
+  setsNamed(name) {
+    const named = this.sets.get(name);
+    return named ? [named] : [...this.sets.values()].filter((words) => words.space === name);
+  }
+}
+
+function indexedEnum(listing) {
+  const numbers = new Map();
+  const names = new Map();
+  for (const member of listing.members) {
+    if (!numbers.has(BigInt(member.value))) numbers.set(BigInt(member.value), member);
+    for (const name of [member.name, ...(member.aliases ?? [])]) if (!names.has(name)) names.set(name, member);
+  }
+  return { ...listing, numbers, names };
+}
+
+function indexedRecord(record) {
+  const indexed = { ...record, named: new Map(record.fields.map((field) => [field.name, field])), forms: new Map() };
+  for (const [numbers, form] of record.chosen ?? []) {
+    const inner = indexedRecord(form);
+    for (const number of numbers) indexed.forms.set(BigInt(number), inner);
+  }
+  return indexed;
+}
+
+function indexedFrame(frame) {
+  const parts = [...frame.header, ...frame.trailer];
+  const escape = frame.escape && { ...frame.escape, pattern: bytesOfHex(frame.escape.pattern ?? "") };
+  return {
+    ...frame,
+    escape,
+    parts,
+    checks: frame.checksums.map((name) => parts.find((part) => part.name === name)),
+    length: parts.find((part) => part.role === "length"),
+    code: parts.find((part) => part.role === "code"),
+    unitAddress: parts.find((part) => part.role === "unit_address"),
+  };
+}
+
+/** The member of an enum with a value. */
+export function memberOf(listing, number) {
+  return typeof number === "number" && !Number.isInteger(number) ? undefined : listing.numbers.get(BigInt(number));
+}
+
+/** The form of a record for some data: the record itself, or what its selector decides; undefined if it decides none. */
+export function formOfData(record, data) {
+  if (record.selector === undefined) return record;
+  const { offset, size, value } = record.named.get(record.selector);
+  if (data.length < offset + size) return undefined;
+  return record.forms.get(unsignedOf(data.subarray(offset, offset + size), value.order ?? "big"));
+}
+
+/** Bytes as an unsigned bigint. */
+export function unsignedOf(bytes, order) {
+  let number = 0n;
+  for (let at = 0; at < bytes.length; at++) {
+    number = (number << 8n) | BigInt(bytes[order === "big" ? at : bytes.length - 1 - at]);
+  }
+  return number;
+}

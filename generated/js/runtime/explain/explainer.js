@@ -1,0 +1,84 @@
+import { ExplainedDevice } from "./device.js";
+import { explanationData, reasonsOf } from "./explanation.js";
+import { DIRECTIONS, FrameOptions, isWrong, readFrame, remarksOn } from "./readings.js";
+import { logLine, Unreadable } from "./lines.js";
+import { linesOf, LogReader } from "./log.js";
+
+/** The options of frames by the names that a device uses. Throws RangeError for names that it does not have. */
+export function frameOptions(device, { link, direction, message } = {}) {
+  if (!link && !direction && !message) return new FrameOptions();
+  let links = [...device.links.values()];
+  if (link) links = links.filter(({ name }) => name === link);
+  if (!links.length) throw new RangeError(`${link} is no link of ${device.data.device}: ${[...device.links.keys()].join(", ")}`);
+  if (message) {
+    const others = links;
+    links = links.filter(({ carriedMessages }) => carriedMessages.request.has(message));
+    if (!links.length) throw new RangeError(`${message} is not sent on ${others.map(({ name }) => name).join(" or ")}`);
+  }
+  const places = links.flatMap(({ name, directionNames }) => DIRECTIONS
+    .filter((way) => !direction || directionNames[way] === direction || (way === direction && !isName(directionNames, direction)))
+    .map((way) => [name, way]));
+  if (!places.length) throw new RangeError(`${direction} is no direction of ${links.map(({ name }) => name).join(" or ")}`);
+  return new FrameOptions(places, message ?? "");
+}
+
+function isName(directionNames, direction) {
+  return Object.values(directionNames).includes(direction);
+}
+
+/** The functions that explain frames of a device, whose data they take. */
+export function explainer(data) {
+  const device = new ExplainedDevice(data);
+  const links = [...device.links.values()];
+
+  function frameOf(input) {
+    if (input instanceof Uint8Array) return { frame: input, direction: "", remarks: [] };
+    const line = logLine(String(input), links);
+    if (!line?.frame.length) throw new Unreadable("there are no bytes in it");
+    return line;
+  }
+
+  function requestOf(input, options) {
+    if (input === undefined) return null;
+    const places = links.map(({ name }) => [name, "request"]).filter(([name]) => options.goes(name, "response"));
+    const request = readFrame(device, frameOf(input).frame, new FrameOptions(places, options.message));
+    const faults = reasonsOf(request.explanation);
+    if (isWrong(request) && (faults.length !== 1 || faults[0] !== "unknown_code")) {
+      throw new RangeError(`request is not a valid request of ${data.device}: ${faults.join(", ")}`);
+    }
+    return { request: request.explanation, sure: true };
+  }
+
+  /**
+   * The explanation of a frame: bytes, or a text with its bytes in any usual spelling. Throws Unreadable for a text that
+   * is no frame, and RangeError for options that the device does not have; no bytes make it throw.
+   */
+  function explain(input, options = {}) {
+    const allowed = frameOptions(device, options);
+    const asked = requestOf(options.request, allowed);
+    const line = frameOf(input);
+    const reading = readFrame(device, line.frame, allowed, line.direction, asked);
+    const remarks = [...line.remarks, ...remarksOn(device, reading, 0, allowed)];
+    return explanationData(device, reading.explanation, reading.readings, reading.chosen, remarks, isWrong(reading));
+  }
+
+  /** The explanations of the lines of a log; `error` says why a line is no frame. Throws like `explain` for options. */
+  function* explainLog(text, options = {}) {
+    const allowed = frameOptions(device, options);
+    const reader = new LogReader(device, allowed, requestOf(options.request, allowed));
+    for (const line of linesOf(text.replace(/^\ufeff/, ""))) {
+      try {
+        const reading = reader.read(line);
+        if (reading) {
+          const { explanation, readings, chosen, remarks, wrong } = reading;
+          yield { line: reader.number, ...explanationData(device, explanation, readings, chosen, remarks, wrong) };
+        }
+      } catch (error) {
+        if (!(error instanceof Unreadable)) throw error;
+        yield { line: reader.number, error: error.message };
+      }
+    }
+  }
+
+  return Object.freeze({ explain, explainLog });
+}

@@ -1,0 +1,281 @@
+import { isWhole } from "./numbers.js";
+import { enumeration } from "./texts.js";
+import { explained, lengthsOf, namesOfLength, reasonsOf } from "./explanation.js";
+
+export const DIRECTIONS = ["request", "response"];
+
+const OF_VALUES = ["unknown_value", "wrong_const", "wrong_measure"];
+// The frame carries no code, so its message is a guess. That is no fault, but a broken frame needs better evidence.
+const GUESSED = "guessed";
+// The faults that a reading may have. The readings of the first step that any of them passes are the result.
+const FITTING = [[GUESSED], [...OF_VALUES, GUESSED]].map((reasons) => new Set(reasons));
+const CLOSE = [
+  ...FITTING,
+  new Set([...OF_VALUES, "wrong_check", GUESSED]),
+  new Set([...OF_VALUES, "wrong_check", "wrong_length", "incomplete"]),
+];
+
+/**
+ * The readings of a frame that fit, in the order of the spec: link, direction, message, and whether it is an exception
+ * response. With `close`, else those with a wrong checksum, else those with a wrong length too.
+ */
+export function readingsOf(device, frame, close = false) {
+  const faults = new Map();
+  for (const link of device.links.values()) {
+    for (const direction of DIRECTIONS) {
+      const guessed = !link[direction].code;
+      const names = close ? [...link.carriedMessages[direction].keys()] : guessed ? namesOfLength(link, direction, frame) : [];
+      for (const message of guessed ? names : [""]) {
+        const explanation = explained(device, link.name, direction, frame, message);
+        const reading = readingOf(explanation);
+        const key = JSON.stringify(reading);
+        if (faults.has(key)) continue;
+        faults.set(key, { reading, reasons: [...reasonsOf(explanation), ...(guessed ? [GUESSED] : [])] });
+      }
+    }
+  }
+  for (const accepted of close ? CLOSE : FITTING) {
+    const fitting = [...faults.values()]
+      .filter(({ reading, reasons }) => reasons.every((reason) => accepted.has(reason)) && (reading[2] || reading[3]));
+    if (fitting.length) return fitting.map(({ reading }) => reading);
+  }
+  return [];
+}
+
+/** The reading of an explanation. */
+export function readingOf({ link, direction, message, error }) {
+  return [link, direction, message, error];
+}
+
+function explainedReading(device, frame, [link, direction, message, error]) {
+  return explained(device, link, direction, frame, error ? "" : message);
+}
+
+/** What the user says about the frames: `places` are links and directions; what is empty is open. */
+export class FrameOptions {
+  constructor(places = [], message = "") {
+    Object.assign(this, { places, message });
+  }
+
+  allows([link, direction, message]) {
+    return this.goes(link, direction) && (!this.message || this.message === message);
+  }
+
+  goes(link, direction) {
+    return !this.places.length || this.places.some(([other, way]) => other === link && way === direction);
+  }
+
+  allowsDirection(direction) {
+    return !this.places.length || this.places.some(([, way]) => way === direction);
+  }
+}
+
+/**
+ * The explanation of a frame under the reading that is chosen, and all readings that fit. `mark` is the direction that
+ * a log tells, which may be wrong. `asked` has the explanation of the request that a response answers, and is `sure` if
+ * the user has named it. `chosen` says why: it is the `only` one that fits; the `request` before it or a `mark` decided
+ * between several; nothing did, and it is the `likeliest`; none fits, and it is the `closest`.
+ */
+export function readFrame(device, frame, options, mark = "", asked = null) {
+  if (asked && options.allowsDirection("response")) {
+    const answer = answerOf(device, frame, asked.request);
+    if (asked.sure || (mark !== "request" && !isWrong(answer))) return answer;
+  }
+  const fitting = readingsOf(device, frame).filter((reading) => options.allows(reading));
+  if (!fitting.length) return closestReading(device, frame, options, mark);
+  const examples = exampleKeys(device, frame);
+  const doubts = new Map(fitting.map((reading) => [reading, doubtsOf(device, reading, mark, examples)]));
+  fitting.sort((left, right) => comparedLists(doubts.get(left), doubts.get(right)));
+  const marked = fitting.filter(([, direction]) => direction === mark);
+  const chosen = fitting.length === 1 ? "only" : marked.length === 1 ? "mark" : "likeliest";
+  return { explanation: explainedReading(device, frame, fitting[0]), readings: fitting, chosen, mismatches: [] };
+}
+
+/** Whether a codec refuses the frame, or a response does not fit its request. */
+export function isWrong({ explanation, readings, mismatches }) {
+  return Boolean(reasonsOf(explanation).length || mismatches.length || !readings.length);
+}
+
+function exampleKeys(device, frame) {
+  const digits = Array.from(frame, (byte) => byte.toString(16).toUpperCase().padStart(2, "0")).join("");
+  return new Set((device.readingsOf.get(digits) ?? []).map((reading) => JSON.stringify(reading)));
+}
+
+/**
+ * What speaks against a reading, the gravest first: the mark in the log, that no example is such a frame, that the
+ * message is a guess, and that its length may be any.
+ */
+function doubtsOf(device, reading, mark, examples) {
+  const [link, direction, message] = reading;
+  const guessed = !device.links.get(link)[direction].code;
+  const loose = guessed && Boolean(message) && device.messages.get(message)[direction].size === undefined;
+  return [mark !== "" && direction !== mark, !examples.has(JSON.stringify(reading)), guessed, loose].map(Number);
+}
+
+function comparedLists(left, right) {
+  const at = left.findIndex((number, place) => number !== right[place]);
+  return at < 0 ? 0 : left[at] - right[at];
+}
+
+/** The reading with the fewest faults. */
+function closestReading(device, frame, options, mark) {
+  let near = readingsOf(device, frame, true).filter((reading) => options.allows(reading));
+  if (!near.length) {
+    near = [...device.links.keys()].flatMap((link) => DIRECTIONS.map((direction) => [link, direction, options.message, false]))
+      .filter(([link, direction]) => options.goes(link, direction));
+  }
+  const examples = exampleKeys(device, frame);
+  const faultsOf = (reading) => {
+    const reasons = reasonsOf(explainedReading(device, frame, reading));
+    const marks = reasons.filter((reason) => reason === "wrong_mark" || reason === "not_hex").length;
+    return [marks, ...doubtsOf(device, reading, mark, examples), reasons.length];
+  };
+  const ranked = near.map((reading) => ({ reading, faults: faultsOf(reading) }));
+  ranked.sort((left, right) => comparedLists(left.faults, right.faults));
+  return { explanation: explainedReading(device, frame, ranked[0].reading), readings: [], chosen: "closest", mismatches: [] };
+}
+
+/** The explanation of a frame as the response to a request. */
+function answerOf(device, frame, request) {
+  const response = explained(device, request.link, "response", frame, request.message, request);
+  const fits = !reasonsOf(response).length;
+  return {
+    explanation: response,
+    readings: fits ? [readingOf(response)] : [],
+    chosen: fits ? "request" : "closest",
+    mismatches: mismatchesOf(device, request, response),
+  };
+}
+
+/** The places where a response does not fit its request. */
+function mismatchesOf(device, request, response) {
+  const link = device.links.get(request.link);
+  const texts = [];
+  for (const role of ["unitAddress", "code"]) {
+    const [ours, theirs] = [link.request[role], link.response[role]];
+    const want = ours && request.values.get(ours.name);
+    const have = theirs && response.values.get(theirs.name);
+    if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
+      texts.push(`${ours.name} is ${have}, but ${want} in the request`);
+    }
+  }
+  for (const row of response.rows) {
+    if (row.verdict.startsWith("wrong") && !row.reason) {
+      texts.push(`${row.path} does not repeat the request: ${row.verdict.replace("wrong: ", "")}`);
+    }
+  }
+  const message = response.error ? undefined : device.messages.get(response.message);
+  const { access, bitAccess } = message ?? {};
+  if (access?.operation === "read") {
+    const want = access.count ? request.values.get(access.count) : 1;
+    const have = response.values.get(access.values);
+    if (isWhole(want ?? "") && Array.isArray(have) && have.length != want) {
+      texts.push(`the request asks for ${want} words, but the response has ${have.length}`);
+    }
+  }
+  if (bitAccess?.operation === "read" && bitAccess.count) {
+    const want = request.values.get(bitAccess.count);
+    const have = response.values.get(bitAccess.values);
+    const size = isWhole(want ?? "") ? Math.ceil(Number(want) / 8) : 0;
+    if (isWhole(want ?? "") && Array.isArray(have) && have.length !== size) {
+      const text = `the request asks for ${want} bits, which take ${size} bytes`;
+      texts.push(`${text}, but the response has ${have.length}`);
+    }
+  }
+  return texts;
+}
+
+const NAMED = 3;
+
+/** The remarks on a frame. `askedIn` is the line of the request before it, 0 if there is none. */
+export function remarksOn(device, chosen, askedIn, options) {
+  const texts = [];
+  if (chosen.chosen === "closest") {
+    texts.push(`this is not a valid frame of ${device.data.device}; what is explained here comes closest`);
+    texts.push(...otherLengths(device, chosen, options));
+  } else if (askedIn && chosen.explanation.direction === "response") {
+    texts.push(`${chosen.chosen === "request" ? "this answers" : "this does not answer"} the request in line ${askedIn}`);
+  }
+  if (chosen.chosen === "likeliest") texts.push(ambiguityText(device, chosen));
+  return [...texts, ...chosen.mismatches];
+}
+
+/** Whether frames of a link carry the code of their message. */
+function isCoded(link) {
+  return DIRECTIONS.some((direction) => link[direction].code);
+}
+
+/** The remark that other readings fit, and what tells them apart. */
+function ambiguityText(device, chosen) {
+  const own = chosen.explanation;
+  const ownKey = JSON.stringify(readingOf(own));
+  const alternatives = chosen.readings.filter((reading) => JSON.stringify(reading) !== ownKey);
+  const readings = [readingOf(own), ...alternatives];
+  const telling = optionsText(device, own, alternatives);
+  if (readings.every(([link]) => !isCoded(device.links.get(link)))) {
+    const names = readings.map(([link, direction, message]) => messageText(device.links.get(link), direction, message));
+    return `ambiguous: ${own.frame.length} bytes may be ${enumeration(names, "or")}; ${telling}`;
+  }
+  const groups = new Map();
+  for (const [link, direction, message, error] of alternatives) {
+    const key = JSON.stringify([link, direction, error]);
+    if (!groups.has(key)) groups.set(key, { link, direction, error, names: [] });
+    groups.get(key).names.push(message || "an unknown message");
+  }
+  const others = [...groups.values()].map(({ link, direction, error, names }) => namedReading(device, own, link, direction, error, names));
+  const first = namedReading(device, own, own.link, own.direction, own.error, [own.message || "an unknown message"]);
+  return `ambiguous: explained as ${first}, it may also be ${others.join(" or ")}; ${telling}`;
+}
+
+/** The options that tell the readings apart: those that are each enough, else all that help. */
+function optionsText(device, own, alternatives) {
+  const words = new Set([own.link, ...alternatives.map(([link]) => link)].map((link) => device.links.get(link).messageName));
+  const word = words.size === 1 ? [...words][0].replaceAll("_", "-") : "message";
+  const link = device.links.get(own.link);
+  let telling = [
+    ["link", alternatives.map(([other]) => other !== own.link)],
+    ["direction", alternatives.map(([, direction]) => direction !== own.direction)],
+    [word, alternatives.map(([, , message]) => message !== own.message)],
+  ];
+  const byMessage = telling[2][1];
+  if (own.direction === "response" && link.request.code && byMessage.some(Boolean)) telling = [["request", byMessage], ...telling];
+  const enough = telling.filter(([, tells]) => tells.every(Boolean)).map(([option]) => option);
+  if (enough.length) return `${enough.join(" or ")} tells`;
+  return `${telling.filter(([, tells]) => tells.some(Boolean)).map(([option]) => option).join(" and ")} tell`;
+}
+
+/** Readings in words: `the response to stop on rtu`, `a response to one of 28 messages (stop, move, homing, ..)`. */
+function namedReading(device, own, link, direction, error, messages) {
+  const place = link === own.link ? "" : ` on ${link}`;
+  const names = (messages.length <= NAMED ? messages : [...messages.slice(0, NAMED), ".."]).join(", ");
+  const name = device.links.get(link).directionNames[direction];
+  if (!DIRECTIONS.includes(name) && !error) {
+    return messages.length === 1 ? `${messages[0]} ${name}${place}` : `one of ${messages.length} ${name}${place} (${names})`;
+  }
+  const kind = error ? "refusal" : direction;
+  const joint = kind === "response" ? "to" : "of";
+  if (messages.length === 1) return `the ${kind} ${joint} ${messages[0]}${place}`;
+  return `a ${kind} ${joint} one of ${messages.length} messages${place} (${names})`;
+}
+
+/** `telegram_3 sent` */
+function messageText(link, direction, message) {
+  return `${message} ${link.directionNames[direction]}`;
+}
+
+/** The lengths of the messages, if only the length could tell which one the frame is, and it tells none. */
+function otherLengths(device, chosen, options) {
+  const own = chosen.explanation;
+  const link = device.links.get(own.link);
+  const ofLength = ["wrong_length", "incomplete", "unknown_code"];
+  if (isCoded(link) || !reasonsOf(own).some((reason) => ofLength.includes(reason))) return [];
+  const carried = link.carriedMessages.request;
+  const names = carried.has(options.message) ? [options.message] : [...carried.keys()];
+  const ways = DIRECTIONS.filter((direction) => options.goes(own.link, direction));
+  const sizes = names.flatMap((name) => ways.map((direction) => {
+    const [least, most] = lengthsOf(link, direction, device.messages.get(name));
+    const size = most === Infinity ? `${least} or more` : most === least ? `${least}` : `${least} to ${most}`;
+    return `${messageText(link, direction, name)} has ${size}`;
+  }));
+  return [`the frame has ${own.frame.length} bytes; ${sizes.join(", ")}`];
+}

@@ -1,0 +1,188 @@
+import { isWhole } from "./numbers.js";
+import { isWithin } from "./texts.js";
+import { decoded, decodeValue, forWriting } from "./values.js";
+import { factRow, rowOf } from "./rows.js";
+
+const PARTIAL = "The frame contains only some of its words.";
+const PARTIAL_ATOMIC = "The frame contains only some of its words, which must be accessed in one request.";
+
+/** Why an access forbids an operation; empty if it does not. */
+export function forbiddenText(operation, access) {
+  if (operation === "write" && access === "ro") return "can only be read";
+  return operation === "read" && access === "wo" ? "can only be written" : "";
+}
+
+/**
+ * `words` from `address` on in a space. `data` are their bytes in the frame, at `at` in its parts, or empty. In a space
+ * of bits, `words` counts these, and `bits` has those that the frame carries; in a space of words it is null.
+ */
+export class AddressSpan {
+  constructor(space, address, words, at, data, bits = null) {
+    Object.assign(this, { space: space ?? "", address, words, at, data, bits, end: address + words });
+  }
+
+  get unit() {
+    return this.bits === null ? "word" : "bit";
+  }
+
+  /** The bytes at an address in the parts, and those of the value that they carry; undefined unless all are there. */
+  piece(address, size) {
+    if (this.bits !== null) return this.bitPiece(address - this.address);
+    const start = 2 * (address - this.address);
+    if (start < 0 || start + size > this.data.length) return undefined;
+    const raw = this.data.subarray(start, start + size);
+    return { at: this.at + start, raw, content: raw };
+  }
+
+  bitPiece(index) {
+    const bit = this.bits[index];
+    if (bit === undefined || bit === null) return undefined;
+    const [at, end] = this.bits.length === 1 ? [0, this.data.length] : [index >> 3, (index >> 3) + 1];
+    return { at: this.at + at, raw: this.data.subarray(at, end), content: Uint8Array.of(bit) };
+  }
+}
+
+/**
+ * The words or bits that a message accesses, by its own values or those of the request that it answers; null if
+ * unknown. `value` returns a value by its name, `data` are the bytes of the words, at `at` in the parts.
+ */
+export function accessedSpan(access, isBits, values, asked, at, data) {
+  const value = (name) => (values.has(name) ? values.get(name) : asked.get(name));
+  const start = value(access.start);
+  if (!isWhole(start ?? "")) return null;
+  const count = access.count ? value(access.count) : 1;
+  const known = isWhole(count ?? "");
+  if (!isBits) return new AddressSpan(access.space, Number(start), known ? Number(count) : data.length >> 1, at, data);
+  if (access.set !== undefined) {
+    const number = data.length ? values.get(access.values) : undefined;
+    const bit = number == access.clear ? 0 : number == access.set ? 1 : null;
+    return new AddressSpan(access.space, Number(start), 1, at, data, [number === undefined ? null : bit]);
+  }
+  const words = known ? Number(count) : 8 * data.length;
+  const bits = Array.from({ length: Math.min(words, 8 * data.length) }, (_, index) => (data[index >> 3] >> (index & 7)) & 1);
+  return new AddressSpan(access.space, Number(start), words, at, data, bits);
+}
+
+/** The rows of all registers that share words with a span, by address, and of words that no register has. */
+export function registerRows(device, span, spot, operation) {
+  const present = occupantsOf(device, span).sort((left, right) => left.address - right.address);
+  const rows = [];
+  let at = span.address;
+  for (const occupant of present) {
+    if (occupant.address > at) rows.push(unlistedRow(device, span, at, occupant.address, spot));
+    at = Math.max(at, occupant.address + occupant.words);
+    const row = registerRow(device, span, occupant, spot, operation);
+    const why = forbiddenText(operation, occupant.access);
+    rows.push(why ? { ...row, notes: [...row.notes, `It ${why}.`] } : row);
+  }
+  if (at < span.end) rows.push(unlistedRow(device, span, at, span.end, spot));
+  return rows;
+}
+
+/** The register or the field of a table's element that begins at an address of a space; undefined if there is none. */
+export function occupantAt(device, space, address) {
+  const occupants = occupantsOf(device, new AddressSpan(space, address, 1, 0, new Uint8Array()));
+  return occupants.find((occupant) => occupant.address === address);
+}
+
+/** The registers, and the fields of tables, that share words with a span, in the order of the spec. */
+export function occupantsOf(device, span) {
+  const occupants = [];
+  for (const register of device.data.registers) {
+    if ((register.space ?? "") !== span.space) continue;
+    const end = register.address + (register.count - 1) * register.stride + register.words;
+    if (register.address < span.end && span.address < end) addElements(occupants, register, span);
+  }
+  for (const table of device.data.tables) {
+    if ((table.space ?? "") === span.space) addFields(occupants, device, table, span);
+  }
+  return occupants;
+}
+
+function addElements(occupants, register, span) {
+  const [first, last] = nearElements(register.address, register, span);
+  for (let number = first; number < last; number++) {
+    const source = register.elementSources?.[number];
+    occupants.push({
+      address: register.address + number * register.stride,
+      words: register.words,
+      path: register.count === 1 ? register.name : `${register.name}[${register.first + number}]`,
+      fact: source === undefined ? register : { ...register, source },
+      outer: register,
+      value: register.value,
+      access: register.access ?? "",
+      reserved: false,
+      atomic: Boolean(register.atomic),
+      trigger: Boolean(register.trigger),
+    });
+  }
+}
+
+function addFields(occupants, device, table, span) {
+  const [start, last] = nearElements(table.base, table, span);
+  for (let number = start; number < last; number++) {
+    const base = table.base + number * table.stride;
+    for (const field of device.records.get(table.record).fields) {
+      if (!field.value) continue;
+      for (let item = 0; item < (field.count ?? 0); item++) {
+        const first = field.offset + item * field.size;
+        const address = base + (first >> 1);
+        const words = ((first + field.size + 1) >> 1) - (first >> 1);
+        if (address >= span.end || span.address >= address + words) continue;
+        occupants.push({
+          address,
+          words,
+          path: `${table.name}[${table.first + number}].${field.name}${field.isList ? `[${item}]` : ""}`,
+          fact: field,
+          outer: table,
+          value: field.value,
+          access: table.accesses[field.name] ?? "",
+          reserved: Boolean(field.reserved),
+          atomic: table.atomic.includes(field.name),
+          trigger: false,
+        });
+      }
+    }
+  }
+}
+
+/** The numbers of the first element that may share words with a span, and of the one behind the last. */
+function nearElements(base, { stride, words, count }, span) {
+  const first = Math.max(0, Math.floor((span.address - base - words) / stride) + 1);
+  return [first, Math.max(first, Math.min(count, Math.ceil((span.end - base) / stride)))];
+}
+
+function registerRow(device, span, occupant, spot, operation) {
+  const piece = span.piece(occupant.address, occupant.value.size);
+  let read;
+  if (piece) {
+    const value = operation === "write" ? forWriting(occupant.value) : occupant.value;
+    read = decodeValue(device, value, piece.content, value.order ?? "big", value.swapped, occupant.reserved);
+    // What starts something does not answer what was written.
+    if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
+  } else {
+    const inside = span.address <= occupant.address && occupant.address + occupant.words <= span.end;
+    read = decoded(null, { notes: inside ? [] : [occupant.atomic ? PARTIAL_ATOMIC : PARTIAL] });
+  }
+  const { at, raw } = piece ?? { at: 0, raw: new Uint8Array() };
+  const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
+  const place = { address: occupant.address, words: occupant.words, unit: span.unit, access: occupant.access };
+  return { ...row, ...place, offset: piece ? row.offset : 0 };
+}
+
+/** The row of words that no register has, with the reasons of the gaps there. */
+function unlistedRow(device, span, first, end, spot) {
+  const gaps = device.data.gaps.filter(({ space, addresses }) =>
+    space === span.space && addresses.some(([low, high]) => low < end && first <= high));
+  // Bits share bytes with others, so that theirs are not printed.
+  const piece = span.bits === null ? span.piece(first, 2 * (end - first)) : undefined;
+  return rowOf({
+    kind: "register",
+    ...(piece?.raw.length ? { raw: piece.raw, ...spot.place(piece.at, piece.raw.length) } : {}),
+    doc: "No register is listed here.",
+    notes: gaps.map(({ reason }) => reason),
+    address: first,
+    words: end - first,
+    unit: span.unit,
+  });
+}

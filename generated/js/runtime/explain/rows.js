@@ -1,0 +1,139 @@
+import { hexOf, latinOf, portableValue, sameBytes } from "./texts.js";
+
+/**
+ * Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each. In a frame with
+ * escapes, `originals` are the bytes before they were escaped, and `places` the offsets behind `start` of what is sent
+ * for them, and of the end.
+ */
+export class Spot {
+  constructor(frame, start, width, places = null, originals = null) {
+    Object.assign(this, { frame, start, width, places, originals });
+  }
+
+  /** The offset and the length in the frame of `length` bytes of the parts from `at` on, and their characters. */
+  place(at, length) {
+    if (this.places) {
+      const end = this.places.length - 1;
+      const [first, behind] = [this.places[Math.min(at, end)], this.places[Math.min(at + length, end)]];
+      const offset = this.start + first;
+      const sent = this.frame.subarray(offset, offset + behind - first);
+      const isSame = sameBytes(sent, this.originals.subarray(at, at + length));
+      return { offset, length: sent.length, characters: isSame ? "" : hexOf(sent, " ") };
+    }
+    const offset = this.start + at * this.width;
+    const size = length * this.width;
+    const characters = this.width > 1 ? latinOf(this.frame.subarray(offset, offset + size)) : "";
+    return { offset, length: size, characters };
+  }
+}
+
+/** A row of an explanation: some bytes of a frame and their meaning. */
+export function rowOf(more) {
+  return {
+    kind: "", offset: 0, length: 0, raw: new Uint8Array(), characters: "", path: "", fact: "", printedName: "", label: "",
+    doc: "", number: null, value: "", meanings: [], verdict: "", reason: "", source: "", notes: [], errata: [],
+    address: null, words: 0, unit: "word", access: "", ...more,
+  };
+}
+
+/** The row of a fact whose bytes are at `at` in the parts. A fact without sources has those of `outer`. */
+export function factRow(device, kind, path, fact, spot, at, raw, read, outer) {
+  return rowOf({
+    kind,
+    ...spot.place(at, raw.length),
+    raw,
+    path,
+    fact: fact.path,
+    printedName: fact.printed ?? "",
+    label: fact.label ?? "",
+    doc: fact.doc ?? "",
+    number: read.number,
+    value: read.text,
+    meanings: read.meanings,
+    verdict: read.verdict,
+    reason: read.reason,
+    source: fact.source || outer.source || "",
+    notes: [...(fact.notes ?? []), ...read.notes],
+    errata: [...new Set([...device.errataAt(fact.path), ...device.errataOfWords(read.facts)])],
+  });
+}
+
+/** The row of bytes that no fact describes, or of a place where bytes are missing. */
+export function wrongRow(spot, at, raw, reason, detail, path = "", fact = "") {
+  return rowOf({ kind: "unexplained", ...spot.place(at, raw.length), raw, path, fact, verdict: `wrong: ${detail}`, reason });
+}
+
+/** The row of bytes behind the end. */
+export function surplusRow(spot, at, raw) {
+  return wrongRow(spot, at, raw, "wrong_length", raw.length === 1 ? "1 byte too many" : `${raw.length} bytes too many`);
+}
+
+/** The row of the start delimiter, if the link has one. */
+export function startRows(parts) {
+  return markRows(parts, "start", 0, parts.start, parts.link.start);
+}
+
+/** The rows of surplus characters, and of the end delimiter, if the link has one. */
+export function endRows(parts) {
+  const at = parts.frame.length - parts.end.length;
+  const rows = markRows(parts, "end", at, parts.end, parts.link.end);
+  if (!parts.surplus.length) return rows;
+  const text = parts.reason === "not_hex" ? "not pairs of hexadecimal characters" : "1 character too many";
+  const surplus = {
+    kind: "unexplained",
+    offset: at - parts.surplus.length,
+    length: parts.surplus.length,
+    raw: parts.surplus,
+    characters: latinOf(parts.surplus),
+    verdict: `wrong: ${text}`,
+    reason: parts.reason,
+  };
+  return [rowOf(surplus), ...rows];
+}
+
+function markRows({ link }, name, offset, raw, should) {
+  if (!should.length) return [];
+  const right = sameBytes(raw, should);
+  return [rowOf({
+    kind: "mark",
+    offset,
+    length: raw.length,
+    raw,
+    characters: link.encoding === "hex_ascii" ? latinOf(raw) : "",
+    path: name,
+    fact: link.path,
+    verdict: right ? "right" : `wrong: should be ${hexOf(should, " ")}`,
+    reason: right ? "" : "wrong_mark",
+    source: link.source ?? "",
+  })];
+}
+
+/** A row as data: what is empty is null, bytes are hexadecimal digits. */
+export function rowData(row) {
+  return {
+    kind: row.kind,
+    offset: row.offset,
+    length: row.length,
+    raw: hexOf(row.raw),
+    characters: row.characters || null,
+    path: row.path || null,
+    fact: row.fact || null,
+    printed_name: row.printedName || null,
+    label: row.label || null,
+    doc: row.doc || null,
+    number: portableValue(row.number),
+    value: row.value || null,
+    meanings: row.meanings.map(({ name, label, text, bits }) => ({
+      name: name || null, label: label || null, text: text || null, bits: bits || null,
+    })),
+    verdict: row.verdict || null,
+    reason: row.reason || null,
+    source: row.source || null,
+    notes: row.notes,
+    errata: row.errata,
+    address: row.address,
+    [row.unit === "bit" ? "bits" : "words"]: row.words || null,
+    access: row.access || null,
+  };
+}
+

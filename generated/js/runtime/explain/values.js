@@ -1,0 +1,206 @@
+import {
+  decimalOf, decimalProduct, decimalQuotient, decimalRounded, decimalSum, decimalText, floatText,
+} from "./numbers.js";
+import { intervalsText, isWithin, latinOf, sameValue, valueText } from "./texts.js";
+import { memberOf, unsignedOf } from "./device.js";
+
+const VIEW = new DataView(new ArrayBuffer(8));
+const WIDE = 6;
+const EXACT_DIGITS = 120;
+
+/** Bytes as a whole number; a bigint if there are more than six of them. */
+export function wholeOf(bytes, order, signed) {
+  if (bytes.length > WIDE) {
+    const number = unsignedOf(bytes, order);
+    return signed ? BigInt.asIntN(8 * bytes.length, number) : number;
+  }
+  let number = 0;
+  for (let at = 0; at < bytes.length; at++) {
+    number = number * 256 + bytes[order === "big" ? at : bytes.length - 1 - at];
+  }
+  const high = 2 ** (8 * bytes.length);
+  return signed && number >= high / 2 ? number - high : number;
+}
+
+/** Bytes with those of each word of 16 bits turned. */
+export function turnedWords(bytes) {
+  return Uint8Array.from(bytes, (_, at) => bytes[at ^ 1]);
+}
+
+/** The raw value of all bytes of a value; texts and bytes are returned as bytes. */
+export function numberOfBytes(value, bytes, order, swapped) {
+  if (value.kind === "text" || value.kind === "bytes") return bytes;
+  const turned = swapped ? turnedWords(bytes) : bytes;
+  const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
+  if (value.kind !== "float") return wholeOf(turned, actual, value.signed);
+  turned.forEach((byte, at) => VIEW.setUint8(at, byte));
+  return bytes.length === 4 ? VIEW.getFloat32(0, actual === "little") : VIEW.getFloat64(0, actual === "little");
+}
+
+/** The sentinel with a raw value. */
+export function sentinelOf(value, number) {
+  const isNan = Number.isNaN(number);
+  return value.sentinels?.find((sentinel) => (isNan ? sentinel.nan : !sentinel.nan && sentinel.value == number));
+}
+
+/** The exact quantity of a raw count, or 120 digits of it, as a decimal number. */
+function quantityOf(value, number) {
+  const { scale = "1", offset = "0" } = value;
+  const [above, below] = scale.split("/");
+  if (below === undefined) return decimalSum(decimalProduct(number, decimalOf(scale)), decimalOf(offset));
+  const share = decimalQuotient(BigInt(number) * BigInt(above), BigInt(below), EXACT_DIGITS);
+  return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
+}
+
+/** The quantity of a raw value with its unit; empty for a value without unit and scale, and for a sentinel. */
+export function inUnit(value, number) {
+  if ((value.unit === undefined && value.scale === undefined) || sentinelOf(value, number)) return "";
+  return `${decimalText(quantityOf(value, number))} ${value.unit ?? ""}`.trim();
+}
+
+function rangeInUnit(value, ranges) {
+  const bound = (count) => decimalText(quantityOf(value, count));
+  const text = ranges.map(([low, high]) => (low == high ? bound(low) : `${bound(low)}..${bound(high)}`)).join(", ");
+  return `${text} ${value.unit ?? ""}`.trim();
+}
+
+/** A decoded value: its raw value, its quantity, its names, and its verdict with the reason of a fault. */
+export function decoded(number, more) {
+  return { number, text: "", meanings: [], verdict: "", reason: "", notes: [], facts: [], ...more };
+}
+
+/** A decoded value with a verdict: right, or wrong with what it should be. */
+export function judged(value, right, should, reason) {
+  return right
+    ? { ...value, verdict: "right", reason: "" }
+    : { ...value, verdict: `wrong: should be ${should}`, reason };
+}
+
+/** A name of a value, or of some of its bits: `bits` is empty, `3`, or `9..10`. */
+export function meaningOf(name, label, text, bits = "") {
+  return { name: name ?? "", label: label ?? "", text: text ?? "", bits };
+}
+
+/** The value with the range of writing as its only range. */
+export function forWriting(value) {
+  return value.writeRanges === undefined ? value : { ...value, ranges: value.writeRanges };
+}
+
+/** The meaning of all bytes of a value. Never throws. */
+export function decodeValue(device, value, bytes, order, swapped, reserved) {
+  const number = numberOfBytes(value, bytes, order, swapped);
+  if (reserved) return decoded(number);
+  if (value.kind === "boolean") return decodedBoolean(device, value, number);
+  if (value.kind === "text") {
+    if (bytes.some((byte) => byte > 0x7f)) return judged(decoded(bytes), false, "ASCII", "unknown_value");
+    return decoded(latinOf(bytes).replace(/\0+$/, ""));
+  }
+  if (value.kind === "float") return decodedFloat(value, number);
+  return value.kind === "bytes" ? decoded(number) : decodedWhole(device, value, number);
+}
+
+function decodedFloat(value, number) {
+  const sentinel = sentinelOf(value, number);
+  if (sentinel) return decoded(number, { meanings: [meaningOf(sentinel.name, "", sentinel.doc)] });
+  const result = decoded(number, { text: value.unit ? `${floatText(number)} ${value.unit}` : "" });
+  if (value.ranges === undefined || isWithin(value.ranges, number)) return result;
+  return judged(result, false, `${intervalsText(value.ranges)} ${value.unit ?? ""}`.trim(), "out_of_range");
+}
+
+function decodedBoolean(device, value, number) {
+  if (number != 0 && number != 1) return judged(decoded(number), false, "0 or 1", "unknown_value");
+  return { ...(value.enum ? namedValue(device, value, number) : decoded(number)), number: number == 1 };
+}
+
+function decodedWhole(device, value, number) {
+  if (value.const !== undefined && number != value.const) return judged(decoded(number), false, value.const, "wrong_const");
+  let result = decoded(number, { verdict: value.const === undefined ? "" : "right" });
+  const sentinel = sentinelOf(value, number);
+  if (sentinel) return { ...result, meanings: [meaningOf(sentinel.name, "", sentinel.doc)] };
+  if (value.enum) {
+    const named = namedValue(device, value, number);
+    result = { ...named, text: inUnit(value, number), verdict: named.verdict || result.verdict };
+  } else if (value.flags) {
+    const word = device.flags.get(value.flags);
+    result = { ...result, meanings: setBitsOf(device, word, number), facts: [word.path] };
+  } else {
+    result = { ...result, text: inUnit(value, number) };
+  }
+  if (!result.reason && value.ranges !== undefined && !isWithin(value.ranges, number)) {
+    result = judged(result, false, rangeInUnit(value, value.ranges), "out_of_range");
+  }
+  return result;
+}
+
+/** The meaning of a number that a member of the value's enum names. */
+function namedValue(device, value, number) {
+  const listing = device.enums.get(value.enum);
+  const member = memberOf(listing, number);
+  if (!member) {
+    if (listing.open) return decoded(number, { notes: [`${listing.name} does not list ${number}.`], facts: [listing.path] });
+    return judged(decoded(number), false, memberList(listing), "unknown_value");
+  }
+  const meanings = [meaningOf(member.name, member.label, member.problem || member.doc)];
+  const notes = member.notes ?? [];
+  const result = decoded(number, { meanings, notes, facts: [listing.path, member.path] });
+  if (member.unavailable && !listing.open) {
+    const more = [...notes, `${member.name} is listed as not available.`];
+    return judged({ ...result, notes: more }, false, memberList(listing), "unknown_value");
+  }
+  return result;
+}
+
+function memberList(listing) {
+  return `one of ${listing.members.filter((member) => !member.unavailable).map((member) => member.value).join(", ")}`;
+}
+
+/** The bits that are 1, fields of several bits with names, bits that the spec does not list, and states. */
+function setBitsOf(device, word, number) {
+  const raw = BigInt.asUintN(8 * word.size, BigInt(number));
+  const meanings = [];
+  let unknown = raw;
+  for (const bit of word.bits ?? []) {
+    const count = bitsNumber(bit, raw);
+    unknown &= ~bitMask(bit);
+    if (count || ((bit.enum || bit.isNumber) && !bit.reserved)) meanings.push(bitMeaning(device, bit, count));
+  }
+  for (let at = 0; unknown >> BigInt(at); at++) {
+    if ((unknown >> BigInt(at)) & 1n) meanings.push(meaningOf("", "", "not listed", String(at)));
+  }
+  for (const state of word.states ?? []) {
+    if ((raw & BigInt(state.mask ?? 0)) === BigInt(state.value ?? 0)) {
+      meanings.push(meaningOf(state.name, state.label, `state ${state.printed ?? ""}`.trim()));
+    }
+  }
+  return meanings;
+}
+
+/** The bits of a field of bits in its word. */
+export function bitMask({ first, width }) {
+  return ((1n << BigInt(width)) - 1n) << BigInt(first);
+}
+
+/** The number of a field of bits in a word. */
+export function bitsNumber(bit, raw) {
+  const number = (raw & bitMask(bit)) >> BigInt(bit.first);
+  const signed = bit.signed ? BigInt.asIntN(bit.width, number) : number;
+  return bit.width > 8 * WIDE ? signed : Number(signed);
+}
+
+function bitMeaning(device, bit, number) {
+  const bits = bit.width === 1 ? String(bit.first) : `${bit.first}..${bit.first + bit.width - 1}`;
+  const member = bit.enum && memberOf(device.enums.get(bit.enum), number);
+  if (member) return meaningOf(`${bit.name}=${member.name}`, member.label || bit.label, member.doc, bits);
+  if (bit.width > 1) {
+    const text = [inUnit(bit, number), bit.doc].filter(Boolean).join(": ");
+    return meaningOf(`${bit.name}=${number}`, bit.label, text, bits);
+  }
+  const text = bit.one || bit.doc || "";
+  const edge = bit.edge ? [text.replace(/\.$/, ""), `acts at its ${bit.edge} edge`].filter(Boolean).join("; ") : text;
+  return meaningOf(bit.name, bit.label, edge, bits);
+}
+
+/** A decoded value, compared with the one that it repeats. */
+export function repeatedValue(value, should) {
+  return judged(value, sameValue(value.number, should), valueText(should), "");
+}

@@ -1,0 +1,313 @@
+"""The exchange of frames by clients, without any input or output of its own.
+
+What a client does is a generator: it yields what is to be done with the transport, and receives the bytes that came. A
+client that blocks and a client for asyncio carry out the same generators.
+"""
+
+from __future__ import annotations
+
+from time import monotonic, sleep
+
+from ._error import CodecError
+from ._frames import ErrorReply
+from ._typing import TYPE_CHECKING, R, T
+from .errors import InvalidValueError, NoAnswerError, RefusedError, TransportError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Generator
+    from typing import Any, Final, TypeAlias
+
+    from ._framers import Framer
+    from ._frames import RequestOf, Response
+    from .transports import AsyncTransport, Transport
+
+    Work: TypeAlias = "Generator[tuple[int, Any], Any, T]"
+
+WRITE, READ, SLEEP, DROP = range(4)
+"""What a generator yields: bytes to write, a size to read and the seconds that are left, seconds, nothing."""
+SILENCE: Final = 0.05
+"""The seconds of silence that end a frame whose length nothing tells."""
+
+
+class Link:
+    """What a client needs to know of a link: its codec, and how requests and responses belong together.
+
+    `counters` are the parts of a request that its response repeats, each with its lowest and highest number. `timeout`
+    is how long a response may take, `pause` how long the line is silent before a request, in seconds. `repeated` has
+    the fields that a response repeats, by the class of the request, and `value_counts` the field with the number of
+    values and the field of the response with these values.
+    """
+
+    def __init__(
+        self,
+        codec: Any,
+        *,
+        addressed: bool,
+        counters: tuple[tuple[str, int, int], ...] = (),
+        timeout: float = 1.0,
+        pause: float = 0.0,
+        repeated: dict[Any, tuple[str, ...]] | None = None,
+        value_counts: dict[Any, tuple[str, str]] | None = None,
+    ) -> None:
+        self.codec, self.addressed, self.counters = codec, addressed, counters
+        self.timeout, self.pause = timeout, pause
+        self.repeated, self.value_counts = repeated or {}, value_counts or {}
+
+    def is_answer(self, reply: Any, request: Any, station: int, head: dict[str, int]) -> bool:
+        """Whether a frame from the device answers a request."""
+        if self.addressed and reply.station != station:
+            return False
+        for name, number in head.items():
+            if getattr(reply, name) != number:
+                return False
+        if isinstance(reply, ErrorReply):
+            return bool(reply.code == request.CODE)
+        kind = request.__class__
+        for name in self.repeated.get(kind, ()):
+            if getattr(reply.message, name) != getattr(request, name):
+                return False
+        value_counts = self.value_counts.get(kind)
+        return value_counts is None or len(getattr(reply.message, value_counts[1])) == getattr(request, value_counts[0])
+
+
+class Session:
+    """The conversation with one unit on one link, as generators. It is not for several threads at once.
+
+    `settle` is how long a device may take to show what it was asked for, in seconds.
+    """
+
+    def __init__(
+        self,
+        link: Link,
+        station: int,
+        datagrams: bool,
+        *,
+        timeout: float | None,
+        pause: float | None,
+        retries: int,
+        settle: float,
+    ) -> None:
+        self.link, self.station, self.retries, self.settle = link, station, retries, settle
+        self.timeout = link.timeout if timeout is None else timeout
+        self.pause = link.pause if pause is None else pause
+        self.now: Callable[[], float] = monotonic
+        self.datagrams = datagrams
+        make = None if datagrams else getattr(link.codec, "response_framer", None)
+        self._framer: Framer | None = make() if make is not None else None
+        self._head = {name: high for name, _, high in link.counters}
+        self._silent_until = 0.0
+        self._owed = 0
+        self._owed_until = 0.0
+        self._owed_request: Any = None
+
+    def ask(self, request: RequestOf[R], retries: int | None = None) -> Work[Any]:
+        """The response to a request, which is sent again where no answer comes, `retries` times.
+
+        Raises InvalidValueError, NoAnswerError, RefusedError and TransportError.
+        """
+        again = self.retries if retries is None else retries
+        while True:
+            try:
+                return (yield from self._exchanged(request))
+            except NoAnswerError:
+                if again <= 0:
+                    raise
+            again -= 1
+
+    def send(self, request: Any, station: int | None = None) -> Work[None]:
+        """Sends a request that nobody answers. Raises InvalidValueError and TransportError."""
+        frame = self._frame(request, self.station if station is None else station)
+        yield from self._ready()
+        yield WRITE, frame
+        self._silent_until = self.now() + self.pause
+
+    def _frame(self, request: Any, station: int) -> bytes:
+        link, head = self.link, self._head
+        for name, low, high in link.counters:
+            head[name] = head[name] + 1 if head[name] < high else low
+        try:
+            if link.addressed:
+                frame: bytes = link.codec.encode_request(station, request, **head)
+            else:
+                frame = link.codec.encode_request(request, **head)
+        except CodecError as error:
+            raise InvalidValueError(str(error)) from error
+        return frame
+
+    def _ready(self, request: Any = None) -> Work[None]:
+        """Waits until the line may be used, and drops what an earlier request has left on it."""
+        left = self._silent_until - self.now()
+        if left > 0:
+            yield SLEEP, left
+        if self._owed and request is not self._owed_request:
+            yield from self._late_answers()
+        yield DROP, None
+
+    def _late_answers(self) -> Work[None]:
+        """Waits for the answers that are owed: none of them must be taken for that to the next request."""
+        framer, received = self._framer, b""
+        while self._owed > 0 and (left := self._owed_until - self.now()) > 0:
+            data = yield READ, (65536 if framer is None else framer.missing, left)
+            received = data if self.datagrams else received + data
+            for frame in [received] if framer is None else framer.feed(data):
+                self._owed -= self._answer(frame, self._owed_request) is not None
+        self._owed = 0
+
+    def _exchanged(self, request: RequestOf[R]) -> Work[Any]:
+        frame = self._frame(request, self.station)
+        yield from self._ready(request)
+        framer = self._framer
+        if framer is not None:
+            framer.reset()
+        yield WRITE, frame
+        received = b""
+        heard = self.now()
+        deadline = heard + self.timeout
+        if not self.link.counters:
+            self._owed, self._owed_request, self._owed_until = self._owed + 1, request, deadline
+        while (left := deadline - self.now()) > 0:
+            data = yield READ, (65536 if framer is None else framer.missing, left)
+            if data:
+                received = data if self.datagrams else received + data
+                heard = self.now()
+                answers = [received] if framer is None else framer.feed(data)
+            elif framer is not None and received and self.now() - heard >= SILENCE:
+                answers = framer.idle()
+                received = b""
+            else:
+                continue
+            for answer in answers:
+                reply = self._answer(answer, request)
+                if reply is None:
+                    continue
+                self._owed -= self._owed > 0
+                self._silent_until = self.now() + self.pause
+                if isinstance(reply, ErrorReply):
+                    raise refusal(reply.exception)
+                return reply
+        self._owed_until = deadline + self.timeout
+        self._silent_until = self.now() + self.pause
+        raise NoAnswerError("bytes came, but no answer" if received else "no answer")
+
+    def _answer(self, frame: bytes, request: RequestOf[R]) -> Response[R] | ErrorReply[Any] | None:
+        """The response in a frame; None for a frame that answers something else."""
+        try:
+            reply: Response[R] | ErrorReply[Any] = self.link.codec.decode_response(frame, request)
+        except CodecError:
+            return None
+        return reply if self.link.is_answer(reply, request, self.station, self._head) else None
+
+
+def refusal(exception: Any) -> RefusedError:
+    """The error for an exception response: its number is in the first field."""
+    first = getattr(exception, exception.__match_args__[0]) if exception.__match_args__ else 0
+    name = getattr(first, "name", "")
+    text = f"the device refuses the request: exception {int(first)}" + (f", {name.lower()}" if name else "")
+    return RefusedError(text, int(first), exception)
+
+
+def carry_out(work: Work[T], transport: Transport) -> T:
+    """Carries out a generator on a transport that blocks. Raises what the generator raises."""
+    try:
+        action, content = next(work)
+    except StopIteration as end:
+        done: T = end.value
+        return done
+    while True:
+        result: Any = None
+        try:
+            if action == READ:
+                result = _read(transport, content[0])
+            elif action == WRITE:
+                _write(transport, content)
+            elif action == SLEEP:
+                sleep(content)
+            else:
+                drop = getattr(transport, "reset_input_buffer", None)
+                if drop is not None:
+                    drop()
+        except BaseException as error:
+            failure: BaseException | None = error
+        else:
+            failure = None
+        try:
+            action, content = work.send(result) if failure is None else work.throw(failure)
+        except StopIteration as end:
+            value: T = end.value
+            return value
+
+
+def _read(transport: Transport, size: int) -> bytes:
+    begin = monotonic()
+    try:
+        data = transport.read(size)
+    except TimeoutError:
+        data = b""
+    except (OSError, EOFError) as error:
+        raise TransportError(str(error)) from error
+    if not data and monotonic() - begin < 0.0005:
+        sleep(0.001)  # the transport does not wait by itself
+    return data or b""
+
+
+def _write(transport: Transport, data: bytes) -> None:
+    try:
+        transport.write(data)
+    except (OSError, EOFError) as error:
+        raise TransportError(str(error)) from error
+
+
+async def carry_out_async(work: Work[T], transport: AsyncTransport) -> T:
+    """Carries out a generator on a transport for asyncio. Raises what the generator raises."""
+    from asyncio import sleep as pause
+
+    try:
+        action, content = next(work)
+    except StopIteration as end:
+        done: T = end.value
+        return done
+    while True:
+        result: Any = None
+        try:
+            if action == READ:
+                result = await _read_async(transport, *content)
+            elif action == WRITE:
+                await _write_async(transport, content)
+            elif action == SLEEP:
+                await pause(content)
+            else:
+                drop = getattr(transport, "reset_input_buffer", None)
+                if drop is not None:
+                    drop()
+        except BaseException as error:
+            failure: BaseException | None = error
+        else:
+            failure = None
+        try:
+            action, content = work.send(result) if failure is None else work.throw(failure)
+        except StopIteration as end:
+            value: T = end.value
+            return value
+
+
+async def _read_async(transport: AsyncTransport, size: int, seconds: float) -> bytes:
+    from asyncio import TimeoutError as AsyncTimeoutError
+    from asyncio import wait_for
+
+    try:
+        return await wait_for(transport.read(size), seconds)
+    except (TimeoutError, AsyncTimeoutError):
+        return b""
+    except ConnectionRefusedError as error:
+        if not getattr(transport, "datagrams", False):
+            raise TransportError(str(error)) from error
+        return b""  # nobody has listened to what was sent before
+    except (OSError, EOFError) as error:
+        raise TransportError(str(error)) from error
+
+
+async def _write_async(transport: AsyncTransport, data: bytes) -> None:
+    try:
+        await transport.write(data)
+    except (OSError, EOFError) as error:
+        raise TransportError(str(error)) from error

@@ -1,0 +1,161 @@
+"""Cyclic messages of clients, such as telegrams: the request stays, and each exchange brings a new response."""
+
+from __future__ import annotations
+
+from ._client import SLEEP
+from ._client_tasks import Condition, Task, raw
+from ._error import CodecError
+from ._typing import TYPE_CHECKING
+from .errors import DeviceError, InvalidValueError, TimeLimitError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+    from ._client import Session, Work
+
+Bits = tuple[str, int]
+"""A field of the request, and the mask of some of its bits."""
+
+
+class CyclicWork:
+    """The exchange of one cyclic message, as generators. `cycle` is the time between two exchanges in seconds.
+
+    `request` is what is sent in each exchange, and `response` the last that has come.
+    """
+
+    def __init__(self, session: Session, request: Any, cycle: float) -> None:
+        self.session, self.request, self.cycle = session, request, cycle
+        self.response: Any = None
+
+    def exchange(self) -> Work[Any]:
+        """Sends the request, and returns the response."""
+        reply = yield from self.session.ask(self.request)
+        self.response = reply.message
+        return self.response
+
+    def run(self, seconds: float) -> Work[None]:
+        """Exchanges for some seconds, once in each cycle."""
+        end = self.session.now() + seconds
+        while self.session.now() < end:
+            yield from self.exchange()
+            yield SLEEP, self.cycle
+
+    def task(
+        self,
+        name: str,
+        limit: float | None,
+        *watched: Condition,
+        started: Sequence[Bits] = (),
+        pulsed: Sequence[Bits] = (),
+    ) -> CyclicTask:
+        """A task."""
+        return CyclicTask(self, name, limit, watched, started=started, pulsed=pulsed)
+
+    def put(self, name: str, mask: int, on: bool) -> None:
+        """Sets or clears bits of a field of the request."""
+        word = int(raw(getattr(self.request, name)))
+        setattr(self.request, name, word | mask if on else word & ~mask)
+
+
+class CyclicTask(Task):
+    """A task by the fields of a cyclic message. What is watched is looked at in each exchange.
+
+    `started` are the bits that let something go on, which a task that fails clears; `pulsed` are those that every task
+    clears at its end.
+    """
+
+    def __init__(
+        self,
+        work: CyclicWork,
+        name: str,
+        limit: float | None,
+        watched: Sequence[Condition] = (),
+        *,
+        started: Sequence[Bits] = (),
+        pulsed: Sequence[Bits] = (),
+    ) -> None:
+        super().__init__(work.session, name, limit, watched)
+        self.work, self.started, self.pulsed = work, started, pulsed
+
+    def carry_out(self, steps: Sequence[Work[Any]]) -> Work[Any]:
+        """Carries out the steps; the result is that of the step that reads."""
+        try:
+            result = yield from self.run(steps)
+        except GeneratorExit:
+            raise
+        except BaseException:
+            yield from self._cleared((*self.started, *self.pulsed))
+            raise
+        if self.pulsed:
+            yield from self._cleared(self.pulsed)
+        return result
+
+    def _cleared(self, bits: Sequence[Bits]) -> Work[None]:
+        for name, mask in bits:
+            self.work.put(name, mask, False)
+        try:
+            yield from self.work.exchange()
+        except DeviceError:
+            return  # the request is right for the next exchange
+
+    def look(self, *conditions: Condition) -> Work[Any]:
+        """Exchanges once. Raises the exception of the first condition that does not hold."""
+        response = yield from self.work.exchange()
+        for condition in (*self.watched, *conditions):
+            value = getattr(response, condition.place)
+            if not condition.holds(value):
+                raise condition.error(self.name, value)
+
+    def put(self, name: str, mask: int, on: bool) -> Work[None]:
+        """Sets or clears bits of the request, and exchanges it."""
+        self.work.put(name, mask, on)
+        yield from self.look()
+        yield SLEEP, self.work.cycle
+
+    def write(self, name: str, value: Any) -> Work[None]:
+        """Sets a field of the request, which is checked at once."""
+        trial = self.work.request.__class__.decode(self.work.request.encode())
+        try:
+            setattr(trial, name, value)
+            trial.encode()
+        except CodecError as error:
+            raise InvalidValueError(str(error)) from error
+        return self._set_field(name, value)
+
+    def _set_field(self, name: str, value: Any) -> Work[None]:
+        setattr(self.work.request, name, value)
+        yield from ()
+
+    def pulse(self, name: str, mask: int) -> Work[None]:
+        """Clears a bit, lets the device see it, and sets it."""
+        yield from self.put(name, mask, False)
+        yield from self.settle()
+        yield from self.put(name, mask, True)
+
+    def settle(self) -> Work[None]:
+        """Exchanges until the device can show what it was asked for."""
+        end = self.session.now() + self.session.settle
+        while True:
+            yield from self.look()
+            if self.session.now() >= end:
+                return
+            yield SLEEP, self.work.cycle
+
+    def wait(self, condition: Condition) -> Work[None]:
+        """Exchanges until a condition holds. Raises TimeLimitError, and the exceptions of what is watched."""
+        while True:
+            yield from self.look()
+            value = getattr(self.work.response, condition.place)
+            if condition.holds(value):
+                return
+            if condition.reason == "refused":
+                raise condition.error(self.name, value)
+            if self.late():
+                raise TimeLimitError(f"{self.name}: {condition.name} is still {value!r}")
+            yield SLEEP, self.work.cycle
+
+    def read(self, name: str) -> Work[Any]:
+        """A field of the response."""
+        yield from self.look()
+        return getattr(self.work.response, name)

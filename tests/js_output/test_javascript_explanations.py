@@ -1,0 +1,199 @@
+"""The explanations of the generated JavaScript are those of `fieldspec decode`: frames, damaged ones, and logs."""
+
+from __future__ import annotations
+
+import io
+import json
+import random
+import re
+import subprocess
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
+from typing import Any
+
+import pytest
+
+from external_tools import require_tool
+from fieldspec.commands.decode import FramePrinter, Log
+from fieldspec.explain.log import LogLine
+from fieldspec.explain.readings import ChosenReading, FrameOptions, OpenRequest, read, remarks
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.texts import Example
+from fieldspec.render.explanation import as_data
+from js_output.javascript import module_path
+from js_output.test_javascript_frames import frames_of
+from layouts import SPECS, TEST_SPECS, all_layouts, layouts
+from test_cli_spelled import REQUESTS, RESPONSES, SPELLINGS
+
+LAYOUTS = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts() if layout.links}
+NEWEST = [versions[-1] for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]
+DIRECTIONS = ("request", "response")
+DAMAGED = 3
+"""The damaged frames of each example, of the newest versions."""
+UNKNOWN = 5
+"""One in so many examples, and its damaged frames, are also explained without anything known of them."""
+
+
+def explained_by_node(jobs: Sequence[Mapping[str, Any]]) -> list[list[dict[str, Any]]]:
+    node = require_tool("node")
+    with tempfile.NamedTemporaryFile("w", suffix=".jsonl", encoding="utf-8") as file:
+        file.writelines(json.dumps(job) + "\n" for job in jobs)
+        file.flush()
+        script = __file__.replace("test_javascript_explanations.py", "explanations.mjs")
+        run = subprocess.run([node, script, file.name], capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    return [json.loads(line, object_hook=_whole) for line in run.stdout.split("\n") if line]
+
+
+def _whole(data: dict[str, Any]) -> Any:
+    return int(data["$n"]) if list(data) == ["$n"] else data
+
+
+def portable(data: object) -> Any:
+    """Data of the compiler as JSON has them; remarks name options of the command line by hyphens."""
+    return json.loads(re.sub(r"--(?=[a-z])", "", json.dumps(data)))
+
+
+def explained_by_python(layout: DeviceLayout, job: Mapping[str, Any]) -> dict[str, Any]:
+    known = job["options"]
+    places = tuple(
+        (name, direction)
+        for name, link in layout.links.items()
+        for direction in DIRECTIONS
+        if known.get("link", name) == name and known.get("direction", direction) == direction
+        if not known.get("message") or known["message"] in link.messages
+    )
+    options = FrameOptions(places if known else (), known.get("message", ""))
+    asked = None
+    if job["request"]:
+        asks = tuple((link, "request") for link in layout.links if options.goes(link, "response"))
+        request = read(layout, bytes.fromhex(job["request"]), FrameOptions(asks, options.message))
+        asked = OpenRequest(request.explanation, True)
+    line = LogLine(bytes.fromhex(job["frame"]))
+    reading = read(layout, line.frame, options, line.direction, asked)
+    notes = [*line.remarks, *remarks(layout, reading, 0, options)]
+    data = as_data(layout, reading.explanation, reading.readings, reading.chosen, notes, reading.wrong)
+    result: dict[str, Any] = portable(data)
+    return result
+
+
+def jobs_of(layout: DeviceLayout, example: Example) -> Iterator[dict[str, Any]]:
+    module = module_path(layout).replace(".js", "_explain.js")
+    asked = layout.device.examples.get(example.reply_to)
+    request = asked.frame.hex() if asked is not None and not asked.refused else ""
+    known = {"link": example.link, "direction": example.direction, "message": example.message}
+    if layout.links[example.link].frame(example.direction).role("code") is not None or not example.message:
+        del known["message"]
+    if example.message and example.message not in layout.links[example.link].messages:
+        known.pop("message", None)
+    damaged = DAMAGED if layout in NEWEST else 0
+    for frame in islice(frames_of(layout, example), 1 + damaged):
+        answers = request if example.direction == "response" else ""
+        yield {"module": module, "frame": frame.hex(), "options": known, "request": answers}
+        if damaged and len(example.id) % UNKNOWN == 0:
+            yield {"module": module, "frame": frame.hex(), "options": {}, "request": ""}
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_frames_are_explained_as_by_the_command_line(name: str) -> None:
+    layout = LAYOUTS[name]
+    jobs = [job for example in layout.device.examples.values() for job in jobs_of(layout, example)]
+    results = explained_by_node(jobs)
+    for job, (have,) in zip(jobs, results, strict=True):
+        assert have == explained_by_python(layout, job), job
+
+
+class CollectingPrinter(FramePrinter):
+    """Collects the explanations of a log instead of printing them."""
+
+    def __init__(self, layout: DeviceLayout) -> None:
+        super().__init__(layout, "json")
+        self.results: list[dict[str, Any]] = []
+
+    def explain(self, reading: ChosenReading, remarks: Sequence[str], number: int = 0) -> None:
+        data = as_data(self.layout, reading.explanation, reading.readings, reading.chosen, remarks, reading.wrong)
+        self.results.append({"line": number, **portable(data)})
+
+
+def log_read_by_python(layout: DeviceLayout, log: str, capsys: pytest.CaptureFixture[str]) -> list[dict[str, Any]]:
+    printer = CollectingPrinter(layout)
+    Log(layout, FrameOptions(), None, printer).explain(io.BytesIO(log.encode("utf-8")))
+    faults = re.findall(r"^fieldspec: line (\d+): (.*)$", capsys.readouterr().err, re.MULTILINE)
+    results = [*printer.results, *({"line": int(number), "error": text} for number, text in faults)]
+    return sorted(results, key=lambda result: result["line"])
+
+
+CHARACTERS = [
+    r":010310000002EA\r\n",
+    ":010310000002EA",
+    ":010310000002EA\\r",
+    ":010310000002EA<CR><LF>",
+    ":010310000002EA[CR][LF]",
+    r":010310000002EA\x0D\x0A",
+    ": 01 03 10 00 00 02 EA CR LF",
+    r"[12:00:01] > :010310000002EA\r\n  # a comment",
+    r"':010310000002EA\r\n'",
+    "RX:",
+    "> 2026/01/31 12:00:01.000123  length=8 from=0 to=7",
+    "hello",
+    "01 06 ?? 1E",
+    "0106201",
+    "01 " * 3000,
+]
+PIECES = [
+    *("01", "03", "10", "0x06", "20h", "00 02", "C0CB", "010310000002C0CB", ":", "TX", "RX:", ">", "<-", "[", "]", "<"),
+    *(
+        "'",
+        "(",
+        ")",
+        "\t",
+        ",",
+        "|",
+        "#",
+        "//",
+        "12:00:01.5",
+        "2026-01-31",
+        "0000",
+        "CR",
+        "\\r\\n",
+        "<LF>",
+        "hello",
+        "x",
+    ),
+    *("x", "?", "é", "\x00", "send [8]", "00000010: ", "1.25", ";"),
+]
+
+
+def random_lines(count: int) -> Iterator[str]:
+    chance = random.Random(17)
+    for _ in range(count):
+        yield chance.choice(("", " ")).join(chance.choices(PIECES, k=chance.randrange(1, 9))).replace("\n", " ")
+
+
+@pytest.mark.parametrize("name", ["widget-2.0", "glider-x-1.1"])
+def test_logs_are_read_as_by_the_command_line(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    layout = LAYOUTS[name]
+    frames = [example.frame.hex(" ") for example in layout.device.examples.values()]
+    lines = [*SPELLINGS, *REQUESTS, *RESPONSES, *CHARACTERS, *random_lines(400), *frames]
+    ends = ("\n", "\r\n")
+    log = "".join(line.strip("\r\n") + ends[number % 2] for number, line in enumerate(lines))
+    job = {"module": module_path(layout).replace(".js", "_explain.js"), "log": log, "options": {}}
+    (have,) = explained_by_node([job])
+    want = log_read_by_python(layout, log, capsys)
+    for result, expected in zip(have, want, strict=True):
+        assert result == expected, lines[expected["line"] - 1]
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        ({"link": "no_link"}, "no_link is no link of widget: rtu"),
+        ({"direction": "sideways"}, "sideways is no direction of"),
+        ({"message": "no_message"}, "no_message is not sent on"),
+    ],
+)
+def test_options_that_a_device_does_not_have_are_refused(options: dict[str, str], why: str) -> None:
+    module = module_path(LAYOUTS["widget-2.0"]).replace(".js", "_explain.js")
+    ((result,),) = explained_by_node([{"module": module, "text": "01", "options": options}])
+    assert result["error"].startswith(why)
