@@ -17,7 +17,7 @@ def add_audit(audit: argparse.ArgumentParser) -> None:
     audit.add_argument(
         "--table", metavar="NAME", help="print only this table, such as ledger; required for csv and xlsx"
     )
-    audit.add_argument("--format", choices=("text", "json", "html", "sarif", "csv", "xlsx"), default="text")
+    audit.add_argument("--format", choices=("text", "json", "html", "sarif", "csv", "xlsx", "parquet"), default="text")
     audit.add_argument("--out", metavar="FILE", help="the file for the page or the table (default: standard output)")
     audit.add_argument(
         "--dump", metavar="FILE", help="judge values read from a device: CSV, XLSX or JSON (-: standard input)"
@@ -31,6 +31,8 @@ def add_audit(audit: argparse.ArgumentParser) -> None:
         "--offset", type=int, metavar="NUMBER", help="the difference between addresses in the dump and on the wire"
     )
     audit.add_argument("--encoding", metavar="NAME", help="the encoding of the dump, such as gbk, big5 or utf-16")
+    captures = "report what captures show, or the tables that decode --to parquet has written"
+    audit.add_argument("--captures", metavar="FOLDER", help=captures)
     audit.add_argument("--sheet", metavar="NAME", help="the sheet, if the dump is a workbook")
     signs = "record that a section of the manual was compared with the spec (`all`: every section)"
     audit.add_argument("--sign", metavar="SECTION", help=signs)
