@@ -11,6 +11,7 @@ from pyarrow import parquet
 
 from captures.conversations import USER_0, pcap, rtu
 from captures.test_decode_in_bulk import run
+from layouts import SPECS
 
 READ_SHARE = rtu(1, 4, 0, 0x0C, 0, 4)
 SHARE = rtu(1, 4, 8, 0x43, 0x16, 0, 0, 1, 0x23, 0x12, 0x34)  # 150 percent, the firmware, a word that no register has
@@ -99,3 +100,14 @@ def test_captures_without_a_frame_of_the_device_are_refused(tmp_path: Path) -> N
     code, _, error = run("audit", "wattmeter@1", "--captures", str(folder))
     assert code == 2
     assert "no frame of wattmeter" in error
+
+
+def test_writes_to_memory_that_wears_out_are_counted(tmp_path: Path) -> None:
+    write = rtu(1, 6, 0x99, 0x99, 0, 1)
+    folder = tmp_path / "captures"
+    folder.mkdir()
+    (folder / "line.pcap").write_bytes(pcap(3 * [write, write], USER_0, [0, 1, 10_000, 10_001, 20_000, 20_001]))
+    text = run("audit", "tc100", "--captures", str(folder), "--format", "json", specs=SPECS)[1]
+    (row,) = json.loads(text)["sections"]["wear"]["tables"]["wear"]
+    assert (row["register"], row["writes"], row["endurance"]) == ("parameter_storage", 3, "not printed")
+    assert row["writes_per_day"] == f"{3 * 86_400 / 20:.0f}"

@@ -20,11 +20,11 @@ READ = rtu(1, 4, 0, 0, 0, 2)
 ANSWER = rtu(1, 4, 4, 0x43, 0x66, 0, 0)  # 230 volts
 
 
-def run(*arguments: str) -> tuple[int, str, str]:
-    """Runs a verb on the made-up devices. Returns the exit code and the output."""
+def run(*arguments: str, specs: Path = TEST_SPECS) -> tuple[int, str, str]:
+    """Runs a verb, by default on the made-up devices. Returns the exit code and the output."""
     out, error = io.StringIO(), io.StringIO()
     with redirect_stdout(out), redirect_stderr(error):
-        code = main([*arguments, "--specs", str(TEST_SPECS)])
+        code = main([*arguments, "--specs", str(specs)])
     return code, out.getvalue(), error.getvalue()
 
 
@@ -254,3 +254,12 @@ def test_options_of_tables_need_a_format(tmp_path: Path) -> None:
     code, _, error = run("decode", "wattmeter@1", "01", "--units", "1")
     assert code == 2
     assert "--units goes with --to" in error
+
+
+def test_a_spreadsheet_takes_no_name_of_a_source_for_a_formula(tmp_path: Path) -> None:
+    path = tmp_path / "=1+1.pcap"
+    path.write_bytes(pcap([READ, ANSWER], USER_0))
+    out = tmp_path / "out"
+    run("decode", "wattmeter@1", str(path), "--to", "csv", "--out", str(out))
+    cells = (out / "values" / "00000.csv").read_text("utf-8").splitlines()[1].split(",")
+    assert cells[0].strip('"') == "'=1+1.pcap"

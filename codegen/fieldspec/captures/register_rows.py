@@ -40,7 +40,7 @@ Place = tuple[int, str, int, str]
 def columns_of(line: str) -> tuple[str, dict[str, int]] | None:
     """The separator of a file and the place of each column, from its headings; None for a file of another kind."""
     for separator in (",", ";", "\t"):
-        cells = next(csv.reader([line], delimiter=separator), [])
+        cells = _cells(line, separator)
         names = [cell.strip().lower().replace(" ", "_") for cell in cells]
         places = {
             column: names.index(heading)
@@ -51,6 +51,14 @@ def columns_of(line: str) -> tuple[str, dict[str, int]] | None:
         if "address" in places and "value" in places and places["address"] != places["value"]:
             return separator, places
     return None
+
+
+def _cells(line: str, separator: str) -> list[str]:
+    """The cells of a row; none where it is no CSV."""
+    try:
+        return next(csv.reader([line.rstrip("\r\n")], delimiter=separator), [])
+    except csv.Error:
+        return []
 
 
 @dataclass(slots=True)
@@ -149,9 +157,9 @@ class RegisterRows:
     def _access(self, line: str) -> _Access | None:
         """The word of a row; None where it has none, which is counted."""
         separator, places = self.layout or (",", {})
-        cells = next(csv.reader([line], delimiter=separator), [])
+        cells = _cells(line, separator)
         texts = {name: cells[place].strip() if place < len(cells) else "" for name, place in places.items()}
-        if not any(texts.values()):
+        if not line.strip():
             return None
         address, word = _number(texts.get("address", "")), _number(texts.get("value", ""))
         if address is None or word is None or not 0 <= address < ADDRESSES or not -0x8000 <= word <= 0xFFFF:

@@ -9,6 +9,7 @@ from typing import Any, BinaryIO, Protocol
 import pyarrow as pa
 
 from fieldspec.captures.tables import SCHEMAS, TEXT
+from fieldspec.spreadsheet import clean, guarded
 
 
 class TableWriter(Protocol):
@@ -80,10 +81,7 @@ class CsvTable:
 
     def write(self, batch: Any) -> None:
         """Adds a record batch."""
-        columns = [
-            _hexadecimal(batch.column(place)) if pa.types.is_binary(field.type) else batch.column(place).cast(own.type)
-            for place, (field, own) in enumerate(zip(batch.schema, self.schema, strict=True))
-        ]
+        columns = [_csv_column(column).cast(own.type) for column, own in zip(batch.columns, self.schema, strict=True)]
         self.writer.write_batch(pa.RecordBatch.from_arrays(columns, schema=self.schema))
 
     def close(self) -> None:
@@ -117,6 +115,16 @@ class JsonTable:
 
     def close(self) -> None:
         """Nothing: every line is complete."""
+
+
+def _csv_column(column: Any) -> Any:
+    """A column for CSV. Spreadsheets take none of its texts for a formula."""
+    if pa.types.is_binary(column.type):
+        return _hexadecimal(column)
+    if column.type == TEXT:
+        texts = [guarded(clean(text)) for text in column.dictionary.to_pylist()]
+        return pa.DictionaryArray.from_arrays(column.indices, pa.array(texts, pa.string()))
+    return column
 
 
 def _json_number(value: object) -> object:
