@@ -33,6 +33,7 @@ FILES = (
     "python_framer",
     "python_import",
     "python_many",
+    "captures",
     "javascript",
     "c_instructions",
     "c_cortex",

@@ -123,6 +123,17 @@ def stopped_after_first_part(folder: Path, content: bytes) -> str:
     return "finished"
 
 
+def test_texts_are_forgotten_between_parts_without_a_trace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    content = pcap([READ, ANSWER, READ, ANSWER] * 20, USER_0)
+    whole = decode(tmp_path, content)[2:]
+    monkeypatch.setattr("fieldspec.captures.conversion.MOST_TEXTS", 0)
+    monkeypatch.setattr("fieldspec.captures.capture_files.BATCH", 300)
+    again = tmp_path / "again"
+    again.mkdir()
+    assert decode(again, content, "--part-frames", "10")[2:] == whole
+    assert len(list((again / "out" / "frames").iterdir())) > 3
+
+
 DAMAGE = {
     "a broken tail": (lambda: pcap(map(ethernet, tcp_poll(3)))[:-5], 5, "bytes lost: truncated"),
     "garbage instead of a record": (lambda: pcap(map(ethernet, tcp_poll(3))) + b"\xff" * 64, 6, "which no packet has"),

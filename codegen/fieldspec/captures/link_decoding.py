@@ -261,7 +261,10 @@ class LinkDecoder:
                     count_of = rows.count[own]
                     wanted = (count_of + 7) // 8 if is_bits else 2 * count_of
                     rows.verdict[own[(sizes != wanted)]] = MISMATCH
-                rows.set_bit[own] = NONE if access.set is None else access.set
+                if access.set is not None:  # another number than those of 1 and 0 says nothing about the bit
+                    number = number_at(rows.buffer(way), rows.data[own], field.size, field.order)
+                    rows.data[own[(number != access.set) & (number != access.clear)]] = NONE
+                    rows.set_bit[own] = access.set
 
     @staticmethod
     def _compare(rows: _Rows, own: Numbers, asked: Numbers) -> None:
