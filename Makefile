@@ -6,6 +6,8 @@
 # make fuzz-bytes  fuzz the generated Python and JavaScript: coverage-guided for SECONDS=60 for each device, damaged frames, random bytes
 # make mutants  put slips into the specs of the devices, one at a time, and count which checks, proofs, manuals and vectors notice
 # make fuzz-specs   compare all codecs on random devices for a minute, or SECONDS=600; what they disagree on becomes a case
+# make fuzz-texts  put hostile texts into every text of devices for a minute, or SECONDS=600, and parse all outputs
+# make mutants-compiler  change single places of the compiler, and count which mutants recorded outputs and tests notice
 # make plants  run the examples of docs/plc.md and the blocks for a million random scans each, against simulated devices
 # make plc-sizes  write docs/plc-sizes.md: code and data of the function blocks on a Cortex-M3
 # make capabilities  verify every line of docs/capabilities.md about keys, of which the tests verify a share
@@ -36,7 +38,7 @@ FUZZER := build/fuzz/environment
 INSTALLED_FUZZER := $(FUZZER)/.installed
 NOISE := 2000000
 
-.PHONY: build test test-fast test-night fuzz fuzz-bytes mutants fuzz-specs plants plc-sizes capabilities accept soak soak-device dist sbom bench pins clean
+.PHONY: build test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-texts plants plc-sizes capabilities accept soak soak-device dist sbom bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -68,6 +70,12 @@ mutants: $(INSTALLED)
 
 fuzz-specs: $(INSTALLED)
 	$(BIN)/python tests/random_devices/fuzz.py $(or $(SECONDS),60) $(SEED)
+
+fuzz-texts: $(INSTALLED) $(if $(NPM),$(TOOLS))
+	$(BIN)/python tests/hostile_texts/fuzz.py $(or $(SECONDS),60) $(or $(SEED),1)
+
+mutants-compiler: $(INSTALLED)
+	$(BIN)/python tests/compiler_judges.py $(or $(EACH),12) $(or $(SEED),1) $(FOLDERS)
 
 soak: $(INSTALLED)
 	$(BIN)/python tests/interruptions.py 200 1

@@ -18,6 +18,7 @@ SLOW = (
     "device",
     "docs_output",
     "hostile_bytes",
+    "hostile_texts",
     "js_output",
     "plc_memory",
     "plc_output",

@@ -117,7 +117,7 @@ def mended(layout: DeviceLayout, example: Example, frame: bytes) -> bytes:
     link = layout.links[example.link]
     shape = link.frame(example.direction)
     try:
-        data = codec(layout).links[example.link].parts(frame)
+        data = codec(layout).links[example.link].parts(frame, example.direction)
     except CodecError:
         return frame
     if (checksum := shape.checksum) is None or len(data) < shape.header_size + shape.trailer_size:
@@ -127,7 +127,7 @@ def mended(layout: DeviceLayout, example: Example, frame: bytes) -> bytes:
     number = checksum_of(checksum.algorithm, data[checksum.start : checksum.stop])
     data = data[:at] + number.to_bytes(checksum.size, order) + data[at + checksum.size :]
     inner = data if link.link.encoding == "binary" else data.hex().upper().encode()
-    return link.link.start + inner + link.link.end
+    return shape.start + inner + shape.end
 
 
 def test_characters_of_a_part_that_is_cut_off_by_others_have_a_row() -> None:

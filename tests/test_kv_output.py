@@ -71,9 +71,10 @@ def test_the_bits_of_the_map_hold_the_values_of_every_example(layout: DeviceLayo
     link = layout.links[example.link]
     values = vector(layout, example)["values"]
     assert isinstance(values, dict)
-    marks = len(link.link.start), len(example.frame) - len(link.link.end)
-    unit = 1 if link.frame(example.direction).checksum else 2
-    words = memory(original_parts(link.frame(example.direction), example.frame[slice(*marks)]), unit)
+    shape = link.frame(example.direction)
+    marks = len(shape.start), len(example.frame) - len(shape.end)
+    unit = 1 if shape.checksum else 2
+    words = memory(original_parts(shape, example.frame[slice(*marks)]), unit)
     ends = (f"{example.message} {example.direction}", f"{example.message} on {link.name} {example.direction}")
     compared = 0
     for row in rows_of(layout):

@@ -21,6 +21,7 @@
   function groupsOf(table) {
     const groups = [];
     for (const row of table.tBodies[0].rows) {
+      if (row.classList.contains("opened")) { continue; }
       if (row.classList.contains("element") && groups.length) {
         groups[groups.length - 1].push(row);
       } else {
@@ -56,6 +57,7 @@
         .map((entry) => entry.group);
     }
     table.tBodies[0].append(...order.flat());
+    table.dispatchEvent(new Event("arranged", { bubbles: true }));
   }
 
   // ---- filtering ----
@@ -89,6 +91,7 @@
         group.forEach((row) => { row.hidden = !fits; });
         visible += fits ? 1 : 0;
       }
+      table.dispatchEvent(new Event("arranged", { bubbles: true }));
       count.textContent = visible < groups.length ? `${visible} of ${groups.length} rows` : "";
     }
 
@@ -114,7 +117,7 @@
   }
 
   function csvOf(table, headings) {
-    const rows = [...table.tBodies[0].rows].filter((row) => !row.hidden)
+    const rows = [...table.tBodies[0].rows].filter((row) => !row.hidden && !row.classList.contains("opened"))
       .map((row) => [...row.cells].map((cell) => lineOf(cell).join("; ")));
     return [headings, ...rows].map((row) => row.map(csvCell).join(",") + "\r\n").join("");
   }

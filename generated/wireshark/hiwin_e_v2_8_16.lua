@@ -9568,24 +9568,44 @@ local device = {
     cyclic = {
       name = "cyclic",
       title = "Process data",
-      start = "",
-      stop = "",
       messages = { "telegram_3", "telegram_5", "telegram_9", "telegram_102", "telegram_105", "telegram_111", "telegram_750" },
       unanswered = {},
-      request = { parts = {}, header = 0, trailer = 0, shortest = 6, longest = 24 },
-      response = { parts = {}, header = 0, trailer = 0, shortest = 2, longest = 24 },
+      request = {
+        start = "",
+        stop = "",
+        messages = {},
+        subcodes = {},
+        parts = {},
+        header = 0,
+        trailer = 0,
+        shortest = 6,
+        longest = 24,
+      },
+      response = {
+        start = "",
+        stop = "",
+        messages = {},
+        subcodes = {},
+        parts = {},
+        header = 0,
+        trailer = 0,
+        shortest = 2,
+        longest = 24,
+      },
     },
     parameter_channel = {
       name = "parameter_channel",
       title = "Parameter channel",
-      start = "",
-      stop = "",
       is_coded = true,
       is_framed = true,
       messages = { "read_parameter", "write_parameter" },
       unanswered = {},
       exception = { flag = 128, record = "parameter_error" },
       request = {
+        start = "",
+        stop = "",
+        messages = { "read_parameter", "write_parameter" },
+        subcodes = {},
         parts = {
           {
             name = "request_reference",
@@ -9637,6 +9657,10 @@ local device = {
         is_framed = true,
       },
       response = {
+        start = "",
+        stop = "",
+        messages = { "read_parameter", "write_parameter" },
+        subcodes = {},
         parts = {
           {
             name = "request_reference",
@@ -10691,14 +10715,15 @@ local function with_role(shape, role)
 end
 
 -- The bytes of the parts of a frame without delimiters and encoding, and a reason where these are wrong.
-local function unwrapped(link, bytes)
-    if bytes:sub(1, #link.start) ~= link.start then
+local function unwrapped(link, direction, bytes)
+    local shape = link[direction]
+    if bytes:sub(1, #shape.start) ~= shape.start then
         return nil, "wrong_mark"
     end
-    if #link.stop > 0 and bytes:sub(-#link.stop) ~= link.stop or #bytes < #link.start + #link.stop then
+    if #shape.stop > 0 and bytes:sub(-#shape.stop) ~= shape.stop or #bytes < #shape.start + #shape.stop then
         return nil, "wrong_mark"
     end
-    local inner = bytes:sub(#link.start + 1, #bytes - #link.stop)
+    local inner = bytes:sub(#shape.start + 1, #bytes - #shape.stop)
     if not link.hex then
         return inner
     end
@@ -10711,21 +10736,58 @@ local function unwrapped(link, bytes)
     return (inner:gsub("..", function(pair) return string.char(tonumber(pair, 16)) end))
 end
 
--- The message, or nil, and whether it is refused, by the code of a frame or by the request that it answers.
-function frames.message_of(link, direction, code, asked, message)
+-- The message with a code and a number in its data, which several messages with one code have.
+local function message_with(shape, code, body)
+    local subcode = shape.shared[code]
+    if not subcode then
+        return shape.by_code[code]
+    end
+    local own = body:sub(subcode.offset + 1, subcode.offset + subcode.size)
+    if #own < subcode.size then
+        return nil
+    end
+    return subcode.by_number[numbers.unsigned(subcode.order == "little" and own:reverse() or own)]
+end
+
+-- Whether parts with a code are an exception response: by a bit in the code, by the code, or by another part.
+local function is_marked(link, direction, code, parts)
+    local exception = direction == "response" and link.exception
+    if not exception or not code then
+        return false
+    end
+    if exception.part then
+        for _, part in ipairs(link.response.parts) do
+            if part.name == exception.part then
+                local number = part_number(part, parts)
+                return number ~= nil and not values.is_within(number, exception.normal)
+            end
+        end
+    end
+    if exception.code then
+        return code == exception.code
+    end
+    return numbers.band(code, exception.flag) ~= 0
+end
+
+-- The message, or nil, whether it is refused, and its code, by the code of a frame and its parts, or by the request
+-- that it answers. `body` are the parts from the body on.
+function frames.message_of(link, direction, code, parts, body, asked, message)
     if code == nil then
         return message or asked and asked.message
     end
-    local flag = direction == "response" and link.exception and link.exception.flag or 0
-    local is_refusal = flag > 0 and numbers.band(code, flag) ~= 0
-    if is_refusal then
-        code = code - numbers.band(code, flag)
+    if is_marked(link, direction, code, parts) then
+        code = code - numbers.band(code, link.exception.flag)
+        if link.request.shared[code] then
+            -- An exception response carries no subcode; only the request tells which message it answers.
+            return asked and asked.message and asked.message.code == code and asked.message or nil, true, code
+        end
+        return link.request.by_code[code], true, code
     end
-    local named = link.by_code[code]
+    local named = message_with(link[direction], code, body)
     if direction == "response" and named and link.unanswered[named.name] then
         named = nil
     end
-    return named, is_refusal
+    return named, false, code
 end
 
 local function record_of(link, direction, message, is_refusal)
@@ -10754,12 +10816,12 @@ end
 -- The bytes of the first frame, or nil where nothing tells; the second result is true where more bytes will tell.
 function frames.length(link, direction, bytes, asked, message)
     local shape = link[direction]
-    local marks = #link.start + #link.stop
+    local marks = #shape.start + #shape.stop
     if link.hex or shape.is_delimited then
-        local _, stop = bytes:find(link.stop, #link.start + 1, true)
+        local _, stop = bytes:find(shape.stop, #shape.start + 1, true)
         return stop, stop == nil and #bytes < shape.longest
     end
-    local parts = bytes:sub(#link.start + 1)
+    local parts = bytes:sub(#shape.start + 1)
     local length = with_role(shape, "length")
     if length then
         local number = part_number(length, parts)
@@ -10773,19 +10835,25 @@ function frames.length(link, direction, bytes, asked, message)
         return nil, true
     end
     local code = with_role(shape, "code")
-    local named, is_refusal = frames.message_of(link, direction, code and part_number(code, parts), asked, message)
+    local number = code and part_number(code, parts)
+    local rest = parts:sub(shape.header + 1)
+    local subcode = shape.shared[number]
+    if subcode and not is_marked(link, direction, number, parts) and #rest < subcode.offset + subcode.size then
+        return nil, true
+    end
+    local named, is_refusal = frames.message_of(link, direction, number, parts, rest, asked, message)
     local record = record_of(link, direction, named, is_refusal)
     if not record then
         return nil
     end
-    local body, is_short = extent_of(record, parts:sub(shape.header + 1))
+    local body, is_short = extent_of(record, rest)
     return body and marks + shape.header + body + shape.trailer, is_short
 end
 
 -- Whether bytes are a frame: delimiters, length, checksums, code and the length of the body are right.
 function frames.fits(link, direction, bytes, asked, message)
-    local parts = unwrapped(link, bytes)
     local shape = link[direction]
+    local parts = unwrapped(link, direction, bytes)
     if not parts or #parts < shape.header + shape.trailer then
         return false
     end
@@ -10803,7 +10871,8 @@ function frames.fits(link, direction, bytes, asked, message)
             return false
         end
     end
-    local named, is_refusal = frames.message_of(link, direction, code, asked, message)
+    local body = parts:sub(shape.header + 1, #parts - shape.trailer)
+    local named, is_refusal = frames.message_of(link, direction, code, parts, body, asked, message)
     local record = record_of(link, direction, named, is_refusal)
     if not record then
         return false
@@ -10861,7 +10930,10 @@ local function show_part(context, part, at)
     end
     context.values[part.name] = number
     if part.role == "code" then
-        context.message, context.is_refusal = frames.message_of(link, context.direction, number, nil, nil)
+        local shape = link[context.direction]
+        local body = context.bytes:sub(shape.header + 1, math.max(shape.header, #context.bytes - shape.trailer))
+        context.message, context.is_refusal =
+            frames.message_of(link, context.direction, number, context.bytes, body, context.open)
         if context.is_refusal then
             context.values[part.name] = number - numbers.band(number, link.exception.flag)
         end
@@ -10931,13 +11003,13 @@ function frames.show(link, direction, tvb, tree, asked, message)
     local bytes = tvb:raw()
     local shape = link[direction]
     local context = setmetatable({
-        link = link, direction = direction, tree = tree, tvb = tvb, skip = #link.start, values = {}, places = {},
-        items = {}, asked = asked and asked.values, message = message or asked and asked.message,
+        link = link, direction = direction, tree = tree, tvb = tvb, skip = #shape.start, values = {}, places = {},
+        items = {}, open = asked, asked = asked and asked.values, message = message or asked and asked.message,
     }, Context)
-    if #link.start > 0 then
-        show_mark(context, context:range(-#link.start, #link.start), bytes:sub(1, #link.start), "Start", link.start)
+    if #shape.start > 0 then
+        show_mark(context, context:range(-#shape.start, #shape.start), bytes:sub(1, #shape.start), "Start", shape.start)
     end
-    local parts, reason = unwrapped(link, bytes)
+    local parts, reason = unwrapped(link, direction, bytes)
     if not parts then
         local item = tree:add(fields[device.common.undecoded], tvb())
         values.report(item, reason, "no frame of the link " .. link.name)
@@ -10978,9 +11050,9 @@ function frames.show(link, direction, tvb, tree, asked, message)
             show_part(context, part, stop + shape.trailer + part.offset)
         end
     end
-    if #link.stop > 0 then
-        local range = tvb(#bytes - #link.stop, #link.stop)
-        show_mark(context, range, bytes:sub(-#link.stop), "End", link.stop)
+    if #shape.stop > 0 then
+        local range = tvb(#bytes - #shape.stop, #shape.stop)
+        show_mark(context, range, bytes:sub(-#shape.stop), "End", shape.stop)
     end
     return context
 end
@@ -11044,8 +11116,11 @@ local function answers(link, request, response)
     if request.unit ~= response.unit then
         return false
     end
-    if response.is_coded and request.message ~= response.message then
-        return false
+    if response.is_coded then
+        local is_other = response.message and response.message ~= request.message
+        if is_other or request.code ~= response.code then
+            return false
+        end
     end
     for name, number in pairs(response.repeated) do
         if request.values[name] ~= number then
@@ -11059,7 +11134,7 @@ end
 local function head_of(link, direction, bytes, asked, message)
     local head = { values = {}, repeated = {} }
     local shape = link[direction]
-    local parts = bytes:sub(#link.start + 1)
+    local parts = bytes:sub(#shape.start + 1)
     if link.hex then
         parts = parts:gsub("%X.*$", "")
         parts = parts:sub(1, #parts - #parts % 2):gsub("..", function(pair) return string.char(tonumber(pair, 16)) end)
@@ -11073,7 +11148,9 @@ local function head_of(link, direction, bytes, asked, message)
                 head.unit = number
             elseif part.role == "code" then
                 head.is_coded = true
-                head.message = frames.message_of(link, direction, number)
+                local body = parts:sub(shape.header + 1)
+                local named, _, own = frames.message_of(link, direction, number, parts, body)
+                head.message, head.code = named, own
             elseif part.same_as then
                 head.repeated[part.same_as] = number
             end
@@ -11147,6 +11224,7 @@ local function remember(link, session, choice, pinfo)
             table.remove(session, 1)
         end
         note.unit, note.values, note.message = choice.head.unit, choice.head.values, choice.head.message
+        note.code = choice.head.code
         session[#session + 1] = note
     elseif choice.asked then
         note.asked = choice.asked
@@ -11243,11 +11321,18 @@ declare_fields()
 index_spaces()
 
 for _, link in pairs(device.links) do
-    link.by_code = {}
-    for _, name in ipairs(link.messages) do
-        local message = device.messages[name]
-        if message.code then
-            link.by_code[message.code] = message
+    for _, shape in ipairs({ link.request, link.response }) do
+        shape.by_code, shape.shared = {}, {}
+        for _, name in ipairs(shape.messages) do
+            local message = device.messages[name]
+            shape.by_code[message.code] = message
+        end
+        for _, subcode in ipairs(shape.subcodes) do
+            shape.shared[subcode.code] = subcode
+            subcode.by_number = {}
+            for _, row in ipairs(subcode.messages) do
+                subcode.by_number[row.number] = device.messages[row.name]
+            end
         end
     end
 end

@@ -26,7 +26,7 @@ from fieldspec.reference.records import decoded, encoded
 from layouts import SPECS, TEST_SPECS, newest
 
 REAL_DEVICES = ["ck10", "esc11", "hiwin-e", "tc100"]
-INVENTED_DEVICES = ["gadget", "gizmo", "glider-x", "sealer", "beacon", "servo2", "caller", "widget"]
+INVENTED_DEVICES = ["gadget", "gizmo", "glider-x", "sealer", "beacon", "servo2", "caller", "scanner", "widget"]
 DEVICES = [*((SPECS, device) for device in REAL_DEVICES), *((TEST_SPECS, device) for device in INVENTED_DEVICES)]
 TRIES = 60
 NUMBERS = {name.removeprefix("err_"): number for number, name in enumerate(status_names())}
@@ -167,7 +167,7 @@ def test_c_and_the_reference_agree_on_damaged_frames(driver: tuple[DeviceLayout,
             reason, offset = error.reason, error.offset
         of_values = reason in ("unknown_value", "wrong_const", "wrong_measure")
         # A frame whose delimiters or characters are wrong has no parts.
-        size = len(reference.links[example.link].parts(frame)) if of_values else 0
+        size = len(reference.links[example.link].parts(frame, example.direction)) if of_values else 0
         behind = {part.at(size) for part in shape.trailer} if of_values else set()
         inside = of_values and (offset is None or (offset >= shape.header_size and offset not in behind))
         if reason == "" or inside:

@@ -15,6 +15,7 @@ from compilers import require_tool
 from driver import settled
 
 from fieldspec.backends.c.backend import files
+from fieldspec.backends.c.delimiters import is_wrapped
 from fieldspec.backends.vectors.backend import idle_vectors
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.value import Kind
@@ -29,7 +30,7 @@ def checks(layout: DeviceLayout, read: dict[str, Any]) -> list[str]:
     naming = settled(layout)
     link = layout.links[read["link"]]
     response = bytes.fromhex(read["response"]["right"])
-    wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
+    wrapped = is_wrapped(link)
     buffer = "buffer, sizeof buffer, " if wrapped else ""
     frame = naming.type("link", link.name, "response", "frame")
     call = naming.function("link", link.name, "response", "open")

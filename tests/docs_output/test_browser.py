@@ -9,6 +9,8 @@ import pytest
 from selenium import webdriver
 from selenium.webdriver.common.by import By
 
+from fieldspec.backends.docs.site import SCRIPTS
+
 
 @pytest.mark.parametrize(
     "path", ["tc100/2.0.html", "esc11/1.17.html", "hostile/1.html", "widget/index.html", "index.html"]
@@ -22,7 +24,7 @@ def test_a_page_opens_without_errors_and_asks_for_its_scripts_alone(
     events = [json.loads(entry["message"])["message"] for entry in browser.get_log("performance")]
     asked = [event["params"]["request"]["url"] for event in events if event["method"] == "Network.requestWillBeSent"]
     of_the_page = {url for url in asked if not url.startswith(("data:", "chrome:"))}
-    assert of_the_page == {(folder / name).as_uri() for name in (path, "search.js", "tables.js")}
+    assert of_the_page == {(folder / name).as_uri() for name in (path, *SCRIPTS)}
 
 
 @pytest.mark.parametrize(("scheme", "dark"), [("light", False), ("dark", True)])
@@ -39,7 +41,7 @@ def test_a_page_follows_the_colour_scheme(browser: webdriver.Chrome, folder: Pat
 def test_hostile_texts_run_nothing(browser: webdriver.Chrome, folder: Path) -> None:
     browser.get((folder / "hostile/1.html").as_uri())
     scripts = browser.execute_script("return [...document.scripts].map(script => script.getAttribute('src'))")
-    assert scripts == ["../search.js", "../tables.js"]
+    assert scripts == [f"../{name}" for name in SCRIPTS]
     assert "<img src=x onerror=alert(1)>" in browser.find_element(By.TAG_NAME, "main").text
 
 

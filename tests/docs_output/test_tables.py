@@ -18,7 +18,8 @@ from external_tools import NODE_TOOLS, without
 AXE = NODE_TOOLS.parent / "axe-core" / "axe.min.js"
 ROWS = """
     return [...document.getElementById(arguments[0]).querySelector("tbody").rows]
-        .filter(row => !row.hidden).map(row => row.id.split("/").slice(1).join("/"))"""
+        .filter(row => !row.hidden && !row.classList.contains("opened"))
+        .map(row => row.id.split("/").slice(1).join("/"))"""
 
 
 def opened(browser: webdriver.Chrome, page: Path, section: str) -> WebElement:

@@ -41,10 +41,10 @@ def image(layout: DeviceLayout, record: RecordLayout, memory: Memory, packed: bo
 def body(layout: DeviceLayout, example: Example) -> bytes:
     """The bytes of an example between its head and its check."""
     link = layout.links[example.link]
-    data = example.frame[len(link.link.start) : len(example.frame) - len(link.link.end)]
+    shape = link.frame(example.direction)
+    data = example.frame[len(shape.start) : len(example.frame) - len(shape.end)]
     if link.link.encoding == "hex_ascii":
         data = bytes.fromhex(data.decode("ascii"))
-    shape = link.frame(example.direction)
     data = original_parts(shape, data)
     return data[shape.header_size : len(data) - shape.trailer_size]
 

@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
+from standard_text import anonymous
+
 TOKEN = re.compile(
     r"""(?P<space>\s+|//[^\n]*|\(\*.*?\*\))
     |(?P<pragma>\{[^}]*\})
@@ -376,4 +378,4 @@ class Parser:
 
 def parsed(text: str) -> Unit:
     """What a text declares."""
-    return Parser(text).unit()
+    return Parser(anonymous(text)).unit()

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 
 ARRAY = re.compile(r"ARRAY\s*\[\s*(-?\d+)\s*\.\.\s*(-?\d+)\s*\]\s*OF\s+(?!ARRAY\b)(\w+)", re.IGNORECASE)
-DECLARED = re.compile(r"\nTYPE\n    (\w+) : (ARRAY [^;:]+?)(?: := [^;]+)?;\nEND_TYPE\n")
+DECLARED = re.compile(r"\nTYPE\s+(\w+) : (ARRAY ?\[[^;:]+?)(?: := [^;]+)?;\s+END_TYPE\n")
 OBJECT = re.compile(r"^(?=TYPE\b|FUNCTION\b|FUNCTION_BLOCK\b|PROGRAM\b)", re.MULTILINE)
 
 
@@ -28,7 +28,8 @@ def anonymous(text: str) -> str:
 
 
 def named(text: str) -> str:
-    """A text without comments whose arrays have types without names, with a type by a name before its first use."""
+    """A text without comments whose arrays all have types by names, each before its first use."""
+    text = anonymous(text)
     result: dict[str, str] = {}
     out: list[str] = []
     for value in OBJECT.split(text):

@@ -26,6 +26,10 @@ FUNCTION_BLOCK ComWrite VAR_INPUT xExecute : BOOL; hCom : UDINT; szSize : UDINT;
 VAR_OUTPUT xDone : BOOL; xError : BOOL; END_VAR xDone := xExecute; END_FUNCTION_BLOCK
 FUNCTION_BLOCK ComRead VAR_INPUT xExecute : BOOL; hCom : UDINT; udiTimeOut : UDINT; END_VAR
 VAR_OUTPUT xDone : BOOL; xError : BOOL; szSize : UDINT; END_VAR xDone := xExecute; END_FUNCTION_BLOCK
+FUNCTION_BLOCK ModbusRequest VAR_INPUT hComPort : UDINT; xExecute : BOOL; usiSlaveAddr : USINT; uiFunctionCode : UINT;
+uiReadOffset : UINT; uiReadLen : UINT; uiWriteOffset : UINT; uiWriteLen : UINT; tTimeout : TIME; END_VAR
+VAR_OUTPUT xBusy : BOOL; xDone : BOOL; xError : BOOL; byModbusErrorCode : BYTE; END_VAR
+xDone := xExecute; END_FUNCTION_BLOCK
 FUNCTION_BLOCK ClearComBuffer VAR_OUTPUT Busy : BOOL; END_VAR Busy := FALSE; END_FUNCTION_BLOCK
 FUNCTION_BLOCK SendByteBlock VAR_INPUT SendByte : BYTE; END_VAR VAR_OUTPUT Busy : BOOL; END_VAR
 Busy := FALSE; END_FUNCTION_BLOCK
@@ -44,7 +48,7 @@ VAR_OUTPUT NDR : BOOL; ERROR : BOOL; STATUS : WORD; LENGTH : UINT; END_VAR NDR :
 """
 """What the vendors' documentation says of their blocks, without pointers and buffers, which the standard has not."""
 POINTED = re.compile(
-    r",?\s*\b(?:pBuffer|szBuffer|pMemoryAddr|Buffer|TxBuffer|RxBuffer|DATA_PTR|BUFFER) := "
+    r",?\s*\b(?:pBuffer|szBuffer|pMemoryAddr|pWriteBuf|pReadBuf|Buffer|TxBuffer|RxBuffer|DATA_PTR|BUFFER) := "
     r"(?:(?:ADR|SIZEOF)\([^)]*\)|[#\w.]+)"
 )
 
@@ -79,6 +83,7 @@ def test_there_are_walks_for_three_people() -> None:
 def standard(block: str, device: str) -> str:
     """A block for CODESYS or TwinCAT as the standard takes it, with arrays by the names of the generated types."""
     block = without_comments(block).replace("COM.Write", "ComWrite").replace("COM.Read", "ComRead")
+    block = block.replace("IoDrvModbus.", "").replace("RTS_IEC_HANDLE", "UDINT")
     block = block.replace("CAA.HANDLE", "UDINT").replace("fbMaster.WriteRegs(", "fbMaster(")
     block = block.replace("fbMaster.ReadRegs(", "fbMaster(")
     block = POINTED.sub("", re.sub(r": (SendByte|ReceiveByte);", r": \1Block;", block))
@@ -108,7 +113,9 @@ def called_in(content: str) -> list[str]:
     return re.findall(r"\bFB?_\w+", content)
 
 
-@pytest.mark.parametrize("name", ["FB_Tc100SerialPort", "FB_Tc100ModbusMaster", "FB_Esc11SerialPort"])
+@pytest.mark.parametrize(
+    "name", ["FB_Tc100SerialPort", "FB_Tc100ModbusRequest", "FB_Tc100ModbusMaster", "FB_Esc11SerialPort"]
+)
 def test_an_adapter_of_codesys_or_twincat_compiles(name: str, tmp_path: Path) -> None:
     device = "Tc100" if "Tc100" in name else "Esc11"
     block = standard(STRUCTURED[name], device)

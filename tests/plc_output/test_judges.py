@@ -22,6 +22,7 @@ from loaded import DEVICES, NAMES, REAL, program_of
 from shapes import KEYWORDS, Shapes
 from st_machine import Machine
 from st_syntax import StError, parsed, tokens
+from standard_text import DECLARED
 
 from fieldspec.backends.plcopen.backend import files as plcopen_files
 from fieldspec.backends.st.backend import files as st_files
@@ -175,7 +176,8 @@ def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) ->
     names = [item.lower() for item in document.xpath("//p:pou/@name", namespaces=spaces)]
     assert sorted(names) == sorted([*unit.functions, *unit.blocks])
     types = [item.lower() for item in document.xpath("//p:dataType/@name", namespaces=spaces)]
-    assert sorted(types) == sorted([*unit.enums, *unit.structs])
+    arrays = [array.lower() for array, _ in DECLARED.findall(unpacked_text)]
+    assert sorted(types) == sorted([*unit.enums, *unit.structs, *arrays])
     for pou in document.xpath("//p:pou", namespaces=spaces):
         (body,) = pou.xpath("p:body/p:ST/x:xhtml", namespaces=spaces)
         assert body.text in unpacked_text

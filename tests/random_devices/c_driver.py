@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from fieldspec.backends.c.backend import header
+from fieldspec.backends.c.delimiters import is_wrapped
 from fieldspec.backends.c.fields import case_member, count_member, members
 from fieldspec.backends.c.frames import header_parts
 from fieldspec.backends.c.naming import Naming, frame_member, member
 from fieldspec.backends.c.runtime_files import status_names
+from fieldspec.backends.c.subcodes import shared_codes
 from fieldspec.backends.c.values import accessed_type
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
@@ -218,7 +220,7 @@ class Driver:
         frame = link.frame(direction)
         kind = self.naming.type("link", link.name, direction, "frame")
         call = self.naming.function("link", link.name, direction, "open")
-        wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
+        wrapped = is_wrapped(link)
         parts = header_parts(frame)
         printing = " ".join(f'printf("%lld;", (long long)opened.{frame_member(part.name)});' for part in parts)
         heads = "".join(f"opened.{frame_member(part.name)}, " for part in parts)
@@ -233,6 +235,9 @@ class Driver:
                 record = layout_message.data(direction)
                 encode = self.naming.function("link", link.name, "encode", name, direction)
                 test = f"opened.code == {layout_message.message.code}u" if coded else "1"
+                subcode = shared_codes(link, direction).get(layout_message.message.code or 0)
+                if subcode is not None and layout_message in subcode.messages.values():
+                    test += f" && opened.subcode == {subcode.number_of(layout_message)}u"
                 if error is not None:
                     test += " && !opened.error"
                 bodies.append(f"if ({test}) {{ {self._body(record, encode, heads)} }}")

@@ -16,9 +16,10 @@ def link(draft: Draft, coded: bool) -> Spec:
     line = draft.fact(encoding=draft.pick(("binary", "binary", "hex_ascii")), byte_order=draft.byte_order)
     if draft.word_order:
         line["word_order"] = draft.word_order
-    for mark in ("start", "end"):
-        if draft.chance(35):
-            line[mark] = draft.pick(("3A", "02", "0D 0A", "AA 55 AA"))
+    if draft.chance(15):
+        line["delimiters"] = {"request": _delimiters(draft), "response": _delimiters(draft)}
+    else:
+        line |= _delimiters(draft)
     line["request"] = parts(draft, line, coded, {})
     code = next((part for part in line["request"] if part.get("role") == "code"), None)
     same = draft.chance(50)
@@ -30,12 +31,31 @@ def link(draft: Draft, coded: bool) -> Spec:
         record = next((record for record in draft.records if not record.apart), None)
         if record is None:
             return line
-        line["exception_response"] = {"flag": 1 << (draft.code_bits - 1), "record": record.name}
+        line["exception_response"] = {**_mark(draft, line["response"]), "record": record.name}
     if draft.chance(5):
         line["silence"] = {"milliseconds": 5}
     if draft.chance(5):
         line["serial"] = {"baud": [9600], "parity": ["even"]}
     return line
+
+
+def _mark(draft: Draft, response: list[Spec]) -> Spec:
+    """What marks an exception response: a bit of the code, a code that no message has, or a part before the body."""
+    highest = 1 << (draft.code_bits - 1)
+    before = response[: next(at for at, part in enumerate(response) if part.get("role") == "body")]
+    bound = {"const", "reserved", "range", "unit_range"}
+    numbers = [part for part in before if "role" not in part and not bound & set(part)]
+    if numbers and draft.chance(70):
+        part = draft.pick(numbers)
+        low, high = bounds(part["type"])
+        normal = draft.intervals(low + 1, high, 2)
+        return {"part": part["name"], "normal": range_text(normal)}
+    return {"code": highest + draft.number(0, 9)} if draft.chance(30) else {"flag": highest}
+
+
+def _delimiters(draft: Draft) -> Spec:
+    """The bytes that open and close frames, both or one of them or none."""
+    return {mark: draft.pick(("3A", "02", "0D 0A", "AA 55 AA")) for mark in ("start", "end") if draft.chance(35)}
 
 
 def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:

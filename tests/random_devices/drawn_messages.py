@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from random_devices.draft import Draft, Spec
+from random_devices.draft import Draft, Spec, bounds
 from random_devices.drawn_records import body, telegram
 
 
@@ -17,6 +17,8 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
             drawn[-1]["links"] = draft.some(coded_links)
         if draft.chance(10):
             _repeat_field(draft, drawn[-1])
+    if drawn and draft.chance(25):
+        _share_codes(draft, drawn)
     if coded_links and (draft.spec.get("registers") or draft.spec.get("tables")):
         drawn += _accesses(draft, codes, coded_links if other_links else [])
     if coded_links and draft.spec.get("parameters") and draft.chance(60):
@@ -34,6 +36,21 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
             if "code" in message and message.get("accesses", {}).get("operation") != "read":
                 _leave_unanswered(draft, message, message.get("links", coded_links))
     return drawn
+
+
+def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
+    """Several messages with the code of the first one; a constant at the beginning of their data tells them apart."""
+    kind = draft.pick(("u8", "u16", "i8", "i16"))
+    low, high = bounds(kind)
+    numbers: set[int] = set()
+    for message in drawn[: draft.number(2, 4)]:
+        message["code"] = drawn[0]["code"]
+        number = draft.edge(low, high)
+        while number in numbers:
+            number = number + 1 if number < high else low
+        numbers.add(number)
+        for direction in ("request", "response"):
+            message[direction] = [draft.fact(type=kind, const=number), *message[direction]]
 
 
 def _leave_unanswered(draft: Draft, message: Spec, links: list[str]) -> None:

@@ -194,14 +194,15 @@ def sealed(layout: DeviceLayout, link: str, frame: FrameLayout, data: bytes, dic
         for checksum in frame.checksums:
             at = checksum.at(len(parts))
             parts[at : at + checksum.size] = checksum.checksum(bytes(parts))
-    return marked(layout, link, bytes(parts))
+    return delimited(layout, link, frame.direction, bytes(parts))
 
 
-def marked(layout: DeviceLayout, link: str, parts: bytes) -> bytes:
-    """The bytes of all parts as a frame, in the encoding and between the delimiters of the link."""
-    marks = layout.links[link].link
-    inner = parts.hex().upper().encode() if marks.encoding == "hex_ascii" else parts
-    return marks.start + inner + marks.end
+def delimited(layout: DeviceLayout, link: str, direction: str, parts: bytes) -> bytes:
+    """The bytes of all parts as a frame, in the encoding of the link and between the delimiters of the direction."""
+    model = layout.links[link].link
+    inner = parts.hex().upper().encode() if model.encoding == "hex_ascii" else parts
+    start, end = model.delimiters(direction)
+    return start + inner + end
 
 
 def _put_part(parts: bytearray, part: PartLayout, number: int) -> None:

@@ -15,8 +15,8 @@ from fieldspec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference import CodecError, DeviceCodec, codec
 from random_devices.inputs import (
+    delimited,
     header_values,
-    marked,
     number_or_text,
     record_bytes,
     record_values,
@@ -205,10 +205,10 @@ def _frame_queries(
         frame = reference.links[link].encode(direction, message, {**head, **values}, error=bool(error), code=code)
         yield Query("frame", (link, direction, asked), frame)
         yield Query("frame", (link, direction, asked), spoiled(frame, dice))
-        parts = bytearray(reference.links[link].parts(frame))
+        parts = bytearray(reference.links[link].parts(frame, direction))
         changed = with_another_constant(shape, record, bytes(parts), dice)
         if changed is not None:
-            yield Query("frame", (link, direction, asked), marked(layout, link, changed))
+            yield Query("frame", (link, direction, asked), delimited(layout, link, direction, changed))
         parts = bytearray(spoiled(bytes(parts), dice))
     except CodecError:
         parts = bytearray(dice.randbytes(shape.header_size + shape.trailer_size))

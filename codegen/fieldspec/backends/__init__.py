@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from importlib import import_module
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.spreadsheet import Workbook
+
+if TYPE_CHECKING:
+    from fieldspec.backends.usages import VersionUsages
 
 Files = dict[str, str | Workbook]
 """Texts, and workbooks that the pipeline packs."""
@@ -56,6 +59,16 @@ class Output:
         """
         overview: Callable[..., dict[str, str]] | None = getattr(self._module(), "overview", None)
         return overview(paths, content) if overview is not None else {}
+
+    def usages(self, versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
+        """How programs use the output, by the versions of a device that it has; nothing of most outputs.
+
+        A back end whose output programs use has a function `usages` beside `files`.
+        """
+        usages: Callable[[Sequence[DeviceLayout]], dict[str, VersionUsages]] | None = getattr(
+            self._module(), "usages", None
+        )
+        return usages(versions) if usages is not None else {}
 
     def refusals(self, versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
         """What forbids the files for these versions of a device; asked before they are made.

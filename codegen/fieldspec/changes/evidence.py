@@ -129,8 +129,8 @@ EVIDENCE: dict[type, Evidence] = {
     Link: Evidence(
         lambda link, _: (
             link.encoding,
-            link.start,
-            link.end,
+            link.delimiters("request"),
+            link.delimiters("response"),
             *((part.name, part.role, part.algorithm) for part in (*link.request, *link.response)),
         ),
         lambda *_: "the same delimiters, and the same parts of its frames",

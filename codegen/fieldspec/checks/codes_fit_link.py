@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.link import Link
+from fieldspec.model.link import ExceptionResponse, Link
 from fieldspec.model.record import Message
 from fieldspec.model.sizes import messages_on
 from fieldspec.model.value import Kind
@@ -34,8 +34,10 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
         if part is None or part.value is None:
             continue
         high = part.value.type.high
-        if link.exception_response is not None and not 0 < link.exception_response.flag <= high:
-            text = f"{part.name} is {part.value.type.name} and cannot hold the bit {link.exception_response.flag:#x}"
+        if link.exception_response is not None and not 0 < _mark(link.exception_response) <= high:
+            error = link.exception_response
+            mark = f"the code {error.code:#x}" if error.code is not None else f"the bit {error.flag:#x}"
+            text = f"{part.name} is {part.value.type.name} and cannot hold {mark}"
             help = "correct the bit or the part's type"
             yield finding(
                 _CODE, link.place, "exception_response", text, help, label(part.place, "type", part.value.type.name)
@@ -49,9 +51,21 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
                 yield from _check_flag(link, message)
 
 
+def _mark(error: ExceptionResponse) -> int:
+    """The number that the code must be able to hold; 1 where the mark is not in the code."""
+    return max(error.code, 1) if error.code is not None else error.flag or 1
+
+
 def _check_flag(link: Link, message: Message) -> Iterator[Diagnostic]:
-    if link.exception_response is not None and message.code is not None and message.code & link.exception_response.flag:
-        text = f"the code {message.code:#x} has the bit {link.exception_response.flag:#x}"
+    error = link.exception_response
+    if error is None or message.code is None:
+        return
+    if message.code == error.code:
+        text = f"{message.name} has the code {message.code:#x} of exception responses"
+        there = label(link.place, "exception_response", f"exception responses on {link.name}")
+        yield finding(_CODE, message.place, "code", text, "correct one of the codes", there)
+    if message.code & error.flag:
+        text = f"the code {message.code:#x} has the bit {error.flag:#x}"
         text += ", which marks an exception response"
         there = label(link.place, "exception_response", f"exception responses on {link.name}")
         yield finding(_CODE, message.place, "code", text, "correct the code or the bit", there)

@@ -39,11 +39,36 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
             yield from _of_parts(device, link, direction, link.parts(direction))
         yield from _messages_distinct(device, link)
         yield from _escapable(link)
+        yield from _marked(link)
         if link.exception_response is not None and not any(part.role == "code" for part in link.response):
             text = f"the link {link.name} marks exception responses in the code, but its responses have no code"
             yield finding(
                 _CODE, link.place, "exception_response", text, "add the role `code` to the part with the code"
             )
+
+
+def _marked(link: Link) -> Iterator[Diagnostic]:
+    """The part that marks exception responses is one that responses have before their body, and that may differ."""
+    error = link.exception_response
+    if error is None or error.normal is None:
+        return
+    body = next((at for at, part in enumerate(link.response) if part.role == "body"), len(link.response))
+    names = [part.name for part in link.response[:body]]
+    part = next((part for part in link.response[:body] if part.name == error.part), None)
+    if part is None:
+        text = f"responses on {link.name} have no part {error.part} before their body"
+        yield finding(_CODE, link.place, "exception_response", text, near(error.part, names))
+        return
+    value = part.value
+    if part.role != "plain" or value is None or value.const is not None or part.reserved:
+        text = f"{part.name} cannot mark an exception response, because it is no number that varies"
+        help = "name a part without a `role`, and without `const` or `reserved`"
+        yield finding(_CODE, link.place, "exception_response", text, help, label(part.place, "name", part.name))
+        return
+    if any(not error.permitted(value, is_exception).intervals for is_exception in (False, True)):
+        text = f"{part.name} is always or never one of {error.normal.text()}"
+        help = "correct `normal`, or the range of the part"
+        yield finding(_CODE, link.place, "exception_response", text, help, label(part.place, "name", part.name))
 
 
 def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
@@ -172,10 +197,11 @@ def _escapable(link: Link) -> Iterator[Diagnostic]:
             text = f"the body of the {direction} of {link.name} is not escaped"
             yield finding(_CODE, link.place, "escape", text, "name the first and the last part around the body")
     whole = not escape.first and not escape.last
-    bounded = {"replace": bool(link.end) and (link.end[0] in {byte for byte, _, _ in escape.pairs})}
-    bounded |= {"cobs": link.end[:1] == b"\0", "insert": True}
-    if whole and link.end and not bounded[escape.method]:
-        mark = link.end.hex(" ").upper()
-        text = f"the end mark {mark} of {link.name} may occur within a frame, because the escape does not change it"
-        help = "escape the first byte of the mark, or name the escaped parts by `from` and `to`"
-        yield finding(_CODE, link.place, "escape", text, help)
+    for end in dict.fromkeys((link.end, link.response_end)):
+        bounded = {"replace": bool(end) and (end[0] in {byte for byte, _, _ in escape.pairs})}
+        bounded |= {"cobs": end[:1] == b"\0", "insert": True}
+        if whole and end and not bounded[escape.method]:
+            mark = end.hex(" ").upper()
+            text = f"the end mark {mark} of {link.name} may occur within a frame, because the escape does not change it"
+            help = "escape the first byte of the mark, or name the escaped parts by `from` and `to`"
+            yield finding(_CODE, link.place, "escape", text, help)

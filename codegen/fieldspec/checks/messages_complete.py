@@ -1,11 +1,13 @@
-"""On links with codes, every message has its own code. On links without codes, a message has its own number
-or none. A message is answered only on links on which it is sent.
+"""On links with codes, every message has its own code, or differs from the others with its code in a constant
+in its data. On links without codes, a message has its own number or none. A message is answered only on links
+on which it is sent.
 
 Why: a decoder identifies a message by its code, and people identify it by its number.
 
 Example: two commands with the code 0x44 on one link, or two telegrams with the number 111.
 
-Cure: Add the code, or correct one of them and write an erratum if the manual prints it that way. A message
+Cure: Add the code, or correct one of them and write an erratum if the manual prints it that way. Where commands
+share a code and have subcodes, give each the field with its subcode as a `const`, at the same place. A message
 that is sent only on links without codes names them under `links`. What reads is answered wherever it is sent.
 """
 
@@ -18,7 +20,8 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link
 from fieldspec.model.record import Message
-from fieldspec.model.sizes import coded, messages_on, sent_on
+from fieldspec.model.sizes import RecordSizes, coded, messages_on, sent_on
+from fieldspec.model.subcodes import Place, constant_at, distinct_place
 
 _CODE = "messages_complete"
 
@@ -32,18 +35,40 @@ def messages_complete(device: Device) -> Iterator[Diagnostic]:
 
 
 def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
-    first: dict[int, Message] = {}
+    by_code: dict[int, list[Message]] = {}
     for message in messages_on(device, link):
         if message.code is None:
             text = f"{message.name} has no code"
             help = "state its `code`, or name the links without codes on which it is sent"
             yield finding(_CODE, message.place, "code", text, help)
             continue
-        other = first.setdefault(message.code, message)
-        if other is not message:
-            text = f"{message.name} and {other.name} have the code {message.code:#04x}"
-            there = label(other.place, "code", other.name)
-            yield finding(_CODE, message.place, "code", text, "correct one of the codes", there)
+        by_code.setdefault(message.code, []).append(message)
+    sizes = RecordSizes(device)
+    for messages in by_code.values():
+        yield from _shared(device, link, sizes, messages)
+
+
+def _shared(device: Device, link: Link, sizes: RecordSizes, messages: list[Message]) -> Iterator[Diagnostic]:
+    """Several messages have a code: a constant in their data tells them apart in each direction."""
+    for direction in ("request", "response"):
+        sent = [message for message in messages if direction == "request" or message.is_answered_on(link.name)]
+        constants = [_constants(device, sizes, message, direction) for message in sent]
+        if len(sent) < 2 or distinct_place(constants) is not None:
+            continue
+        message, other = sent[-1], sent[0]
+        text = f"{message.name} and {other.name} have the code {message.code:#04x}"
+        help = "correct one of the codes, or give each message its subcode: a field with a `const` at the same place"
+        if any(map(distinct_place, ([numbers] for numbers in constants))) or direction == "response":
+            text += f", and no constant at the same place of each {direction} tells them apart"
+            help = "give each of them a field of one or two bytes with its own `const` at the same place"
+        yield finding(_CODE, message.place, "code", text, help, label(other.place, "code", other.name))
+        return
+
+
+def _constants(device: Device, sizes: RecordSizes, message: Message, direction: str) -> dict[Place, int]:
+    record = message.request if direction == "request" else message.response
+    constants = (constant_at(field, offset, device.byte_order) for field, offset in sizes.offsets(record))
+    return dict(place_and_number for place_and_number in constants if place_and_number is not None)
 
 
 def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:

@@ -118,7 +118,7 @@ def _other(device: Device, fact: Fact) -> dict[str, object]:
 def _refusal_code(device: Device, message: Message) -> int | None:
     """The code of a refusal, where all links on which a message is sent mark it in one way."""
     links = [link for link in device.links.values() if sent_on(link, message)]
-    marks = {link.exception_response.flag if link.exception_response is not None else None for link in links}
+    marks = {(link.exception_response.flag or None) if link.exception_response is not None else None for link in links}
     mark = marks.pop() if len(marks) == 1 else None
     return None if mark is None or message.code is None else message.code | mark
 

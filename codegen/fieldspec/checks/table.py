@@ -70,6 +70,7 @@ from fieldspec.checks.range_ends_match import range_ends_match
 from fieldspec.checks.range_within_enum import range_within_enum
 from fieldspec.checks.range_within_type import range_within_type
 from fieldspec.checks.record_size_matches import record_size_matches
+from fieldspec.checks.records_filled import records_filled
 from fieldspec.checks.records_finite import records_finite
 from fieldspec.checks.references_resolve import references_resolve
 from fieldspec.checks.repeat_last import repeat_last
@@ -166,6 +167,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("range_within_enum", range_within_enum),
     ("range_within_type", range_within_type),
     ("record_size_matches", record_size_matches),
+    ("records_filled", records_filled),
     ("records_finite", records_finite),
     ("references_resolve", references_resolve),
     ("repeat_last", repeat_last),

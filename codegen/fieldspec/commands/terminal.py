@@ -10,7 +10,7 @@ from itertools import zip_longest
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.render.blocks import Block, Line, aligned, visible_text
+from fieldspec.render.blocks import Block, Line, Table, aligned, split, visible_text
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -55,18 +55,40 @@ def print_blocks(blocks: Iterable[Block]) -> None:
 
 
 def _print_pretty(block: Block) -> None:
-    from rich.table import Table
+    from rich.table import Table as RichTable
     from rich.text import Text
 
     if isinstance(block, Line):
         _console().print(Text(visible_text(block.text), block.style), soft_wrap=block.drawn)
         return
-    table = Table(box=None, header_style="bold", pad_edge=False)
+    stay, below = split(block, _console().width)
+    if below:
+        _print_split(block, stay, below)
+        return
+    table = RichTable(box=None, header_style="bold", pad_edge=False)
     for heading in block.headings:
         table.add_column(heading)
     for row, style in zip_longest(block.rows, block.styles, fillvalue=""):
         table.add_row(*(Text(visible_text(cell)) for cell in row), style=style)
     _console().print(table)
+
+
+def _print_split(block: Table, stay: Sequence[int], below: Sequence[int]) -> None:
+    """Prints a table that is wider than the terminal: what does not fit stands below each row, by its column."""
+    from rich.padding import Padding
+    from rich.text import Text
+
+    text = aligned([block.headings[at] for at in stay], [[row[at] for at in stay] for row in block.rows])
+    head, *lines = text.splitlines()
+    console = _console()
+    console.print(Text(head, "bold"))
+    for row, line, style in zip_longest(block.rows, lines, block.styles, fillvalue=""):
+        if line:
+            console.print(Text(line, style))
+        for at in below:
+            if row[at]:
+                name = f"{block.headings[at]}: " if line and block.headings[at] else ""
+                console.print(Padding(Text.assemble((name, "dim"), (visible_text(row[at]), style)), (0, 0, 0, 4)))
 
 
 @cache

@@ -129,7 +129,7 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
 
 def _of_length(link: LinkLayout, direction: str, frame: bytes) -> list[str]:
     """The messages whose body can be as long as that of the frame."""
-    length = len(unwrapped(link.link, frame).data)
+    length = len(unwrapped(link.link, direction, frame).data)
     escape = link.frame(direction).escape
     if escape is not None:
         bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
@@ -154,7 +154,7 @@ class _Frame:
         self.layout, self.link, self.direction, self.frame = layout, layout.links[link].link, direction, frame
         self.shape = layout.links[link].frame(direction)
         self.asked = asked
-        self.wrapped = unwrapped(self.link, frame)
+        self.wrapped = unwrapped(self.link, direction, frame)
         self.spot = Spot(frame, len(self.wrapped.start), 2 if self.link.encoding == "hex_ascii" else 1)
         self.unreadable: int | None = None
         self.sent_data, self.surplus = self._without_surplus(self.wrapped.data)
@@ -304,17 +304,22 @@ class _Frame:
         """The message that a code names. An exception response marks the code."""
         code, refusal = read.number, self.link.exception_response
         assert isinstance(code, int)
-        if refusal is not None and self.direction == "response" and code & refusal.flag:
+        head = self.shape.numbers(self.data)
+        if refusal is not None and self.direction == "response" and refusal.is_marked(code, head):
             self.error = True
             code &= ~refusal.flag
             self.values[part.name] = code
         carried = "request" if self.error else self.direction
-        self.message = self.layout.links[self.link.name].message_with_code(code, carried)
+        link = self.layout.links[self.link.name]
+        body = None if self.error else self.data[self.shape.header_size : len(self.data) - self.shape.trailer_size]
+        self.message = link.message_with_code(code, carried, body)
+        if self.error and self.message is None and link.messages_with_code(code, carried):
+            # An exception response carries no subcode; only the request tells which message it answers.
+            self.message = next((m for m in link.messages_with_code(code, carried) if m.name == self.named), None)
         if self.message is None:
             if self.error:
                 return replace(read, meanings=(Meaning("", "", f"the code {code:#04x} is refused", ""),))
-            codes = (message.message.code for message in self.sent.values())
-            known = ", ".join(f"{code:02X}" for code in codes if code is not None)
+            known = ", ".join(link.code_text(message, self.direction) for message in self.sent.values())
             return read.judged(False, f"one of {known}", "unknown_code")
         message = self.message.message
         text = f"{message.title or message.label or message.name}, refused" if self.error else message.title
@@ -323,7 +328,7 @@ class _Frame:
         expected = self.sent.get(self.named)
         if expected is None or expected is self.message or self.error:
             return read
-        return read.judged(False, f"{expected.message.code:02X}", "unknown_code")
+        return read.judged(False, link.code_text(expected, self.direction), "unknown_code")
 
     def _station(self, read: DecodedValue) -> DecodedValue:
         stations = self.link.unit_addresses

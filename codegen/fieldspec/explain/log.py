@@ -69,10 +69,11 @@ def in_characters(text: str, links: Iterable[Link]) -> tuple[bytes, tuple[str, .
     """
     text = unquoted(text).lstrip()
     for link in links:
-        mark = link.start.decode("latin-1")
-        if link.encoding == "hex_ascii" and mark.isprintable() and mark and text.startswith(mark):
-            body, end = _ended(text)
-            return _split_end("".join(body.split()).encode("latin-1", "replace"), end.encode("latin-1"), link)
+        for start, end in dict.fromkeys(map(link.delimiters, ("request", "response"))):
+            mark = start.decode("latin-1")
+            if link.encoding == "hex_ascii" and mark.isprintable() and mark and text.startswith(mark):
+                body, ending = _ended(text)
+                return _split_end("".join(body.split()).encode("latin-1", "replace"), ending.encode("latin-1"), end)
     return None
 
 
@@ -89,15 +90,15 @@ def _ended(text: str) -> tuple[str, str]:
     return text, end
 
 
-def _split_end(body: bytes, end: bytes, link: Link) -> tuple[bytes, tuple[str, ...]]:
+def _split_end(body: bytes, end: bytes, mark: bytes) -> tuple[bytes, tuple[str, ...]]:
     """A frame with its whole end delimiter, and a remark if the text has only a part of the delimiter."""
-    if end.endswith(link.end):
-        return body + link.end, ()
-    if not link.end.startswith(end):
+    if end.endswith(mark):
+        return body + mark, ()
+    if not mark.startswith(end):
         return body + end, ()
-    lacking = link.end[len(end) :]
+    lacking = mark[len(end) :]
     named = " ".join(_CONTROLS.get(byte, f"{byte:02X}") for byte in lacking)
-    return body + link.end, (f"{named} is missing at the end of the text and is assumed to have been sent",)
+    return body + mark, (f"{named} is missing at the end of the text and is assumed to have been sent",)
 
 
 # Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment behind them.

@@ -196,12 +196,13 @@ HEX = b"0123456789ABCDEFabcdef"
 class Unwrapped:
     """A frame without delimiters and encoding.
 
-    `start` and `end` are the bytes in the places of the delimiters, `data` are the bytes of the parts, and `surplus`
-    is what is left between them and the end. Its `reason` is `wrong_length`, or `not_hex`, in which case the rest of
-    the frame cannot be read.
+    `marks` are the delimiters, `start` and `end` the bytes in their places. `data` are the bytes of the parts, and
+    `surplus` is what is left between them and the end. Its `reason` is `wrong_length`, or `not_hex`, in which case the
+    rest of the frame cannot be read.
     """
 
     link: Link
+    marks: tuple[bytes, bytes]
     frame: bytes
     start: bytes
     data: bytes
@@ -215,17 +216,19 @@ class Unwrapped:
         return self.reason != "not_hex"
 
 
-def unwrapped(link: Link, frame: bytes) -> Unwrapped:
+def unwrapped(link: Link, direction: str, frame: bytes) -> Unwrapped:
     """A frame of a link without its delimiters and its encoding."""
-    start = _mark(frame, link.start, link.encoding)
-    end = _mark(frame[len(start) :][::-1], link.end[::-1], link.encoding)[::-1]
+    marks = link.delimiters(direction)
+    start = _mark(frame, marks[0], link.encoding)
+    end = _mark(frame[len(start) :][::-1], marks[1][::-1], link.encoding)[::-1]
     inner = frame[len(start) : len(frame) - len(end)]
     if link.encoding == "binary":
-        return Unwrapped(link, frame, start, inner, b"", "", end)
+        return Unwrapped(link, marks, frame, start, inner, b"", "", end)
     good = next((at for at, char in enumerate(inner) if char not in HEX), len(inner))
     pairs = good // 2 * 2
     reason = "not_hex" if good < len(inner) else "wrong_length" if pairs < good else ""
-    return Unwrapped(link, frame, start, bytes.fromhex(inner[:pairs].decode("ascii")), inner[pairs:], reason, end)
+    data = bytes.fromhex(inner[:pairs].decode("ascii"))
+    return Unwrapped(link, marks, frame, start, data, inner[pairs:], reason, end)
 
 
 def _mark(frame: bytes, mark: bytes, encoding: str) -> bytes:
@@ -237,7 +240,7 @@ def _mark(frame: bytes, mark: bytes, encoding: str) -> bytes:
 
 def start_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
     """The row of the start delimiter, if the link has one."""
-    yield from _mark_row(parts, "start", 0, parts.start, parts.link.start)
+    yield from _mark_row(parts, "start", 0, parts.start, parts.marks[0])
 
 
 def end_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
@@ -254,7 +257,7 @@ def end_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
             verdict=f"wrong: {text}",
             reason=parts.reason,
         )
-    yield from _mark_row(parts, "end", at, parts.end, parts.link.end)
+    yield from _mark_row(parts, "end", at, parts.end, parts.marks[1])
 
 
 def _mark_row(parts: Unwrapped, name: str, at: int, data: bytes, should: bytes) -> Iterator[ExplanationRow]:

@@ -193,15 +193,26 @@ def _lengths(message: Message, code: int | None) -> Iterator[FactRow]:
             yield row("data_words", path, message.sources, **cells)
 
 
+def _marks(link: Link) -> Iterator[tuple[str, bytes]]:
+    """The delimiters of a link with their paths in it."""
+    if link.has_common_delimiters:
+        yield from (("start", link.start), ("end", link.end))
+        return
+    for direction in ("request", "response"):
+        for name, mark in zip(("start", "end"), link.delimiters(direction), strict=True):
+            yield f"delimiters/{direction}/{name}", mark
+
+
 def _link(link: Link) -> Iterator[FactRow]:
     path = link.place.path
     yield from of_fact("link", link)
-    for name, mark in (("start", link.start), ("end", link.end)):
+    for name, mark in _marks(link):
         if mark:
             cells: FactRow = {"name": name, "bytes": len(mark), "printed_name": mark.hex(" ").upper()}
             yield row("mark", f"{path}/{name}", link.sources, **cells)
     if link.exception_response is not None:
-        cells = {"name": "error", "code": link.exception_response.flag, "type": link.exception_response.record}
+        error = link.exception_response
+        cells = {"name": error.part or "error", "code": error.code or error.flag, "type": error.record}
         yield row("refusal", f"{path}/exception_response", link.exception_response.sources or link.sources, **cells)
     for name, silence, unit in (
         ("characters", link.silence_characters, "character"),

@@ -8,6 +8,7 @@ from fieldspec.classes import dataclass, replace
 from fieldspec.layout.checksums import checksum_bytes
 from fieldspec.layout.escapes import original_places
 from fieldspec.layout.record import Orders, RecordLayout
+from fieldspec.layout.subcodes import Subcode, subcode
 from fieldspec.model.escape import Escape
 from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Message
@@ -103,6 +104,7 @@ class FrameLayout:
 
     All sizes count bytes of the parts, before these are encoded as characters and put between delimiters. The
     `escape` changes the bytes from `escape_start` to `escape_stop`, which are the bounds of a slice as in `PartLayout`.
+    `start` and `end` are the delimiters.
     """
 
     direction: str
@@ -113,11 +115,25 @@ class FrameLayout:
     escape: Escape | None = None
     escape_start: int = 0
     escape_stop: int | None = None
+    start: bytes = b""
+    end: bytes = b""
 
     @property
     def parts(self) -> tuple[PartLayout, ...]:
         """All parts but the body, in the order in which they are sent."""
         return (*self.header, *self.trailer)
+
+    def numbers(self, data: bytes) -> dict[str, int]:
+        """The numbers of the parts before the body, by name; as far as the data reach."""
+        return {
+            part.name: int.from_bytes(
+                data[part.offset : part.offset + part.size],
+                "little" if part.order == "little" else "big",
+                signed=part.value.type.signed,
+            )
+            for part in self.header
+            if part.value is not None
+        }
 
     def role(self, role: str) -> PartLayout | None:
         """The first part with a role, None if there is none."""
@@ -155,9 +171,42 @@ class LinkLayout:
     response: FrameLayout
     messages: Mapping[str, MessageLayout]
 
-    def message_with_code(self, code: int, direction: str = "request") -> MessageLayout | None:
-        """The message with a code in one direction, None if there is none."""
-        return next((message for message in self.carried(direction).values() if message.message.code == code), None)
+    def messages_with_code(self, code: int, direction: str = "request") -> list[MessageLayout]:
+        """The messages with a code in one direction; several differ in a constant in their data."""
+        return [message for message in self.carried(direction).values() if message.message.code == code]
+
+    def message_with_code(
+        self, code: int, direction: str = "request", data: bytes | None = None
+    ) -> MessageLayout | None:
+        """The message with a code in one direction, and with some data where several have the code.
+
+        None if there is none, and where the data, or their absence, leave open which one it is.
+        """
+        messages = self.messages_with_code(code, direction)
+        if len(messages) < 2:
+            return messages[0] if messages else None
+        shared = subcode(messages, direction)
+        return shared.message(data) if shared is not None and data is not None else None
+
+    def announced(self, code: int | None, data: bytes, message: str) -> MessageLayout | None:
+        """The message of a request with a code and some data, or the named one where frames carry no code."""
+        return self.messages.get(message) if code is None else self.message_with_code(code, "request", data)
+
+    def subcodes(self, direction: str) -> dict[int, Subcode]:
+        """What tells messages apart, by the code that they share."""
+        codes = [message.message.code for message in self.carried(direction).values()]
+        shared = {code for code in codes if code is not None and codes.count(code) > 1}
+        each = ((code, subcode(self.messages_with_code(code, direction), direction)) for code in sorted(shared))
+        return {code: shared_code for code, shared_code in each if shared_code is not None}
+
+    def code_text(self, message: MessageLayout, direction: str) -> str:
+        """`08`, or `08 with 0001 at byte 2` for a message that shares its code."""
+        code = message.message.code
+        shared = self.subcodes(direction).get(code) if code is not None else None
+        if shared is None:
+            return "no code" if code is None else f"{code:02X}"
+        place = self.frame(direction).header_size + shared.offset
+        return f"{code:02X} with {shared.number_of(message):0{2 * shared.size}X} at byte {place}"
 
     def carried(self, direction: str) -> Mapping[str, MessageLayout]:
         """The messages in one direction: all requests, and the responses to those that are answered on the link."""
@@ -220,7 +269,10 @@ def _frame(link: Link, direction: str) -> FrameLayout:
             )
         )
     header, trailer = tuple(placed[:body]), tuple(placed[body + 1 :])
-    shape = FrameLayout(direction, header, sum(sizes[:body]), trailer, sum(sizes[body + 1 :]))
+    start, end = link.delimiters(direction)
+    shape = FrameLayout(
+        direction, header, sum(sizes[:body]), trailer, sum(sizes[body + 1 :]), start=start, end=end
+    )
     if escaped is None:
         return shape
     return replace(shape, escape=link.escape, escape_start=place(escaped[0]), escape_stop=stop_of(escaped[1]))

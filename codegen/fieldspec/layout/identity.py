@@ -71,6 +71,8 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
         link = link_layout.link
         stations = (link.unit_addresses.ranges, link.unit_addresses.broadcast) if link.unit_addresses else ()
         error = (link.exception_response.flag, link.exception_response.record) if link.exception_response else ()
+        if link.exception_response is not None and not link.exception_response.flag:
+            error = (*error, link.exception_response.code, link.exception_response.part, link.exception_response.normal)
         yield (
             "link",
             link.name,
@@ -81,6 +83,8 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
             stations,
             list(link_layout.messages),
         )
+        if not link.has_common_delimiters:
+            yield "response_delimiters", *(mark.hex() for mark in link.delimiters("response"))
         unanswered = link_layout.messages.keys() - link_layout.carried("response").keys()
         if unanswered:
             yield "unanswered", sorted(unanswered)

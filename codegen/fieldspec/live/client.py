@@ -140,6 +140,13 @@ class Client:
         return decoded
 
     def _refusal(self, decoded: Decoded) -> RefusedError:
+        mark = self.frames.link.link.exception_response
+        if mark is not None and mark.part:
+            number = int(decoded.head[mark.part])
+            part = next(part for part in self.frames.link.response.header if part.name == mark.part)
+            enum = self.layout.device.enums.get(part.value.enum) if part.value is not None else None
+            member = enum.member(number) if enum is not None else None
+            return RefusedError(number, member.name if member is not None else "")
         for field in decoded.body.fields if decoded.body is not None else ():
             if field.value is not None and field.value.const is None:
                 number = int(decoded.values[field.name])

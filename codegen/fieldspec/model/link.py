@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from decimal import Decimal
 
 from fieldspec.classes import dataclass, field
 from fieldspec.model.escape import Escape
 from fieldspec.model.fact import Citation, Fact, Place
-from fieldspec.model.value import Ranges, Value
+from fieldspec.model.value import Ranges, Value, merged, uncovered
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,11 +44,40 @@ class Part(Fact):
 
 @dataclass(frozen=True, slots=True)
 class ExceptionResponse:
-    """The bit in the code that marks an exception response, and the record in its body."""
+    """What marks an exception response, and the record in its body.
+
+    The mark is the bits `flag` in the code of the request; or, where `flag` is 0, a `code` of its own, or a `part`
+    before the body with a number that is not `normal`.
+    """
 
     flag: int
     record: str
     sources: tuple[Citation, ...] = field(default=(), repr=False)
+    code: int | None = None
+    part: str = ""
+    normal: Ranges | None = None
+
+    def is_marked(self, code: int, parts: Mapping[str, object]) -> bool:
+        """Whether a response with a code and other parts before the body is an exception response."""
+        if self.part:
+            return self.normal is not None and parts[self.part] not in self.normal
+        return code == self.code if self.code is not None else bool(code & self.flag)
+
+    @property
+    def mark_text(self) -> str:
+        """`bit 0x80`, `the code 0xFF`, `status other than 0`"""
+        if self.part:
+            return f"{self.part} other than {self.normal.text() if self.normal is not None else ''}"
+        return f"the code {self.code:#04x}" if self.code is not None else f"bit {self.flag:#04x}"
+
+    def permitted(self, value: Value, is_exception: bool) -> Ranges:
+        """The numbers of the `part` in an exception response, or in any other; `value` is that of the part."""
+        own = value.ranges.intervals if value.ranges is not None else ((value.type.low, value.type.high),)
+        normal = merged(self.normal.intervals if self.normal is not None else ())
+        if is_exception:
+            return Ranges(tuple(hole for low, high in own for hole in uncovered(low, high, normal)))
+        both = [(max(low, first), min(high, last)) for low, high in own for first, last in normal]
+        return Ranges(tuple((low, high) for low, high in both if low <= high))
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,13 +109,17 @@ class Serial:
 class Link(Fact):
     """A frame: `start`, the parts, encoded and escaped, `end`. Requests go to the device, responses come from it.
 
-    `message_name`, `request_name` and `response_name` are the manual's names of a message and of the two directions.
+    The delimiters of a response are `response_start` and `response_end`, those of a request `start` and `end`; mostly
+    they are the same. `message_name`, `request_name` and `response_name` are the manual's names of a message and of the
+    two directions.
     """
 
     title: str
     encoding: str
     start: bytes
     end: bytes
+    response_start: bytes
+    response_end: bytes
     byte_order: str
     word_order: str
     request: tuple[Part, ...]
@@ -124,6 +158,15 @@ class Link(Fact):
             return None
         first = names.index(self.escape.first) if self.escape.first else 0
         return first, names.index(self.escape.last) if self.escape.last else len(parts) - 1
+
+    def delimiters(self, direction: str) -> tuple[bytes, bytes]:
+        """The bytes that open and close a frame in one direction."""
+        return (self.start, self.end) if direction == "request" else (self.response_start, self.response_end)
+
+    @property
+    def has_common_delimiters(self) -> bool:
+        """Whether the frames of both directions have the same delimiters."""
+        return self.delimiters("request") == self.delimiters("response")
 
     def parts(self, direction: str) -> tuple[Part, ...]:
         """The parts of a frame in one direction."""

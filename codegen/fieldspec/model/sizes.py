@@ -101,7 +101,7 @@ class Shape:
         """The bytes of a whole frame with `data` bytes of data, on the wire."""
         parts = self.around + data
         coded = 2 * parts if self.link.encoding == "hex_ascii" else parts
-        return len(self.link.start) + coded + len(self.link.end)
+        return sum(map(len, self.link.delimiters(self.direction))) + coded
 
     def span_size(self, part: Part, data: int) -> int:
         """The bytes that a length part counts in a frame with `data` bytes of data."""

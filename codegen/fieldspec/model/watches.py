@@ -10,10 +10,12 @@ from fieldspec.model.fact import ScalarValue
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.task import Step, Task
 
-MOVING = ("home", "move_absolute", "move_relative", "jog", "run_point")
+MOVING = ("home", "move_absolute", "move_relative", "move_velocity", "jog", "run_point")
 """The tasks that move, and that an alarm and a servo that is off end."""
 
-JOG = "jog"
+LASTING = ("jog", "move_velocity")
+"""The tasks that go on until somebody ends them, and that their last step ends."""
+
 REFUSAL = "fault_code"
 """The role of what shows that a command was not carried out. What a step waits for there must hold from then on."""
 
@@ -81,11 +83,11 @@ def is_last_wait(task: Task, step: Step) -> bool:
 def end_steps(task: Task) -> tuple[int, int] | None:
     """The steps that begin and end what must not go on by itself; None where nothing does.
 
-    A jog is ended by its last step; what is set and later cleared, by the step that clears it. Raises ValueError for a
-    jog that no step ends.
+    What lasts is ended by its last step; what is set and later cleared, by the step that clears it. Raises ValueError
+    for what lasts and no step ends.
     """
     first = before_effect(task)
-    if task.kind == JOG:
+    if task.kind in LASTING:
         if len(task.steps) - first < 2:
             raise ValueError("no step ends it")
         return first, len(task.steps) - 1

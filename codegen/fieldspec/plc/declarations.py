@@ -31,6 +31,7 @@ from fieldspec.plc.routines.remarks import cited, member_remark, printed
 from fieldspec.plc.routines.routine import BASE, STATUSES, Status
 from fieldspec.plc.routines.world import Names, World
 from fieldspec.plc.structs import Struct, StructMember, fixed
+from fieldspec.plc.wide_enums import wide_enums
 
 _STATUS = "codec_status"
 
@@ -73,7 +74,11 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     """The declarations of a device that has passed the checks."""
     supported, frame_findings = with_supported_links(layout, dialect)
     narrowed_layout, findings = narrowed(supported, dialect)
-    declaring = _Declaring(narrowed_layout, dialect, [*findings, *absent_reals(layout, dialect), *frame_findings])
+    declaring = _Declaring(
+        narrowed_layout,
+        dialect,
+        [*findings, *absent_reals(layout, dialect), *frame_findings, *wide_enums(layout, dialect)],
+    )
     enums = tuple(declaring.enums())
     structs = tuple(declaring.structs())
     images = tuple(declaring.images())

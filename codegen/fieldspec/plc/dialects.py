@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from fieldspec.classes import dataclass, field, replace
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.fact import Fact
+from fieldspec.plc.routines.expressions import ArrayType
 from fieldspec.plc.routines.routine import SECTIONS
 from fieldspec.reserved import TARGETS
 
@@ -18,9 +19,9 @@ class Spelling:
 
     `variable` and `routine` hold a name, `shift` holds the function, the value and the number of bits. `member` holds
     an enum, a member and its number; where `enums` is false, the dialect has none, and a variable has the type of the
-    numbers. `struct` holds the name of a declared type. `array` is the form of the names of array types, empty where a
-    variable may have an array without a name as its type. `sections` are the words for the roles of variables.
-    `comment` is the form of a comment, `timer` the type of an on-delay timer.
+    numbers. `struct` holds the name of a declared type. `array` is the form of the names of array types, which the
+    arrays in `named` have, or all where a variable cannot have an array without a name. `sections` are the words for
+    the roles of variables. `comment` is the form of a comment, `timer` the type of an on-delay timer.
     """
 
     variable: str = "{}"
@@ -29,6 +30,8 @@ class Spelling:
     member: str = "{0}.{1}"
     struct: str = "{}"
     array: str = ""
+    named: frozenset[ArrayType] = frozenset()
+    all_named: bool = False
     enums: bool = True
     sections: Mapping[str, str] = field(default_factory=lambda: SECTIONS)
     head: str = "FUNCTION {} : {}"
@@ -39,8 +42,8 @@ class Spelling:
     timer: str = "TON"
 
 
-STRUCTURED_TEXT = Spelling()
-STANDARD = Spelling(member="{2}", array="T_{}_{}", enums=False, comment="(* {} *)")
+STRUCTURED_TEXT = Spelling(array="T_{}_{}")
+STANDARD = Spelling(member="{2}", array="T_{}_{}", all_named=True, enums=False, comment="(* {} *)")
 SCL = Spelling(
     variable="#{}",
     routine='"{}"',

@@ -53,6 +53,14 @@ Example: a field with `type: u64, count: 4`.
 
 Cure: Exclude the output for the device (`--to`), or state the numbers as separate fields.
 """,
+    "plc_enums_fit": """One type holds all numbers of an enum, and one holds all codes that have texts.
+
+Why: a member is compared with the number on the wire in one type, and lists of texts have their codes in one column.
+
+Example: an enum with -1 and 0x8000000000000000.
+
+Cure: Exclude the output for the device (`--to`), or state two enums.
+""",
     "plc_reals_fit": """Floating-point numbers have 32 bits.
 
 Why: dialects differ in what a conversion between 64 bits and LREAL does, and the functions do not compute it.

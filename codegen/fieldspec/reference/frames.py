@@ -48,21 +48,21 @@ class FrameCodec:
             for direction in ("request", "response")
         }
 
-    def parts(self, frame: bytes) -> bytes:
+    def parts(self, frame: bytes, direction: str) -> bytes:
         """A frame without its delimiters, as bytes instead of characters. Raises CodecError."""
-        link = self.link.link
-        if not frame.startswith(link.start):
-            raise CodecError("wrong_mark", f"the frame does not start with {link.start.hex(' ')}", 0)
-        if not frame.endswith(link.end) or len(frame) < len(link.start) + len(link.end):
-            raise CodecError("wrong_mark", f"the frame does not end with {link.end.hex(' ')}", len(frame))
-        inner = frame[len(link.start) : len(frame) - len(link.end)]
+        link, shape = self.link.link, self.link.frame(direction)
+        if not frame.startswith(shape.start):
+            raise CodecError("wrong_mark", f"the frame does not start with {shape.start.hex(' ')}", 0)
+        if not frame.endswith(shape.end) or len(frame) < len(shape.start) + len(shape.end):
+            raise CodecError("wrong_mark", f"the frame does not end with {shape.end.hex(' ')}", len(frame))
+        inner = frame[len(shape.start) : len(frame) - len(shape.end)]
         if link.encoding == "binary":
             return inner
         for at, char in enumerate(inner):
             if char not in b"0123456789ABCDEFabcdef":
-                raise CodecError("not_hex", f"byte {char:#04x} is no hexadecimal character", len(link.start) + at)
+                raise CodecError("not_hex", f"byte {char:#04x} is no hexadecimal character", len(shape.start) + at)
         if len(inner) % 2:
-            raise CodecError("wrong_length", "an odd number of characters", len(frame) - len(link.end))
+            raise CodecError("wrong_length", "an odd number of characters", len(frame) - len(shape.end))
         return bytes.fromhex(inner.decode("ascii"))
 
     def decode(self, frame: bytes, direction: str, message: str = "") -> Decoded:
@@ -70,7 +70,7 @@ class FrameCodec:
 
         `message` names the message where the frame does not carry a code. Raises CodecError.
         """
-        data = self.parts(frame)
+        data = self.parts(frame, direction)
         shape = self.link.frame(direction)
         if len(data) < shape.header_size + shape.trailer_size:
             least = shape.header_size + shape.trailer_size
@@ -87,8 +87,8 @@ class FrameCodec:
             if number != part.constant:
                 text = f"{part.name} is {number}, not {part.constant}"
                 raise CodecError("wrong_const", text, part.at(len(data)))
-        announced, body, error = self._body(shape, head, message)
         inner = data[shape.header_size : len(data) - shape.trailer_size]
+        announced, body, error = self._body(shape, head, inner, message)
         values = decoded(body, inner, self.layout.device, shape.header_size)
         visible = {part.name: head[part.name] for part in shape.header if _is_visible(part)}
         return Decoded(self.link.name, direction, announced, error, visible, values, data, body)
@@ -99,7 +99,7 @@ class FrameCodec:
         if not shape.checksums:
             return False
         try:
-            data = self.parts(frame)
+            data = self.parts(frame, direction)
             if len(data) < shape.header_size + shape.trailer_size:
                 return False
             if shape.escape is not None:
@@ -122,7 +122,7 @@ class FrameCodec:
         }
         self._check_length(shape, sent, data, False)
         self._check_sum(shape, sent, data, False)
-        offset = len(self.link.link.start) + start
+        offset = len(shape.start) + start
         result = data[:start] + unescaped(shape.escape, data[start:stop], offset) + data[stop:]
         least = shape.header_size + shape.trailer_size
         if len(result) < least:
@@ -149,8 +149,10 @@ class FrameCodec:
                 text = f"{part.name} is {_checksum_text(have, part)}, not {_checksum_text(want, part)}"
                 raise CodecError("wrong_check", text, part.at(len(data)))
 
-    def _body(self, shape: FrameLayout, head: Values, message: str) -> tuple[MessageLayout | None, RecordLayout, bool]:
-        """The message and the record of the body that a head announces."""
+    def _body(
+        self, shape: FrameLayout, head: Values, inner: bytes, message: str
+    ) -> tuple[MessageLayout | None, RecordLayout, bool]:
+        """The message and the record of the body that a head announces, with the data where messages share a code."""
         part = shape.role("code")
         error = self.link.link.exception_response
         if part is None:
@@ -161,11 +163,15 @@ class FrameCodec:
                 raise CodecError("unknown_code", "the frame carries no code: say which message it belongs to")
             return announced, announced.data(shape.direction), False
         code = head[part.name]
-        if error is not None and shape.direction == "response" and code & error.flag:
+        if error is not None and shape.direction == "response" and error.is_marked(code, head):
             head[part.name] = code & ~error.flag
             return self.link.message_with_code(code & ~error.flag), self.layout.records[error.record], True
-        announced = self.link.message_with_code(code, shape.direction)
+        announced = self.link.message_with_code(code, shape.direction, inner)
         if announced is None:
+            shared = self.link.subcodes(shape.direction).get(code)
+            if shared is not None:
+                text = f"no message with the code {code:#04x} has the subcode {shared.number(inner):#x}"
+                raise CodecError("unknown_code", text, shape.header_size + shared.offset)
             raise CodecError("unknown_code", f"no message has the code {code:#04x}", part.offset)
         if message and announced.name != message:
             raise CodecError(
@@ -213,11 +219,11 @@ class FrameCodec:
             numbers[length.name] = units
         for check in shape.checksums:
             numbers[check.name] = _checksum(check, self._joined(direction, numbers, inner, _is_sent(shape, check)))
-        return self._marked(self._joined(direction, numbers, inner, True))
+        return self._marked(direction, self._joined(direction, numbers, inner, True))
 
     def original_parts(self, frame: bytes, direction: str) -> bytes:
         """The binary form of a frame, before its bytes were escaped. Raises CodecError."""
-        data, shape = self.parts(frame), self.link.frame(direction)
+        data, shape = self.parts(frame, direction), self.link.frame(direction)
         return data if shape.escape is None else self._original(shape, data)
 
     def with_checksum(self, direction: str, parts: bytes) -> bytes:
@@ -231,7 +237,7 @@ class FrameCodec:
 
     def joined_parts(self, direction: str, parts: bytes) -> bytes:
         """The frame of its binary form: escaped, as characters where the link has them, between its delimiters."""
-        return self._marked(self._escaped(self.link.frame(direction), parts))
+        return self._marked(direction, self._escaped(self.link.frame(direction), parts))
 
     def _joined(self, direction: str, numbers: Values, body: bytes, is_sent: bool) -> bytes:
         """The parts of a frame as bytes, escaped where they are sent so."""
@@ -262,12 +268,16 @@ class FrameCodec:
             if own is None:
                 raise CodecError("unknown_code", "the message has no code")
             refusal = self.link.link.exception_response
+            if error and refusal and refusal.code is not None and own != refusal.code:
+                raise CodecError("unknown_code", f"an exception response has the code {refusal.code:#04x}")
             return own | refusal.flag if error and refusal else own
         number = values.get(part.name)
         if not isinstance(number, int):
             raise CodecError("missing_value", f"{part.name} is not given")
         assert part.value is not None
-        allowed = part.value.ranges
+        refusal = self.link.link.exception_response
+        marks = refusal is not None and refusal.part == part.name and part in self.link.response.header
+        allowed = refusal.permitted(part.value, error) if refusal is not None and marks else part.value.ranges
         stations = self.link.link.unit_addresses if part.role == "unit_address" else None
         if stations is not None and stations.ranges is not None:
             allowed = stations.ranges
@@ -277,10 +287,10 @@ class FrameCodec:
             raise CodecError("out_of_range", f"{part.name} is {number}")
         return number
 
-    def _marked(self, data: bytes) -> bytes:
-        link = self.link.link
-        inner = data.hex().upper().encode("ascii") if link.encoding == "hex_ascii" else data
-        return link.start + inner + link.end
+    def _marked(self, direction: str, data: bytes) -> bytes:
+        shape = self.link.frame(direction)
+        inner = data.hex().upper().encode("ascii") if self.link.link.encoding == "hex_ascii" else data
+        return shape.start + inner + shape.end
 
 
 def _part_construct(part: PartLayout) -> construct.Construct:

@@ -64,6 +64,26 @@ class Table:
 
 Block: TypeAlias = Line | Table
 
+_GAP = 2
+_FIXED = 2
+"""The columns that stay in a table that is split: they tell its rows apart."""
+
+
+def split(table: Table, most: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """The numbers of the columns that fit into `most` columns of a terminal, and of those that stand below their rows.
+
+    The widest columns go first, of equal ones the last; the first two always stay.
+    """
+    lines = [[visible_text(cell) for cell in row] for row in (table.headings, *table.rows)]
+    widths = [max(width(line[at]) for line in lines) for at in range(len(table.headings))]
+    stay = list(range(len(widths)))
+    below: list[int] = []
+    while len(stay) > _FIXED and sum(widths[at] + _GAP for at in stay) - _GAP > most:
+        widest = max(stay[_FIXED:], key=lambda at: (widths[at], at))
+        stay.remove(widest)
+        below.append(widest)
+    return tuple(stay), tuple(sorted(below))
+
 
 def narrowed(table: Table) -> Table:
     """A table without its empty columns."""

@@ -259,7 +259,9 @@ def _code(item: CodeRow) -> Details:
 def _link(layout: DeviceLayout, link: Link) -> Details:
     yield "what", link.title
     yield "encoding", link.encoding
-    yield "marks", " .. ".join(mark.hex(" ").upper() for mark in (link.start, link.end) if mark)
+    for direction in ("request",) if link.has_common_delimiters else ("request", "response"):
+        name = "marks" if link.has_common_delimiters else f"{direction} marks"
+        yield name, " .. ".join(mark.hex(" ").upper() for mark in link.delimiters(direction) if mark)
     orders = (("bytes", link.byte_order), ("words", link.word_order))
     yield "order", ", ".join(f"{what} {order}" for what, order in orders if order)
     yield "sends", _sends(layout, link)

@@ -102,7 +102,10 @@ class Engine:
     # Events
 
     def raise_event(self, name: str, seconds: float = 0.0) -> None:
-        """Raises an event, now or later. Of events that raise each other without end, the rest comes later."""
+        """Raises an event, now or later. Of events that raise each other without end, the rest comes later.
+
+        A rule of an event that cannot go on, as with a record that does not exist, ends there: nobody is refused.
+        """
         if seconds > 0 or self._depth >= _DEEPEST:
             self._count += 1
             heapq.heappush(self._queue, (self.now + max(seconds, LEAST_SECONDS), self._count, name))
@@ -111,6 +114,8 @@ class Engine:
         self._depth += 1
         try:
             self.run(rule for rule in self._rules if (rule.get("when") or {}).get("event") == name)
+        except Refusal as refusal:
+            self.tell("event", f"{name} ends: {refusal}")
         finally:
             self._depth -= 1
 

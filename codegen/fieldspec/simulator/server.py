@@ -13,7 +13,7 @@ from fieldspec.reference.records import CodecError
 from fieldspec.simulator import parameters
 from fieldspec.simulator.engine import Engine
 from fieldspec.simulator.memory import element_value
-from fieldspec.simulator.refusal import Refusal
+from fieldspec.simulator.refusal import Refusal, reason_place
 from fieldspec.simulator.registers import read_bits, read_registers, write_bits, write_registers
 
 if TYPE_CHECKING:
@@ -46,9 +46,9 @@ class Server:
         self.answers = {part.subject: part for part in engine.behaviour.of_kind("answer")}
 
     def answer(self, link: str, frame: bytes, message: str = "", forced: str = "") -> Answer:
-        """The answer to a frame. `message` names the message where the frame does not; `forced` is a reason to refuse.
+        """The answer to a frame; the engine has been advanced to the present.
 
-        The engine must have been advanced to the present.
+        `message` names the message where the frame does not; `forced` is a reason to refuse.
         """
         frames = self.codecs[link]
         shape = frames.link.request
@@ -69,7 +69,7 @@ class Server:
             if not broadcast:
                 return Answer(b"", f"for unit {head[addressed.name]}")
         code = head[coded.name] if (coded := shape.role("code")) is not None else None
-        asked = frames.link.message_with_code(code) if code is not None else frames.link.messages.get(message)
+        asked = frames.link.announced(code, parts[shape.header_size : len(parts) - shape.trailer_size], message)
         silent = "broadcast" if broadcast else ""
         if asked is not None and asked.name not in frames.link.carried("response"):
             silent = silent or "not answered"
@@ -271,6 +271,9 @@ class Server:
             else:
                 cell = next(iter(self.engine.cells.of(part.part.place.path)), None)
                 values[part.name] = cell.read() if cell is not None else 0
+        mark = frames.link.link.exception_response
+        if mark is not None and mark.normal is not None and values[mark.part] not in mark.normal:
+            values[mark.part] = mark.normal.low
         return values
 
     def _refused(self, frames: FrameCodec, head: Mapping[str, Any], code: int | None, refusal: Refusal) -> Answer:
@@ -288,11 +291,10 @@ class Server:
         if record is None or number is None:
             return Answer(b"", f"{text}; the device is silent")
         values = self._head(frames, head)
-        field = _free_field(engine.layout.records[record.record])
-        values[field.name] = number
-        code = part.get("code", code)
+        values[reason_place(engine.layout, frames.link, record)[0]] = number
+        code = part.get("code", code) if record.code is None else record.code
         known = frames.link.message_with_code(code) if code is not None else None
-        flagged = code is not None and code & record.flag
+        flagged = code is not None and (code & record.flag or code == record.code)
         try:
             frame = frames.encode(
                 "response", known.name if known and not flagged else "", values, error=True, code=code
@@ -307,8 +309,7 @@ class Server:
         for link in self.engine.layout.device.links.values():
             record = link.exception_response
             if record is not None and name is not None:
-                field = _free_field(self.engine.layout.records[record.record])
-                enum = field.value.enum if field.value is not None else ""
+                enum = reason_place(self.engine.layout, self.codecs[link.name].link, record)[1].enum
                 member = self.engine.layout.device.enums[enum].named(name) if enum else None
                 if member is not None:
                     return member.value
@@ -353,11 +354,6 @@ def _out_of_range(field: FieldLayout, values: Mapping[str, Any]) -> str:
     if value is None or value.ranges is None or not isinstance(raw, int) or isinstance(raw, bool):
         return ""
     return "" if raw in value.ranges or value.sentinel(raw) is not None else field.name
-
-
-def _free_field(record: RecordLayout) -> FieldLayout:
-    """The field of the record of an exception response that has no constant."""
-    return next(field for field in record.fields if field.value is not None and field.value.const is None)
 
 
 def _chosen_kind(record: RecordLayout, values: Mapping[str, Any]) -> str | None:

@@ -196,5 +196,5 @@ def usual_place(layout: LinkLayout) -> str:
     """
     if layout.link.serial is not None:
         return "pty"
-    streams = layout.request.role("length") is not None or layout.link.start or layout.request.checksums
+    streams = layout.request.role("length") is not None or layout.request.start or layout.request.checksums
     return "tcp://127.0.0.1:0" if streams else "udp://127.0.0.1:0"

@@ -851,8 +851,6 @@ export const ReportServerId = /* @__PURE__ */ message("report_server_id", 0x11, 
 
 const framesOfRtu = /* @__PURE__ */ frames({
   name: "rtu",
-  start: [],
-  end: [],
   hex: false,
   request: {
     header: [
@@ -862,6 +860,8 @@ const framesOfRtu = /* @__PURE__ */ frames({
     trailer: [
       { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, wide: false, low: 0, high: 65535, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, escaped: false, constant: null, ranges: null, algorithm: crc16, digits: "" },
     ],
+    start: [],
+    end: [],
     checksums: [2],
     escape: null,
     escapeStart: 0,
@@ -875,6 +875,8 @@ const framesOfRtu = /* @__PURE__ */ frames({
     trailer: [
       { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, wide: false, low: 0, high: 65535, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, escaped: false, constant: null, ranges: null, algorithm: crc16, digits: "" },
     ],
+    start: [],
+    end: [],
     checksums: [2],
     escape: null,
     escapeStart: 0,
@@ -891,8 +893,6 @@ export const rtuResponseFramer = () => codeFramer({ ...framesOfRtu, parts: frame
 
 const framesOfAscii = /* @__PURE__ */ frames({
   name: "ascii",
-  start: [58],
-  end: [13, 10],
   hex: true,
   request: {
     header: [
@@ -902,6 +902,8 @@ const framesOfAscii = /* @__PURE__ */ frames({
     trailer: [
       { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, constant: null, ranges: null, algorithm: lrc, digits: "" },
     ],
+    start: [58],
+    end: [13, 10],
     checksums: [2],
     escape: null,
     escapeStart: 0,
@@ -915,6 +917,8 @@ const framesOfAscii = /* @__PURE__ */ frames({
     trailer: [
       { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, constant: null, ranges: null, algorithm: lrc, digits: "" },
     ],
+    start: [58],
+    end: [13, 10],
     checksums: [2],
     escape: null,
     escapeStart: 0,

@@ -2254,8 +2254,6 @@ export const ReadAccumulatedTime = /* @__PURE__ */ message("read_accumulated_tim
 
 const framesOfSerial = /* @__PURE__ */ frames({
   name: "serial",
-  start: [],
-  end: [],
   hex: false,
   request: {
     header: [
@@ -2266,6 +2264,8 @@ const framesOfSerial = /* @__PURE__ */ frames({
     trailer: [
       { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, constant: null, ranges: null, algorithm: sum8, digits: "" },
     ],
+    start: [],
+    end: [],
     checksums: [3],
     escape: null,
     escapeStart: 0,
@@ -2280,6 +2280,8 @@ const framesOfSerial = /* @__PURE__ */ frames({
     trailer: [
       { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, constant: null, ranges: null, algorithm: sum8, digits: "" },
     ],
+    start: [],
+    end: [],
     checksums: [3],
     escape: null,
     escapeStart: 0,

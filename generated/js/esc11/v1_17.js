@@ -2294,8 +2294,6 @@ export const ResetAlarm = /* @__PURE__ */ message("reset_alarm", 0x4E, ResetAlar
 
 const framesOfSerial = /* @__PURE__ */ frames({
   name: "serial",
-  start: [],
-  end: [],
   hex: false,
   request: {
     header: [
@@ -2306,6 +2304,8 @@ const framesOfSerial = /* @__PURE__ */ frames({
     trailer: [
       { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, constant: null, ranges: null, algorithm: sum8, digits: "" },
     ],
+    start: [],
+    end: [],
     checksums: [3],
     escape: null,
     escapeStart: 0,
@@ -2320,6 +2320,8 @@ const framesOfSerial = /* @__PURE__ */ frames({
     trailer: [
       { name: "checksum", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, constant: null, ranges: null, algorithm: sum8, digits: "" },
     ],
+    start: [],
+    end: [],
     checksums: [3],
     escape: null,
     escapeStart: 0,

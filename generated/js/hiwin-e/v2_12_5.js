@@ -2326,14 +2326,14 @@ export const Telegram750 = /* @__PURE__ */ message("telegram_750", null, Telegra
 
 const framesOfCyclic = /* @__PURE__ */ frames({
   name: "cyclic",
-  start: [],
-  end: [],
   hex: false,
   request: {
     header: [
     ],
     trailer: [
     ],
+    start: [],
+    end: [],
     checksums: [],
     escape: null,
     escapeStart: 0,
@@ -2344,6 +2344,8 @@ const framesOfCyclic = /* @__PURE__ */ frames({
     ],
     trailer: [
     ],
+    start: [],
+    end: [],
     checksums: [],
     escape: null,
     escapeStart: 0,
@@ -2356,8 +2358,6 @@ export const cyclic = /* @__PURE__ */ link(framesOfCyclic, [Telegram3, Telegram5
 
 const framesOfParameterChannel = /* @__PURE__ */ frames({
   name: "parameter_channel",
-  start: [],
-  end: [],
   hex: false,
   request: {
     header: [
@@ -2368,6 +2368,8 @@ const framesOfParameterChannel = /* @__PURE__ */ frames({
     ],
     trailer: [
     ],
+    start: [],
+    end: [],
     checksums: [],
     escape: null,
     escapeStart: 0,
@@ -2382,6 +2384,8 @@ const framesOfParameterChannel = /* @__PURE__ */ frames({
     ],
     trailer: [
     ],
+    start: [],
+    end: [],
     checksums: [],
     escape: null,
     escapeStart: 0,

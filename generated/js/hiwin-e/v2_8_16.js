@@ -2320,14 +2320,14 @@ export const Telegram750 = /* @__PURE__ */ message("telegram_750", null, Telegra
 
 const framesOfCyclic = /* @__PURE__ */ frames({
   name: "cyclic",
-  start: [],
-  end: [],
   hex: false,
   request: {
     header: [
     ],
     trailer: [
     ],
+    start: [],
+    end: [],
     checksums: [],
     escape: null,
     escapeStart: 0,
@@ -2338,6 +2338,8 @@ const framesOfCyclic = /* @__PURE__ */ frames({
     ],
     trailer: [
     ],
+    start: [],
+    end: [],
     checksums: [],
     escape: null,
     escapeStart: 0,
@@ -2350,8 +2352,6 @@ export const cyclic = /* @__PURE__ */ link(framesOfCyclic, [Telegram3, Telegram5
 
 const framesOfParameterChannel = /* @__PURE__ */ frames({
   name: "parameter_channel",
-  start: [],
-  end: [],
   hex: false,
   request: {
     header: [
@@ -2362,6 +2362,8 @@ const framesOfParameterChannel = /* @__PURE__ */ frames({
     ],
     trailer: [
     ],
+    start: [],
+    end: [],
     checksums: [],
     escape: null,
     escapeStart: 0,
@@ -2376,6 +2378,8 @@ const framesOfParameterChannel = /* @__PURE__ */ frames({
     ],
     trailer: [
     ],
+    start: [],
+    end: [],
     checksums: [],
     escape: null,
     escapeStart: 0,

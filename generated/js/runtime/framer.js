@@ -68,7 +68,7 @@ export class Framer {
   holds(frame) {
     try {
       const { parts } = this.shape;
-      return wrongParts(parts, originalParts(this.shape, parts, withoutDelimiters(this.shape, frame))) === null;
+      return wrongParts(parts, originalParts(parts, withoutDelimiters(this.shape, parts, frame))) === null;
     } catch {
       return false;
     }
@@ -89,7 +89,8 @@ function foreign({ address, addresses }, bytes, at) {
 
 /** The framer of frames whose length part decides where they end. */
 export function lengthFramer(shape) {
-  const { start, end, length, shortest, longest } = shape;
+  const { length, shortest, longest } = shape;
+  const { start, end } = shape.parts;
   return new Framer(shape, (bytes, at) => {
     if (!begins(bytes, at, start)) return 0;
     at += start.length;
@@ -105,7 +106,8 @@ export function lengthFramer(shape) {
  * size of 0 where the length is fixed, and of -1 where nothing measures the repeated part.
  */
 export function codeFramer(shape) {
-  const { start, code, extents, flag, refusal, longest } = shape;
+  const { code, extents, flag, refusal, longest } = shape;
+  const { start } = shape.parts;
   return new Framer(shape, (bytes, at) => {
     if (!begins(bytes, at, start)) return 0;
     at += start.length;
@@ -130,7 +132,8 @@ class DelimiterFramer extends Framer {
   }
 
   feed(piece) {
-    const { start, end, longest } = this.shape;
+    const { longest } = this.shape;
+    const { start, end } = this.shape.parts;
     const bytes = joined(this.bytes, piece);
     const frames = [];
     let done = 0;
@@ -162,7 +165,7 @@ class DelimiterFramer extends Framer {
     const { shortest, longest } = this.shape;
     if (frame.length < shortest || frame.length > longest) return false;
     try {
-      const data = withoutDelimiters(this.shape, frame);
+      const data = withoutDelimiters(this.shape, this.shape.parts, frame);
       return !foreign(this.shape, data, 0) && wrongParts(this.shape.parts, data) === null;
     } catch {
       return false;
@@ -180,7 +183,8 @@ export function escapeFramer(shape) {
 
 class EscapeFramer extends Framer {
   feed(piece) {
-    const { start, end, most, parts } = this.shape;
+    const { most, parts } = this.shape;
+    const { start, end } = parts;
     const bytes = joined(this.bytes, piece);
     const frames = [];
     let at = 0;
@@ -219,9 +223,10 @@ class EscapeFramer extends Framer {
   }
 
   holds(frame) {
-    const { start, end, shortest, longest, parts } = this.shape;
+    const { shortest, longest, parts } = this.shape;
+    const { start, end } = parts;
     try {
-      const data = originalParts(this.shape, parts, withoutDelimiters(this.shape, frame));
+      const data = originalParts(parts, withoutDelimiters(this.shape, parts, frame));
       const size = data.length + start.length + end.length;
       return size >= shortest && size <= longest && wrongParts(parts, data) === null && !foreign(this.shape, data, 0);
     } catch {

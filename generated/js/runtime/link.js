@@ -11,18 +11,19 @@ export function message(name, code, request, response, number = null) {
  * The frames of a link in both directions: `header` and `trailer` are the parts before and after the body, in their
  * order, `start` and `end` the delimiters.
  */
-export function frames({ name, start, end, hex, request, response, unitAddresses }) {
-  return { name, start, end, hex, request: frame(request), response: frame(response), unitAddresses };
+export function frames({ name, hex, request, response, unitAddresses }) {
+  return { name, hex, request: frame(request), response: frame(response), unitAddresses };
 }
 
 /**
  * A link with its frames and the messages that it carries. `exception` has the flag in the code and the record of an
- * exception response, or is null. `unanswered` are the messages to which the device sends no response.
+ * exception response, or is null. `unanswered` are the messages to which the device sends no response. `subcodes` has
+ * for each direction the number in the data that tells messages with one code apart, by this code.
  */
-export function link(shapes, messages, exception, unanswered = []) {
-  const byCode = new Map();
-  for (const entry of messages) if (entry.code !== null && !byCode.has(entry.code)) byCode.set(entry.code, entry);
-  const context = { ...shapes, messages: new Set(messages), byCode, exception, unanswered: new Set(unanswered) };
+export function link(shapes, messages, exception, unanswered = [], subcodes = {}) {
+  const silent = new Set(unanswered);
+  const byCode = { request: codesOf(messages), response: codesOf(messages.filter((entry) => !silent.has(entry))) };
+  const context = { ...shapes, messages: new Set(messages), byCode, exception, unanswered: silent, subcodes };
   const { name, request, response, unitAddresses } = shapes;
   return Object.freeze({
     name,
@@ -35,12 +36,16 @@ export function link(shapes, messages, exception, unanswered = []) {
     /** The frame of a response. Throws CodecError. */
     encodeResponse(header, entry, data) {
       expectAnswer(context, entry);
-      return encoded(context, response, header, codeOf(context, response, entry), entry.response, data);
+      const code = codeOf(context, response, entry);
+      return encoded(context, response, header, code, entry.response, data, context.exception?.normal);
     },
     /** The frame of an exception response to a code. Throws CodecError. */
     encodeException(header, code, data) {
-      const { flag, record } = expectedException(context);
-      return encoded(context, response, header, code | flag, record, data);
+      const exception = expectedException(context);
+      if (exception.code !== undefined && code !== exception.code) {
+        throw new CodecError("unknown_code", `an exception response has the code ${exception.code}`);
+      }
+      return encoded(context, response, header, code | exception.flag, exception.record, data, exception.marks);
     },
     /** The meaning of a request. `entry` is needed where frames carry no code. Throws CodecError. */
     decodeRequest(bytes, entry) {
@@ -53,13 +58,21 @@ export function link(shapes, messages, exception, unanswered = []) {
   });
 }
 
-function frame({ header, trailer, checksums, escape, escapeStart, escapeStop }) {
+function codesOf(messages) {
+  const byCode = new Map();
+  for (const entry of messages) if (entry.code !== null && !byCode.has(entry.code)) byCode.set(entry.code, entry);
+  return byCode;
+}
+
+function frame({ header, trailer, start, end, checksums, escape, escapeStart, escapeStop }) {
   const sum = (parts) => parts.reduce((size, part) => size + part.size, 0);
   const parts = [...header, ...trailer];
   return {
     header,
     trailer,
     parts,
+    start,
+    end,
     headerSize: sum(header),
     trailerSize: sum(trailer),
     lengths: header.filter((part) => part.role === "length"),
@@ -141,7 +154,7 @@ function hexText(bytes) {
 }
 
 /** A frame without its delimiters, as bytes instead of characters. Throws CodecError. */
-export function withoutDelimiters({ start, end, hex }, bytes) {
+export function withoutDelimiters({ hex }, { start, end }, bytes) {
   if (start.length === 0 && end.length === 0 && !hex) return bytes;
   if (bytes.length < start.length || !matches(bytes, 0, start)) {
     throw new CodecError("wrong_mark", `the frame does not start with ${hexText(start)}`, 0);
@@ -162,7 +175,7 @@ export function withoutDelimiters({ start, end, hex }, bytes) {
   return data;
 }
 
-function withDelimiters({ start, end, hex }, data) {
+function withDelimiters({ hex }, { start, end }, data) {
   if (start.length === 0 && end.length === 0 && !hex) return data;
   const inner = hex ? 2 * data.length : data.length;
   const bytes = new Uint8Array(start.length + inner + end.length);
@@ -186,12 +199,12 @@ function isOfSent(shape, part) {
 }
 
 /** The parts before they were escaped. Throws CodecError for what is wrong around them, and for a wrong escape. */
-export function originalParts({ start }, shape, data) {
+export function originalParts(shape, data) {
   if (shape.escape === null) return data;
   const wrong = wrongSize(shape, data) ?? wrongLength(shape, data, true) ?? wrongChecksum(shape, data, true);
   if (wrong !== null) throw wrong;
   const [first, stop] = [shape.escapeStart, place(shape.escapeStop, data.length)];
-  const inner = shape.escape.original(data.subarray(first, stop), start.length + first);
+  const inner = shape.escape.original(data.subarray(first, stop), shape.start.length + first);
   return joined(data.subarray(0, first), inner, data.subarray(stop));
 }
 
@@ -266,7 +279,7 @@ function wrongConstant(shape, data) {
 }
 
 function decoded(context, shape, bytes, entry, direction) {
-  const data = originalParts(context, shape, withoutDelimiters(context, bytes));
+  const data = originalParts(shape, withoutDelimiters(context, shape, bytes));
   const wrong = wrongParts(shape, data);
   if (wrong !== null) throw wrong;
   const end = data.length - shape.trailerSize;
@@ -282,14 +295,14 @@ function decoded(context, shape, bytes, entry, direction) {
   const offset = place(shape.code.offset, data.length);
   const code = readPart(data, offset, shape.code);
   const { exception } = context;
-  if (exception !== null && direction === "response" && code & exception.flag) {
+  if (exception !== null && direction === "response" && isMarked(exception, shape, code, data)) {
     const asked = code & ~exception.flag;
     const record = exception.record.read(data, shape.headerSize, end);
-    const answered = context.byCode.get(asked) ?? null;
+    const answered = answeredBy(context, asked, entry);
     return { kind: "exception", name: answered?.name ?? null, header, message: answered, code: asked, data: record };
   }
-  const known = context.byCode.get(code);
-  if (known === undefined || (direction === "response" && context.unanswered.has(known))) {
+  const known = knownBy(context, shape, direction, code, data.subarray(shape.headerSize, end));
+  if (known === undefined) {
     throw new CodecError("unknown_code", `no message has the code 0x${code.toString(16).padStart(2, "0")}`, offset);
   }
   if (entry !== undefined && entry !== known) {
@@ -298,7 +311,35 @@ function decoded(context, shape, bytes, entry, direction) {
   return { kind: direction, name: known.name, header, message: known, data: known[direction].read(data, shape.headerSize, end) };
 }
 
-function encoded(context, shape, header, code, record, value) {
+/** Whether a response is an exception response: by a bit in its code, by its code, or by another part. */
+function isMarked({ flag, code, part, all }, shape, own, data) {
+  if (part === undefined) return code === undefined ? (own & flag) !== 0 : own === code;
+  const row = shape.header.find(({ name }) => name === part);
+  return !within(all, readPart(data, row.offset, row));
+}
+
+/** The message that an exception response answers: null where its code is unknown, or where several messages have it. */
+function answeredBy({ byCode, subcodes }, code, entry) {
+  const shared = subcodes.request?.get(code);
+  if (shared === undefined) return byCode.request.get(code) ?? null;
+  return [...shared.messages.values()].find((message) => message === entry) ?? null;
+}
+
+/** The message with a code, and with a number in its data where several have the code. Throws CodecError. */
+function knownBy({ byCode, subcodes }, shape, direction, code, body) {
+  const shared = subcodes[direction]?.get(code);
+  if (shared === undefined) return byCode[direction].get(code);
+  if (body.length < shared.offset + shared.size) return shared.messages.values().next().value;
+  const number = readPart(body, shared.offset, shared);
+  const known = shared.messages.get(number);
+  if (known === undefined) {
+    throw new CodecError("unknown_code", `no message has the subcode 0x${number.toString(16)}`, shape.headerSize + shared.offset);
+  }
+  return known;
+}
+
+/** A frame. `marks` are the numbers of the part that tells exception responses from others, if one does. */
+function encoded(context, shape, header, code, record, value, marks) {
   for (const key in header) {
     if (!(key in shape.keys)) throw new CodecError("unknown_field", `the header has no part ${key.slice(0, 60)}`);
   }
@@ -310,7 +351,7 @@ function encoded(context, shape, header, code, record, value) {
   record.write(value, data, headerSize);
   for (const part of shape.parts) {
     if (part.role !== "length" && part.role !== "checksum") {
-      writePart(data, place(part.offset, size), part, partValue(context, part, header, code));
+      writePart(data, place(part.offset, size), part, partValue(context, part, header, code, marks));
     }
   }
   for (const part of shape.lengths) {
@@ -326,16 +367,17 @@ function encoded(context, shape, header, code, record, value) {
     const [start, stop] = [place(part.start, covered.length), place(part.stop, covered.length)];
     data.set(checksumBytes(part, covered, start, stop), place(part.offset, size));
   }
-  return withDelimiters(context, sentParts(shape, data));
+  return withDelimiters(context, shape, sentParts(shape, data));
 }
 
-function partValue({ unitAddresses }, part, header, code) {
+function partValue({ unitAddresses, exception }, part, header, code, marks) {
   if (part.constant !== null) return part.constant;
   if (part.role === "code") return code;
   const number = header[part.key];
   const address = part.role === "unit_address" ? unitAddresses : null;
   if (address !== null && number === address.broadcast && number !== null) return number;
-  const ranges = address?.ranges ?? part.ranges;
+  const isMark = marks !== undefined && exception?.part === part.name;
+  const ranges = isMark ? marks : (address?.ranges ?? part.ranges);
   const whole = part.wide ? typeof number === "bigint" : Number.isInteger(number);
   if (!whole || number < part.low || number > part.high || (ranges !== null && !within(ranges, number))) {
     throw refusedNumber(part.name, number, part.low, part.high, rangesText(ranges ?? [[part.low, part.high]]));

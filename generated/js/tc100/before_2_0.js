@@ -542,8 +542,6 @@ export const WriteRegisters = /* @__PURE__ */ message("write_registers", 0x10, W
 
 const framesOfRtu = /* @__PURE__ */ frames({
   name: "rtu",
-  start: [],
-  end: [],
   hex: false,
   request: {
     header: [
@@ -553,6 +551,8 @@ const framesOfRtu = /* @__PURE__ */ frames({
     trailer: [
       { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, wide: false, low: 0, high: 65535, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, escaped: false, constant: null, ranges: null, algorithm: crc16, digits: "" },
     ],
+    start: [],
+    end: [],
     checksums: [2],
     escape: null,
     escapeStart: 0,
@@ -566,6 +566,8 @@ const framesOfRtu = /* @__PURE__ */ frames({
     trailer: [
       { name: "crc", role: "checksum", key: null, offset: -2, size: 2, order: "little", signed: false, wide: false, low: 0, high: 65535, reserved: false, unitSize: 1, base: 0, start: 0, stop: -2, escaped: false, constant: null, ranges: null, algorithm: crc16, digits: "" },
     ],
+    start: [],
+    end: [],
     checksums: [2],
     escape: null,
     escapeStart: 0,
@@ -582,8 +584,6 @@ export const rtuResponseFramer = () => codeFramer({ ...framesOfRtu, parts: frame
 
 const framesOfAscii = /* @__PURE__ */ frames({
   name: "ascii",
-  start: [58],
-  end: [13, 10],
   hex: true,
   request: {
     header: [
@@ -593,6 +593,8 @@ const framesOfAscii = /* @__PURE__ */ frames({
     trailer: [
       { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, constant: null, ranges: null, algorithm: lrc, digits: "" },
     ],
+    start: [58],
+    end: [13, 10],
     checksums: [2],
     escape: null,
     escapeStart: 0,
@@ -606,6 +608,8 @@ const framesOfAscii = /* @__PURE__ */ frames({
     trailer: [
       { name: "lrc", role: "checksum", key: null, offset: -1, size: 1, order: "little", signed: false, wide: false, low: 0, high: 255, reserved: false, unitSize: 1, base: 0, start: 0, stop: -1, escaped: false, constant: null, ranges: null, algorithm: lrc, digits: "" },
     ],
+    start: [58],
+    end: [13, 10],
     checksums: [2],
     escape: null,
     escapeStart: 0,

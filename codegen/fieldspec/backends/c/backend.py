@@ -19,7 +19,9 @@ from fieldspec.backends.c.records import declare_record
 from fieldspec.backends.c.registers import declare_parameters, declare_register, declare_signal, declare_table
 from fieldspec.backends.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
 from fieldspec.backends.c.selftest import write_selftest
+from fieldspec.backends.c.subcodes import subcode_of
 from fieldspec.backends.templates import fill
+from fieldspec.backends.usages import VersionUsages
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name, stem, version_word
 
@@ -41,6 +43,13 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         texts[f"{name}_selftest.c"] = write_selftest(layout, naming, f"{name}.h")
         texts[f"{name}_fuzz.c"] = write_fuzz_target(layout, naming, f"{name}.h")
     return texts
+
+
+def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
+    """The code for each version of a device, by the version."""
+    from fieldspec.backends.c.usages import version_usages  # which claims names as this module does
+
+    return {layout.device.version: version_usages(layout) for layout in versions}
 
 
 def shared() -> dict[str, str]:
@@ -69,10 +78,10 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
     )
 
 
-def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
-    """The texts of all sections. Names are claimed in this order."""
+def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable[Block]], ...]:
+    """The sections of a header with their declarations. Names are claimed in this order, while they are declared."""
     device = layout.device
-    sections: tuple[tuple[str, Iterable[Block]], ...] = (
+    return (
         ("Compilers and machines", ([copy_runtime(naming, "machine.h")],)),
         ("Results of codec calls", ([copy_runtime(naming, "status.h")],)),
         ("Numbers and characters", copy_numbers(naming, layout)),
@@ -109,8 +118,21 @@ def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
         ),
         ("Texts of codes, in UTF-8", _code_texts(naming, layout)),
     )
+
+
+def claim_names(naming: Naming, layout: DeviceLayout) -> None:
+    """Gives all names of a header to what they belong to, without printing it."""
+    device = layout.device
+    _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
+    for _, blocks in _sections(naming, layout):
+        for _ in blocks:
+            pass
+
+
+def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
+    """The texts of all sections."""
     printer = Printer()
-    for name, blocks in sections:
+    for name, blocks in _sections(naming, layout):
         texts = [_print_block(printer, block) for block in blocks if block]
         if texts:
             yield f"\n/* ---- {name} ---- */\n"
@@ -137,7 +159,8 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
         beside = f"Sent only together with {', '.join(message.supplements)}." if message.supplements else ""
         links = f"On {', '.join(message.links)}." if message.links and len(layout.links) > 1 else ""
         about = " ".join(text for text in (message.title and f"{message.title}.", links, beside) if text)
-        numbers = (("code", message.code), ("number", message.number))
+        subcode = subcode_of(layout, layout_of_message)
+        numbers = (("code", message.code), ("subcode", subcode), ("number", message.number))
         comment_of_message = describe_fact(message, about)
         block: list[Declaration] = [comment_of_message] if comment_of_message.lines else []
         block += [

@@ -43,15 +43,23 @@ _BYTE = Identifier("byte")
 
 def is_wrapped(link: LinkLayout) -> bool:
     """Whether a frame is more than its bytes: it has delimiters or escapes, or is written in characters."""
-    return link.link.encoding == "hex_ascii" or bool(link.link.start or link.link.end or link.link.escape)
+    if link.link.encoding == "hex_ascii" or link.link.escape:
+        return True
+    return any(frame.start or frame.end for frame in (link.request, link.response))
 
 
-def declare_unwrap(naming: Naming, link: LinkLayout) -> list[Declaration]:
+def unwrap_function(naming: Naming, link: LinkLayout, direction: str) -> str:
+    """The name of the function that takes the delimiters off: one for both directions if they have the same."""
+    words = ("parts",) if link.link.has_common_delimiters else (direction, "parts")
+    return naming.function("link", link.name, *words)
+
+
+def declare_unwrap(naming: Naming, link: LinkLayout, direction: str) -> list[Declaration]:
     """The function that takes the delimiters off a frame, and turns characters into bytes.
 
     `codec_status ascii_parts(const uint8_t *frame, size_t size, uint8_t *out, size_t capacity, size_t *length)`
     """
-    start, end = link.link.start, link.link.end
+    start, end = link.link.delimiters(direction)
     length = dereference(LENGTH)
     delimiters = len(start) + len(end)
     body: list[Statement] = [Variable(SIZE_TYPE, "at")]
@@ -75,7 +83,7 @@ def declare_unwrap(naming: Naming, link: LinkLayout) -> list[Declaration]:
     )
     return [
         comment("Removes the delimiters and writes the bytes between them. `out` may be the frame itself."),
-        Function(status_type(naming), naming.function("link", link.name, "parts"), parameters, tuple(body)),
+        Function(status_type(naming), unwrap_function(naming, link, direction), parameters, tuple(body)),
     ]
 
 
@@ -103,9 +111,9 @@ def _read_characters(naming: Naming, start: int, length: Expression, too_small: 
     )
 
 
-def wrap_frame(naming: Naming, link: LinkLayout) -> Body:
+def wrap_frame(naming: Naming, link: LinkLayout, direction: str) -> Body:
     """Turns the bytes at `out` into a frame with delimiters, the last byte first, as they overwrite themselves."""
-    start, end = link.link.start, link.link.end
+    start, end = link.link.delimiters(direction)
     if link.link.encoding == "hex_ascii":
         digit = naming.own("hex_digit")
         high = Cast("uint8_t", Operation(">>", (_BYTE, decimal(4))))

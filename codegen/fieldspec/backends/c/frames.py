@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 from fieldspec.backends.c.checksums import compute_checksum, is_wrong, store_checksum
 from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Function, Struct, comment, describe_fact
-from fieldspec.backends.c.delimiters import declare_unwrap, is_wrapped, wrap_frame
+from fieldspec.backends.c.delimiters import declare_unwrap, is_wrapped, unwrap_function, wrap_frame
 from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
 from fieldspec.backends.c.escapes import escape_call
+from fieldspec.backends.c.exceptions import read_mark
 from fieldspec.backends.c.expressions import (
     CAPACITY,
     IN,
@@ -26,7 +27,6 @@ from fieldspec.backends.c.expressions import (
     Operation,
     PointerMember,
     Type,
-    Unary,
     add,
     add_size,
     address_of,
@@ -47,16 +47,15 @@ from fieldspec.backends.c.expressions import (
 from fieldspec.backends.c.fields import return_error
 from fieldspec.backends.c.naming import Naming, argument, frame_member
 from fieldspec.backends.c.statements import (
-    Assignment,
     Body,
     CompileIf,
-    If,
     Return,
     Statement,
     Variable,
     assign,
     discard,
 )
+from fieldspec.backends.c.subcodes import read_subcode, shared_codes
 from fieldspec.backends.c.values import (
     WireValue,
     check_constant,
@@ -98,7 +97,8 @@ def declare_link(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list
     """The structs of opened frames, and the functions that open and close frames."""
     declarations: list[Declaration] = [describe_fact(link.link, f"Frames are {_describe_form(link)}.")]
     if is_wrapped(link):
-        declarations += [*declare_unwrap(naming, link), BLANK]
+        for direction in DIRECTIONS[:1] if link.link.has_common_delimiters else DIRECTIONS:
+            declarations += [*declare_unwrap(naming, link, direction), BLANK]
     for direction in DIRECTIONS:
         declarations += [*_declare_struct(naming, link, direction), BLANK]
         declarations += [*_declare_open(naming, link, direction), BLANK]
@@ -108,11 +108,22 @@ def declare_link(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list
 
 def _describe_form(link: LinkLayout) -> str:
     text = "binary" if link.link.encoding == "binary" else "hexadecimal characters"
-    start = [f"begin with {link.link.start.hex(' ').upper()}"] if link.link.start else []
-    end = [f"end with {link.link.end.hex(' ').upper()}"] if link.link.end else []
-    delimiters = " and ".join([*start, *end])
     escaped = ", escaped" if link.link.escape is not None else ""
-    return (f"{text}; they {delimiters}" if delimiters else text) + escaped
+    if link.link.has_common_delimiters:
+        delimiters = _describe_delimiters(link.request)
+        return (f"{text}; they {delimiters}" if delimiters else text) + escaped
+    each = (
+        f"{direction}s {_describe_delimiters(link.frame(direction)) or 'have no delimiters'}"
+        for direction in DIRECTIONS
+    )
+    return f"{text}; {', '.join(each)}{escaped}"
+
+
+def _describe_delimiters(frame: FrameLayout) -> str:
+    """`begin with 3A and end with 0D 0A`"""
+    start = [f"begin with {frame.start.hex(' ').upper()}"] if frame.start else []
+    end = [f"end with {frame.end.hex(' ').upper()}"] if frame.end else []
+    return " and ".join([*start, *end])
 
 
 def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[Declaration]:
@@ -123,6 +134,9 @@ def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[De
         inside += [describe_fact(part.part), declare_value(part_value(part), frame_member(part.name))]
     if frame.role("code") is not None:
         inside += [comment("The code, without the flag of an exception response."), Variable(CODE_TYPE, "code")]
+    if shared_codes(link, direction):
+        about = comment("What tells messages with this code apart; 0 for other codes and for exception responses.")
+        inside += [about, Variable(CODE_TYPE, "subcode")]
     if direction == "response" and link.link.exception_response is not None:
         about = comment("The frame is an exception response; its body is the record of the exception.")
         inside += [about, Variable(Type("bool"), "error")]
@@ -153,7 +167,7 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
             Variable(INPUT_BYTES, "in", value=Identifier("buffer")),
             Variable(SIZE_TYPE, "length", value=ZERO),
             Variable(status_type(naming), "status"),
-            *return_error(naming, Call(naming.function("link", link.name, "parts"), received)),
+            *return_error(naming, Call(unwrap_function(naming, link, direction), received)),
         ]
     else:
         body += [
@@ -235,12 +249,7 @@ def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
     body: Body = (assign(code, load(naming, part_value(part), part_pointer(IN, part, LENGTH))),)
     guard: list[Expression] = []
     if link.link.exception_response is not None and frame.direction == "response":
-        flag = unsigned(link.link.exception_response.flag)
-        without_flag = Assignment(code, Unary("~", Cast(CODE_TYPE.name, flag)), "&=")
-        body += (
-            assign(error, different(Operation("&", (code, flag)), ZERO)),
-            If(error, (without_flag,)),
-        )
+        body += read_mark(link.link.exception_response, frame, code, error)
         guard.append(negate(error))
     carried = link.carried(frame.direction).values()
     codes = sorted({m.message.code for m in carried if m.message.code is not None})
@@ -249,6 +258,10 @@ def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
         body += (
             refuse(naming, all_of(tests), "err_unknown_code") if tests else (Return(naming.status("err_unknown_code")),)
         )
+    shared = shared_codes(link, frame.direction)
+    if shared:
+        body += (assign(PointerMember(OUT, "subcode"), ZERO),)
+        body += tuple(read_subcode(naming, frame, number, subcode, guard) for number, subcode in shared.items())
     return body
 
 
@@ -271,7 +284,7 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
         parameters.append(Variable(CODE_TYPE, "code"))
     parameters += [Variable(SIZE_TYPE, "body_length"), *OUTPUT_PARAMETERS]
     width = 2 if link.link.encoding == "hex_ascii" else 1
-    delimiters = len(link.link.start) + len(link.link.end)
+    delimiters = len(frame.start) + len(frame.end)
     around = frame.header_size + frame.trailer_size
     body: list[Statement] = [
         Variable(SIZE_TYPE, "total", value=add_size(_BODY_LENGTH, around), storage="" if frame.escape else "const"),
@@ -293,7 +306,7 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
         body += _write_part(naming, layout, link, frame, sent_length) if sent_length is not None else ()
         body += _store_checksums(naming, [part for part in frame.checksums if _is_sent(frame, part)])
     if is_wrapped(link):
-        body += wrap_frame(naming, link)
+        body += wrap_frame(naming, link, direction)
     if not frame.parts and not is_wrapped(link):
         body.append(discard("out"))
     size = _TOTAL if width == 1 else multiply(_TOTAL, unsigned(width))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fieldspec.backends.c.declarations import BLANK, Declaration, Function, comment
+from fieldspec.backends.c.exceptions import check_mark
 from fieldspec.backends.c.expressions import (
     CAPACITY,
     IN,
@@ -81,11 +82,11 @@ def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: Link
     error = link.link.exception_response
     assert error is not None
     function = naming.function("link", link.name, "encode", "error")
-    code: list[Expression] = [Operation("|", (_CODE, unsigned(error.flag)))]
+    code: list[Expression] = [Operation("|", (_CODE, unsigned(error.flag))) if error.flag else _CODE]
     parameters = [Variable(CODE_TYPE, "code")]
     record = layout.records[error.record]
     about = comment("Writes the whole frame of an exception response to a code.")
-    return [about, _encode_frame(naming, link, "response", record, function, parameters, code)]
+    return [about, _encode_frame(naming, link, "response", record, function, parameters, code, True)]
 
 
 def _encode_frame(
@@ -96,6 +97,7 @@ def _encode_frame(
     function: str,
     code_parameters: list[Variable],
     code: Sequence[Expression],
+    is_exception: bool = False,
 ) -> Function:
     """The function that encodes the body to where it lies in the frame, then closes the frame."""
     frame = link.frame(direction)
@@ -108,6 +110,7 @@ def _encode_frame(
     arguments = [*(Identifier(parameter.name) for parameter in header), *code, body_length, OUT, CAPACITY, LENGTH]
     body: Body = (
         *(_write_body(naming, frame, data) if data.fields else ()),
+        *check_mark(naming, link, frame, is_exception),
         Return(Call(close, tuple(arguments))),
     )
     return Function(status_type(naming), function, (*parameters, *OUTPUT_PARAMETERS), body)

@@ -34,7 +34,7 @@ _TAKEN = (
 )
 
 _OWN = {"in", "out", "code", "length", "capacity", "body_length", "status", "total", "at", "byte", "value"}
-_FRAME = {"code", "error", "body", "body_length"}
+_FRAME = {"code", "subcode", "error", "body", "body_length"}
 _ARGUMENTS = C | _OWN
 _MEMBERS = C | _FRAME
 

@@ -88,7 +88,8 @@ def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list
     has_struct = bool(members(record))
     if has_struct:
         body.append(Variables(Type(naming.type("record", record.name)), ("in", "out")))
-    room = add(_SIZE_OF_FRAME, decimal(len(link.link.start) + len(link.link.end)))
+    shape = link.frame(example.direction)
+    room = add(_SIZE_OF_FRAME, decimal(len(shape.start) + len(shape.end)))
     body += [Variable(_BYTE, "again", (room,)), _LENGTH_VARIABLE]
     if has_struct:
         body += _CLEAR_STRUCTS
@@ -136,8 +137,9 @@ def _code(link: LinkLayout, example: Example) -> Expression:
 
 def _frame_code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
     """The code in a frame without the flag of an error reply, and whether that is set; None where there is none."""
-    start, end = len(link.link.start), len(example.frame) - len(link.link.end)
-    data, part = example.frame[start:end], link.frame(example.direction).role("code")
+    shape = link.frame(example.direction)
+    start, end = len(shape.start), len(example.frame) - len(shape.end)
+    data, part = example.frame[start:end], shape.role("code")
     if link.link.encoding == "hex_ascii":
         pairs = [data[at : at + 2] for at in range(0, len(data), 2)]
         data = bytes(int(pair, 16) for pair in pairs if all(digit in b"0123456789ABCDEFabcdef" for digit in pair))

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 
 from fieldspec.backends import PageLink
-from fieldspec.backends.docs import html, lab, markdown, search_index
+from fieldspec.backends.docs import fact_index, html, lab, markdown, search_index
 from fieldspec.backends.docs.changes import NAME, changed, link, page_name, steps, versions
 from fieldspec.backends.docs.context import Holding
 from fieldspec.backends.docs.document import Document, every, headings, text_piece
@@ -37,6 +37,7 @@ def files(layouts: Sequence[DeviceLayout], links: Sequence[PageLink] = ()) -> di
         f"{folder}/index.html": html.page(versions(layouts, device_steps, ".html", links), index),
         f"{folder}/README.md": markdown.page(versions(layouts, device_steps, ".md", links)),
         f"{folder}/{search_index.NAME}": search_index.index_file(layouts, pages),
+        f"{folder}/{fact_index.NAME}": fact_index.fact_file(layouts, device_steps),
     }
     if device_steps:
         rows = {version: frozenset(every(document.sections)) for version, document in pages.items()}
@@ -45,11 +46,12 @@ def files(layouts: Sequence[DeviceLayout], links: Sequence[PageLink] = ()) -> di
             changed(device_steps, ".html", rows), device_place(title, has_lab=has_lab)
         )
         texts[f"{folder}/{NAME}.md"] = markdown.page(changed(device_steps, ".md", sections))
+    names = tuple(layout.device.version for layout in reversed(layouts))
     came_by = {step.new.device.version for step in device_steps}
     for version, document in pages.items():
         name = page_name(version)
         fresh = version in came_by
-        place = device_place(title, name, has_lab=has_lab)
+        place = device_place(title, name, has_lab=has_lab, versions=names)
         texts[f"{folder}/{name}.html"] = html.page(_leading(document, version, ".html") if fresh else document, place)
         texts[f"{folder}/{name}.md"] = markdown.page(_leading(document, version, ".md") if fresh else document)
     return texts | lab.files(layouts, device_place(title)) if has_lab else texts

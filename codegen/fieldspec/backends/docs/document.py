@@ -90,6 +90,8 @@ class Footnote:
 class DocumentTable:
     """Rows below titles of columns; its footnotes are below it. `anchor` leads to it, where it has one.
 
+    Its style is `frame` where its rows are the bytes of a frame in order, else empty.
+
     The cells of the column with the number `heading` name their rows; of none, where it is -1.
     """
 
@@ -100,6 +102,7 @@ class DocumentTable:
     rows: tuple[TableRow, ...]
     footnotes: tuple[Footnote, ...] = ()
     anchor: str = ""
+    style: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -171,7 +171,7 @@ class _Page:
             f'<th scope="col"{style}>{escaped(column.title)}</th>'
             for style, column in zip(classes, table.columns, strict=True)
         )
-        yield f'<div class="scroll">\n<table{_attribute("id", table.anchor)}>\n'
+        yield f'<div class="scroll">\n<table{_attribute("id", table.anchor)}{_attribute("class", table.style)}>\n'
         yield f"<caption>{escaped(table.caption)}</caption>\n"
         yield f"<thead><tr>{''.join(titles)}</tr></thead>\n<tbody>\n"
         tags = [(f"<td{style}>", "</td>") for style in classes]

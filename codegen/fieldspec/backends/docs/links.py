@@ -24,7 +24,7 @@ from fieldspec.backends.docs.document import (
 from fieldspec.backends.docs.link_settings import serial_facts, station_facts
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.explain.values import decimal_text
 from fieldspec.layout.frame import LinkLayout, PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
@@ -76,19 +76,19 @@ class FrameTable:
         self.marks = Inferences(anchor)
         self.anchored = anchored
         characters = link.link.encoding == "hex_ascii"
-        self.start, self.width = len(link.link.start), 2 if characters else 1
+        self.start, self.width = len(self.shape.start), 2 if characters else 1
         self.unit = "Character" if characters else "Byte"
 
     def table(self, caption: str, record: RecordLayout | None, code: int | None = None) -> DocumentTable:
         """All parts of the frame in order, with the fields of a record where one is given."""
-        start, end = self.link.link.start, self.link.link.end
+        start, end = self.shape.start, self.shape.end
         rows = [*self._mark("start", _span(0, len(start)), start)]
         rows += [self._part(part, Position(part.offset), record, code) for part in self.shape.header]
         rows += self._body(record)
         rows += self._tail(record)
         rows += self._mark("end", self._end(record), end)
         columns = (TableColumn(self.unit, "number", unbroken=True), *COLUMNS[1:])
-        return table(caption, columns, rows, self.marks.footnotes(), heading=1)
+        return replace(table(caption, columns, rows, self.marks.footnotes(), heading=1), style="frame")
 
     def _mark(self, name: str, place: str, mark: bytes) -> Iterator[TableRow]:
         if mark:
@@ -97,7 +97,7 @@ class FrameTable:
 
     def _end(self, record: RecordLayout | None) -> str:
         """The place of the end mark, counted from the end where the size of the body is open."""
-        size = len(self.link.link.end)
+        size = len(self.shape.end)
         if record is None or record.size is None:
             return _from_end(size, size)
         return _span(self.start + (self.shape.header_size + record.size + self.shape.trailer_size) * self.width, size)
@@ -184,7 +184,7 @@ class FrameTable:
         for part in self.shape.trailer:
             row = self._part(part, Position(0), record, None)
             if fixed is None:
-                behind = -part.offset * self.width + len(self.link.link.end)
+                behind = -part.offset * self.width + len(self.shape.end)
                 place = _from_end(behind, part.size * self.width)
             else:
                 place = Position(fixed + self.shape.trailer_size + part.offset).text(part.size, self.start, self.width)
@@ -347,10 +347,12 @@ def _has_equal_parts(link: Link) -> bool:
 def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
     yield "Name", ((code(link.name),),)
     yield "Encoding", ((text_piece(ENCODINGS[link.encoding]),),)
-    if link.start:
-        yield "Starts with", ((code(link.start.hex(" ").upper()),),)
-    if link.end:
-        yield "Ends with", ((code(link.end.hex(" ").upper()),),)
+    common = link.has_common_delimiters
+    for direction in ("request",) if common else ("request", "response"):
+        frames = "" if common else f", {link.direction_name(direction)}s"
+        for verb, mark in zip(("Starts", "Ends"), link.delimiters(direction), strict=True):
+            if mark:
+                yield f"{verb} with{frames}", ((code(mark.hex(" ").upper()),),)
     if link.escape is not None:
         yield "Escaped bytes", ((text_piece(link.escape.text()),),)
     if link.byte_order:
@@ -364,7 +366,10 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
     if link.silence_sources:
         yield "Source of the silence", (cited(link.silence_sources),)
     if link.exception_response is not None:
-        text = f"the code of the request with the bits {link.exception_response.flag:02X}h set, and the record "
+        error = link.exception_response
+        text = f"the code of the request with the bits {error.flag:02X}h set, and the record "
+        if not error.flag:
+            text = f"{error.mark_text}, and the record "
         yield (
             "Refusals",
             ((text_piece(text), code(link.exception_response.record, f"#records/{link.exception_response.record}")),),

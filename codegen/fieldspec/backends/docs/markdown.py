@@ -165,7 +165,7 @@ class _Page:
                 yield f"- {escaped(strip.title)}: {_strip(strip.bytes)}"
 
     def _table(self, table: DocumentTable) -> Iterator[str]:
-        yield f"*{escaped(table.caption)}*"
+        yield _wrapped(table.caption, "*").strip()
         yield ""
         yield f"| {' | '.join([escaped(column.title) for column in table.columns])} |"
         yield f"|{'|'.join(['---'] * len(table.columns))}|"

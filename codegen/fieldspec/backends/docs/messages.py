@@ -79,6 +79,19 @@ def _frame(
     return FrameTable(context, link, direction, anchor, anchored).table(caption, record, message_layout.message.code)
 
 
+def _subcodes(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
+    """What tells the message from others with its code, once for all links and directions where it is the same."""
+    texts = dict.fromkeys(
+        f"0x{subcode.number_of(message_layout):0{2 * subcode.size}X}"
+        for link in context.layout.links.values()
+        for direction in DIRECTIONS
+        for number, subcode in link.subcodes(direction).items()
+        if number == message_layout.message.code and message_layout in subcode.messages.values()
+    )
+    if texts:
+        yield "Subcode", (joined((code(text),) for text in texts),)
+
+
 def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
     message = message_layout.message
     yield "Name", ((code(message.name),),)
@@ -96,6 +109,7 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
         yield "Group", ((text_piece(" ".join(message.group.split("_"))),),)
     if message.code is not None:
         yield "Code", ((code(_code(context, message.code)), text_piece(f" ({message.code})")),)
+        yield from _subcodes(context, message_layout)
     printed = [
         f"{direction} {many(length, 'byte')}"
         for direction, length in zip(DIRECTIONS, (message.request_length, message.response_length), strict=True)

@@ -11,7 +11,7 @@ from fieldspec.backends.docs import search_index
 from fieldspec.classes import dataclass
 from fieldspec.html_text import escaped
 
-SCRIPTS = ("search.js", "tables.js")
+SCRIPTS = ("search.js", "tables.js", "facts.js", "compare.js")
 """The scripts of all pages, copied as they are."""
 
 PLACEHOLDER = "address, name, label, code"
@@ -21,21 +21,25 @@ PLACEHOLDER = "address, name, label, code"
 class PagePlace:
     """Where a page stands: the way from it to the top folder, what its search reads, and its name there.
 
-    `page` is the name of a version's page, else empty. `parents` are the links above it, by their texts.
+    `page` is the name of a version's page, else empty. `parents` are the links above it, by their texts. `versions` are
+    all versions of the device on the page of one, the newest first.
     """
 
     top: str
     sources: tuple[str, ...]
     page: str = ""
     parents: tuple[tuple[str, str], ...] = ()
+    versions: tuple[str, ...] = ()
 
 
-def device_place(device: str, page: str = "", is_index: bool = False, has_lab: bool = False) -> PagePlace:
+def device_place(
+    device: str, page: str = "", is_index: bool = False, has_lab: bool = False, versions: tuple[str, ...] = ()
+) -> PagePlace:
     """The place of a page of a device, by the device's name; it leads to the frame lab if the device has one."""
     parents: tuple[tuple[str, str], ...] = (("All devices", "../index.html"),)
     parents = parents if is_index else (*parents, (device, "index.html"))
     lab = (("Frame lab", f"lab.html#version={quote(page)}" if page else "lab.html"),) if has_lab else ()
-    return PagePlace("../", (search_index.NAME,), page, (*parents, *lab))
+    return PagePlace("../", (search_index.NAME,), page, (*parents, *lab), versions)
 
 
 def policy(style: str, scripts: bool) -> str:
@@ -61,6 +65,20 @@ def panel(place: PagePlace) -> str:
         + ' role="search" hidden>\n<label for="query">Search <kbd>/</kbd></label>\n'
         + f'<input id="query" type="search" autocomplete="off" spellcheck="false" placeholder="{PLACEHOLDER}">\n'
         + '<p id="found" role="status"></p>\n<ul id="results" aria-label="Results" hidden></ul>\n</div>\n'
+        + _menu(place)
+    )
+
+
+def _menu(place: PagePlace) -> str:
+    """The choice of a version to compare with, which is hidden where no script runs."""
+    if len(place.versions) < 2:
+        return ""
+    options = "".join(
+        [f'<option value="{number}">{escaped(name)}</option>' for number, name in enumerate(place.versions)]
+    )
+    return (
+        '<p class="menu" hidden><label for="versions">Compare with</label>\n'
+        + f'<select id="versions"><option value="">no other version</option>{options}</select></p>\n'
     )
 
 

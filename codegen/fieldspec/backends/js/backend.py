@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from fieldspec.backends.js.explainer import explainer_files
 from fieldspec.backends.js.module import module_texts
 from fieldspec.backends.js.text import comment, literal
+from fieldspec.backends.js.usages import usages as usages
 from fieldspec.backends.templates import text
 from fieldspec.explain import script
 from fieldspec.layout.device import DeviceLayout

@@ -13,6 +13,7 @@ from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.checksums import checksum_named
+from fieldspec.model.link import ExceptionResponse
 from fieldspec.model.value import Ranges
 from fieldspec.names import Name
 
@@ -64,8 +65,6 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     code = [f"const {frames} = /* @__PURE__ */ frames({{"]
     code += [
         f"  name: {literal(link.name)},",
-        f"  start: {list(link.link.start)},",
-        f"  end: {list(link.link.end)},",
         f"  hex: {'true' if link.link.encoding == 'hex_ascii' else 'false'},",
     ]
     for direction in ("request", "response"):
@@ -74,6 +73,8 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
         code += [f"  {direction}: {{", *_parts("header", link, direction), *_parts("trailer", link, direction)]
         escape_stop = "null" if frame.escape_stop is None else str(frame.escape_stop)
         code += [
+            f"    start: {list(frame.start)},",
+            f"    end: {list(frame.end)},",
             f"    checksums: {order},",
             f"    escape: {_escape(frame)},",
             f"    escapeStart: {frame.escape_start},",
@@ -86,10 +87,12 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
         f"  unitAddresses: {'null' if addresses is None else f'{{ ranges: {ranges}, broadcast: {broadcast} }}'},"
     )
     code += ["});", ""]
-    flag = "null" if exception is None else f"{{ flag: {exception.flag}, record: {names.records[exception.record]} }}"
+    flag = "null" if exception is None else _exception(link, exception, names)
     carried_names = ", ".join(names.messages[message.name] for message in carried)
     unanswered = [names.messages[m.name] for m in carried if m.name not in link.carried("response")]
-    more = f", [{', '.join(unanswered)}]" if unanswered else ""
+    subcodes = _subcodes(link, names)
+    more = f", [{', '.join(unanswered)}]" if unanswered or subcodes else ""
+    more += f", {subcodes}" if subcodes else ""
     code += [f"export const {name} = /* @__PURE__ */ link({frames}, [{carried_names}], {flag}{more});", ""]
     headers = {direction: _header_type(link.frame(direction)) for direction in ("request", "response")}
     record = names.records[exception.record] if exception is not None else "never"
@@ -113,16 +116,43 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     return Declaration(code, types)
 
 
+def _subcodes(link: LinkLayout, names: Names) -> str:
+    """What tells messages with one code apart, by direction and code; empty where no two have the same."""
+    directions = []
+    for direction in ("request", "response"):
+        rows = []
+        for code, shared in link.subcodes(direction).items() if link.frame(direction).role("code") is not None else ():
+            members = ", ".join(f"[{number}, {names.messages[own.name]}]" for number, own in shared.messages.items())
+            place = f"offset: {shared.offset}, size: {shared.size}, order: {literal(shared.order)}, signed: false"
+            rows.append(f"[{code}, {{ {place}, messages: {PURE} new Map([{members}]) }}]")
+        directions.append(f"{direction}: {PURE} new Map([{', '.join(rows)}])" if rows else "")
+    return f"{{ {', '.join(filter(None, directions))} }}" if any(directions) else ""
+
+
+def _exception(link: LinkLayout, exception: ExceptionResponse, names: Names) -> str:
+    """What marks an exception response, and its record."""
+    row = {"flag": str(exception.flag), "record": names.records[exception.record]}
+    if exception.code is not None:
+        row["code"] = str(exception.code)
+    part = next((part for part in link.response.header if part.name == exception.part), None)
+    if part is not None and part.value is not None:
+        row["part"] = literal(part.name)
+        for name, is_exception in (("normal", False), ("marks", True)):
+            row[name] = _intervals(exception.permitted(part.value, is_exception))
+        row["all"] = _intervals(exception.normal)
+    return object_of(row)
+
+
 def _header_type(frame: FrameLayout) -> str:
     rows = [
         f"readonly {key}: {'bigint' if part.size > WIDE else 'number'}"
-        for key, part in zip(_keys(frame.header), frame.header, strict=True)
+        for key, part in zip(argument_keys(frame.header), frame.header, strict=True)
         if key
     ]
     return f"{{ {'; '.join(rows)} }}" if rows else "Record<string, never>"
 
 
-def _keys(parts: Sequence[PartLayout]) -> list[str]:
+def argument_keys(parts: Sequence[PartLayout]) -> list[str]:
     """The properties of the parts that the caller supplies; empty for the others."""
     scope = property_scope()
     return [
@@ -137,7 +167,7 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
     frame = link.frame(direction)
     parts = frame.header if place == "header" else frame.trailer
     lines = [f"    {place}: ["]
-    for part, key in zip(parts, _keys(parts), strict=True):
+    for part, key in zip(parts, argument_keys(parts), strict=True):
         row: dict[str, Any] = {
             "name": part.name,
             "role": part.role,
@@ -226,14 +256,14 @@ def _framer(link: LinkLayout, direction: str, carried: list[MessageLayout], name
         _addresses(link, frame, direction),
     ]
     length, code = frame.role("length"), frame.role("code")
-    if link.link.start and link.link.end and link.link.encoding == "hex_ascii":
+    if frame.start and frame.end and link.link.encoding == "hex_ascii":
         return f"delimiterFramer({{ {', '.join(rows)} }})"
     if link.link.encoding != "binary":
         return None
     if frame.escape is not None and (frame.escape_start, frame.escape_stop) == (0, None):
-        if not link.link.end:
+        if not frame.end:
             return None
-        marks = len(link.link.start) + len(link.link.end)
+        marks = len(frame.start) + len(frame.end)
         longest = max(record.most if record.most is not None else LONGEST for record in bodies)
         rows.append(f"most: {marks + frame.escape.most(frame.header_size + longest + frame.trailer_size)}")
         return f"escapeFramer({{ {', '.join(rows)} }})"
@@ -243,13 +273,21 @@ def _framer(link: LinkLayout, direction: str, carried: list[MessageLayout], name
         return f"lengthFramer({{ {', '.join([*rows, f'length: {_number(length)}'])} }})"
     if code is None:
         return None
-    extents = [
-        f"{message.message.code}: {_extent(link, frame, message.data(direction))}"
-        for message in carried
-        if message.message.code is not None
-    ]
-    rows += [f"code: {_number(code)}", f"extents: {{ __proto__: null, {', '.join(extents)} }}"]
-    if refused is not None and refusal is not None:
+    extents: dict[int, str] = {}
+    for message in carried:
+        number = message.message.code
+        if number is not None:
+            extent = _extent(link, frame, message.data(direction))
+            # Of messages that share a code, only those of one form are told by it.
+            extents[number] = extent if extents.get(number, extent) == extent else "{ length: 0, size: -1 }"
+    if refused is not None and refusal is not None and not refusal.flag:
+        own = _extent(link, frame, refused)
+        extents |= {refusal.code: own} if refusal.code is not None else {}
+        # Where a part marks exception responses, the code tells the length only of those that are as long as others.
+        extents |= {n: "{ length: 0, size: -1 }" for n, extent in extents.items() if refusal.part and extent != own}
+    members = ", ".join(f"{number}: {extent}" for number, extent in extents.items())
+    rows += [f"code: {_number(code)}", f"extents: {{ __proto__: null, {members} }}"]
+    if refused is not None and refusal is not None and refusal.flag:
         rows += [f"flag: {refusal.flag}", f"refusal: {_extent(link, frame, refused)}"]
     else:
         rows += ["flag: 0", "refusal: undefined"]
@@ -274,7 +312,7 @@ def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) ->
     most = max(record.most if record.most is not None else LONGEST for record in bodies)
     width = 2 if link.link.encoding == "hex_ascii" else 1
     around = frame.header_size + frame.trailer_size
-    marks = len(link.link.start) + len(link.link.end)
+    marks = len(frame.start) + len(frame.end)
     shortest, longest = (marks + width * (around + size) for size in (least, most))
     if frame.escape is not None and (frame.escape_start, frame.escape_stop) != (0, None):
         longest = frame.escape.most(longest)
@@ -293,7 +331,7 @@ def _addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> str:
 
 def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> str:
     """The length without the repeated part; then place and order of its count, and the bytes of each unit."""
-    around = len(link.link.start) + frame.header_size + frame.trailer_size + len(link.link.end)
+    around = len(frame.start) + frame.header_size + frame.trailer_size + len(frame.end)
     if record.size is not None:
         return f"{{ length: {around + record.size}, size: 0 }}"
     tail = record.fields[-1]

@@ -50,10 +50,13 @@ IMPORTS = {
 _WORDS = re.compile(r'"(?:[^"\\]|\\.)*"|[A-Za-z_$][\w$]*')
 
 
-def declarations(layout: DeviceLayout) -> list[Declaration]:
-    """Everything that the module of a version declares, in an order in which nothing is used before it."""
-    device, scope = layout.device, module_scope()
-    names = Names(layout, scope)
+def declarations(names: Names) -> list[Declaration]:
+    """Everything that the module of a version declares, in an order in which nothing is used before it.
+
+    Enums, words of flags, records and messages are added to the names.
+    """
+    layout, scope = names.layout, names.scope
+    device = layout.device
     for enum in device.enums.values():
         names.enums[enum.name] = scope.take(Name.of(enum.name).pascal(), f"{Name.of(enum.name).pascal()}Code")
     for flags in device.flags.values():
@@ -99,7 +102,7 @@ def _bodies(message: MessageLayout, names: Names) -> list[Declaration]:
 
 def module_texts(layout: DeviceLayout) -> tuple[str, str]:
     """The module of a version, and its types."""
-    rows = declarations(layout)
+    rows = declarations(Names(layout, module_scope()))
     head = comment(about(layout))
     device = layout.device
     constants = [("DEVICE", device.id), ("VERSION", device.version), ("IDENTITY", layout.identity)]

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from fieldspec.backends.plcopen.elements import (
     Element,
+    array_type,
     constants_list,
     document_text,
     documentation,
@@ -21,6 +22,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import stem
 from fieldspec.plc.dialects import DIALECTS
+from fieldspec.plc.structured.arrays import named_arrays
 from fieldspec.plc.structured.layout_table import layout_table
 from fieldspec.plc.structured.program import Program, newest, program
 from fieldspec.plc.structured.program import refusals as program_refusals
@@ -57,7 +59,15 @@ def project(program_of_device: Program) -> Element:
     """The project: types, functions, and the lists of constants as data that CODESYS reads and writes itself."""
     layout = program_of_device.declared.layout
     types = [enum_type(enum) for enum in program_of_device.declared.enums]
-    types += [struct_type(placed.struct, placed.size) for placed in program_of_device.placed]
+    spelling, structs = program_of_device.spelling, []
+    known: set[str] = set()
+    for placed in program_of_device.placed:
+        members = [member.type for member in placed.struct.members]
+        structs += [array_type(kind, spelling) for kind in named_arrays(members, spelling, known)]
+        structs.append(struct_type(placed.struct, placed.size, spelling))
+    variables = [declared.variable.type for routine in program_of_device.routines for declared in routine.declared]
+    structs += [array_type(kind, spelling) for kind in named_arrays(variables, spelling, known)]
+    types += structs
     lists = [constants_list(constant_list) for constant_list in program_of_device.declared.constants]
     if program_of_device.texts is not None:
         types.append(text_type(program_of_device.texts))
@@ -66,7 +76,10 @@ def project(program_of_device: Program) -> Element:
         )
     functions = [
         sizes_function(program_of_device),
-        *map(function, program_of_device.routines, program_of_device.functions),
+        *(
+            function(routine, text, spelling)
+            for routine, text in zip(program_of_device.routines, program_of_device.functions, strict=True)
+        ),
     ]
     scaling = element("scaling", x="1", y="1")
     return element(

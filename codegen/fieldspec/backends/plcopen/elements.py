@@ -7,9 +7,10 @@ from html import escape
 
 from fieldspec.classes import dataclass
 from fieldspec.plc.constants import ConstantList
+from fieldspec.plc.dialects import Spelling
 from fieldspec.plc.enums import EnumDeclaration, TextTable
-from fieldspec.plc.routines.expressions import BOOL, ArrayType, Elementary, StructType, Type
-from fieldspec.plc.routines.printer import comment_text
+from fieldspec.plc.routines.expressions import BOOL, ArrayType, Elementary, EnumType, StructType, Type
+from fieldspec.plc.routines.printer import array_name, comment_text
 from fieldspec.plc.routines.routine import Declared, Routine
 from fieldspec.plc.structs import Struct
 from fieldspec.plc.structured.objects import ENUM_ATTRIBUTES, LIST_ATTRIBUTES, PACK_MODE, Item, TextForm, number, string
@@ -71,12 +72,27 @@ ATTRIBUTES = "http://www.3s-software.com/plcopenxml/attributes"
 _XHTML = "http://www.w3.org/1999/xhtml"
 
 
-def type_element(kind: Type) -> Element:
+def type_element(kind: Type, spelling: Spelling) -> Element:
     """A type."""
+    if isinstance(kind, ArrayType) and kind in spelling.named:
+        return element("derived", name=array_name(kind, spelling))
     if isinstance(kind, ArrayType):
-        bounds = element("dimension", lower=str(kind.low), upper=str(kind.high))
-        return element("array", bounds, element("baseType", type_element(kind.of)))
+        return _array(kind, spelling)
+    return _named(kind)
+
+
+def _named(kind: Elementary | EnumType | StructType) -> Element:
     return element(kind.name) if isinstance(kind, Elementary) else element("derived", name=kind.name)
+
+
+def _array(kind: ArrayType, spelling: Spelling) -> Element:
+    bounds = element("dimension", lower=str(kind.low), upper=str(kind.high))
+    return element("array", bounds, element("baseType", type_element(kind.of, spelling)))
+
+
+def array_type(kind: ArrayType, spelling: Spelling) -> Element:
+    """An array by its name."""
+    return _declared(array_name(kind, spelling), _array(kind, spelling), (), "")
 
 
 def attributes(*pairs: tuple[str, str]) -> Element:
@@ -117,7 +133,7 @@ def _declared(name: str, base: Element, pairs: Iterable[tuple[str, str]], title:
 def enum_type(declared: EnumDeclaration) -> Element:
     """A strict enum with its base type."""
     values = (element("value", name=member.name, value=str(member.value)) for member in declared.members)
-    base = element("baseType", type_element(declared.base))
+    base = element("baseType", _named(declared.base))
     values_and_base = element("enum", element("values", *values), base)
     remarks = [f"{member.name}: {member.remark}" for member in declared.members if comment_text(member.remark)]
     declared_enum = _declared(declared.name, values_and_base, ((name, "") for name in ENUM_ATTRIBUTES), declared.title)
@@ -132,9 +148,12 @@ def enum_type(declared: EnumDeclaration) -> Element:
     )
 
 
-def struct_type(struct: Struct, size: int) -> Element:
+def struct_type(struct: Struct, size: int, spelling: Spelling) -> Element:
     """A struct of some bytes, without gaps between its members."""
-    members = [variable(member.name, type_element(member.type), None, member.remark) for member in struct.members]
+    kinds = [type_element(member.type, spelling) for member in struct.members]
+    members = [
+        variable(member.name, kind, None, member.remark) for member, kind in zip(struct.members, kinds, strict=True)
+    ]
     members = members or [variable("byNothing", element("BYTE"), None, "a struct must have a member")]
     pairs = [("pack_mode", str(PACK_MODE))]
     return _declared(struct.name, element("struct", *members), pairs, f"{struct.title} {size} bytes.".strip())
@@ -144,7 +163,7 @@ def text_type(form: TextForm) -> Element:
     """The struct of a code's text."""
     code, text = form.members
     kind = element("wstring" if form.wide else "string", length=str(form.longest))
-    members = (variable(code, type_element(form.code), None, ""), variable(text, kind, None, ""))
+    members = (variable(code, _named(form.code), None, ""), variable(text, kind, None, ""))
     return _declared(form.name, element("struct", *members), (), "What a code means.")
 
 
@@ -153,19 +172,24 @@ _SECTIONS = {"input": "inputVars", "output": "outputVars", "in_out": "inOutVars"
 _DOCUMENTATION_NAMESPACE = "http://www.w3.org/1999/xhtml"
 
 
-def function(routine: Routine, text: Item) -> Element:
+def function(routine: Routine, text: Item, spelling: Spelling) -> Element:
     """A function and its statements in Structured Text."""
     sections = []
     for role, name in _SECTIONS.items():
         variables = [
-            variable(declared.variable.name, type_element(declared.variable.type), _initial(declared), declared.remark)
+            variable(
+                declared.variable.name,
+                type_element(declared.variable.type, spelling),
+                _initial(declared),
+                declared.remark,
+            )
             for declared in routine.of_role(role)
         ]
         if variables:
             sections.append(element(name, *variables))
     interface = element(
         "interface",
-        *([element("returnType", type_element(routine.returns))] if routine.returns is not None else []),
+        *([element("returnType", type_element(routine.returns, spelling))] if routine.returns is not None else []),
         *sections,
         documentation(routine.remarks),
     )
@@ -185,13 +209,12 @@ def sizes_function(program: Program) -> Element:
     """The function that compares the sizes of structs."""
     measured = [placed.struct.name for placed in program.placed if placed.struct.members]
     variables = [
-        variable(f"st{number_of}", type_element(StructType(name)), None, "")
-        for number_of, name in enumerate(measured, 1)
+        variable(f"st{number_of}", _named(StructType(name)), None, "") for number_of, name in enumerate(measured, 1)
     ]
     remarks = [line.removeprefix("// ") for line in program.sizes.declaration if line.startswith("//")]
     interface = element(
         "interface",
-        element("returnType", type_element(BOOL)),
+        element("returnType", _named(BOOL)),
         *([element("localVars", *variables)] if variables else []),
         documentation(remarks),
     )
@@ -201,9 +224,7 @@ def sizes_function(program: Program) -> Element:
 def constants_list(constant_list: ConstantList) -> Element:
     """A list of numbers."""
     variables = [
-        variable(
-            constant.name, type_element(constant.type), element("simpleValue", value=number(constant)), constant.remark
-        )
+        variable(constant.name, _named(constant.type), element("simpleValue", value=number(constant)), constant.remark)
         for constant in constant_list.constants
     ]
     return _list(constant_list.name, variables, constant_list.title)

@@ -12,6 +12,7 @@ from fieldspec.backends.python.device import device_view
 from fieldspec.backends.python.imports import client_imports, imports_view
 from fieldspec.backends.python.naming import Scope, module_name, package_name
 from fieldspec.backends.python.text import docstring, literal
+from fieldspec.backends.python.usages import usages as usages
 from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
@@ -45,6 +46,7 @@ RUNTIME = (
     "_record",
     "_refusals",
     "_registers",
+    "_subcodes",
     "_typing",
     "_values",
     "errors",

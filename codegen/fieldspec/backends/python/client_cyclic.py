@@ -15,7 +15,7 @@ from fieldspec.layout.record import RecordLayout
 from fieldspec.model.fact import ScalarValue
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.task import Step, Task
-from fieldspec.model.watches import JOG, REFUSAL, STARTING, before_effect, is_last_wait, watches
+from fieldspec.model.watches import LASTING, REFUSAL, STARTING, before_effect, is_last_wait, watches
 from fieldspec.names import Name
 
 _REQUEST, _RESPONSE = "request", "response"
@@ -109,7 +109,7 @@ class _CyclicTask:
             draft.steps.append(f"task.look({', '.join(looked)})")
         if task.kind == "reset_alarm":
             self._clear_starting()
-        ending = ends(task) if task.kind == JOG else None
+        ending = ends(task) if task.kind in LASTING else None
         last: list[str] = []
         for at, step in enumerate(task.steps[first:], first):
             steps = self._step(step)

@@ -18,7 +18,7 @@ from fieldspec.model.record import Message
 from fieldspec.model.registers import Parameter, Register, Subindex
 from fieldspec.model.task import Step, Task, step_text
 from fieldspec.model.value import Value
-from fieldspec.model.watches import JOG, REFUSAL, before_effect, end_steps, is_last_wait, watches
+from fieldspec.model.watches import LASTING, REFUSAL, before_effect, end_steps, is_last_wait, watches
 from fieldspec.names import Name
 
 _LIMIT = 60.0
@@ -189,7 +189,7 @@ class _WordTask:
         looked = [self._condition(draft.target(step), wait_value(step), "unready") for step in task.steps[:first]]
         if watched or looked:
             draft.steps.append(f"task.look({', '.join(looked)})")
-        jog = task.kind == JOG
+        jog = task.kind in LASTING
         for at, step in enumerate(task.steps[first:], first):
             self.begins[at] = len(draft.steps)
             draft.steps += self._step(at, step)
@@ -296,9 +296,9 @@ class _MessageTask:
         if ending is None:
             return draft.view("message_task", watched, [], 0, False)
         last = draft.steps[begins[ending[1]] :]
-        if task.kind == JOG:
+        if task.kind in LASTING:
             del draft.steps[begins[ending[1]] :]
-        return draft.view("message_task", watched, last, begins[ending[0]], task.kind == JOG)
+        return draft.view("message_task", watched, last, begins[ending[0]], task.kind in LASTING)
 
     def _send(self, at: int, watched: list[str]) -> int:
         """Adds a message with what is looked at in its response; gives the place of the next one."""

@@ -73,6 +73,7 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         "enums": list(enums.values()),
         "flags": list(flags.values()),
         "records": records,
+        "exchanges": exchanges,
         "messages": messages,
         "links": links,
         "conversions": [conversion_view(conversion, device, scope) for conversion in device.conversions.values()],
@@ -99,7 +100,6 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         "parameters": sets,
         "spaces": space_views(layout, sets, words, exchanges, scope),
         "words": words,
-        "exchanges": exchanges,
         "links_by_name": dict(zip((link.name for link in carrying), links, strict=True)),
     }
     public = ["DEVICE", "IDENTITY", "REGISTERS", "TABLES", "VERSION"]

@@ -68,9 +68,19 @@ def head_value(part: PartLayout, code: str) -> str:
     return code if part.role == "code" else number(part) if fixed_number is None else str(fixed_number)
 
 
-def _allowed(link: LinkLayout, part: PartLayout) -> tuple[tuple[tuple[int, int], ...], tuple[int, ...]]:
+def marks_exceptions(link: LinkLayout, frame: FrameLayout, part: PartLayout) -> bool:
+    """Whether the number of a header part tells exception responses from others."""
+    error = link.link.exception_response
+    return error is not None and frame.direction == "response" and error.part == part.name
+
+
+def _allowed(
+    link: LinkLayout, frame: FrameLayout, part: PartLayout, is_exception: bool = False
+) -> tuple[tuple[tuple[int, int], ...], tuple[int, ...]]:
     """The intervals of a header part, and single values besides."""
     assert part.value is not None
+    if link.link.exception_response is not None and marks_exceptions(link, frame, part):
+        return link.link.exception_response.permitted(part.value, is_exception).intervals, ()
     stations = link.link.unit_addresses if part.role == "unit_address" else None
     if stations is not None and stations.ranges is not None:
         beside = () if stations.broadcast is None else (stations.broadcast,)
@@ -180,7 +190,7 @@ def frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
             arguments += [f"{role}={frame.header.index(part)}", f"{role}_offset={part.offset}"]
             if role == "length":
                 arguments += [f"length_name={literal(part.name)}", f"longest={256**part.size - 1}"]
-    for name, mark in (("start", link.link.start), ("end", link.link.end)):
+    for name, mark in (("start", frame.start), ("end", frame.end)):
         if mark:
             arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
     if link.link.encoding == "hex_ascii":
@@ -214,7 +224,7 @@ def head_tests(link: LinkLayout, frame: FrameLayout) -> list[str]:
     """The conditions on the header parts that the caller passes."""
     tests = []
     for part in head_arguments(frame):
-        intervals, beside = _allowed(link, part)
+        intervals, beside = _allowed(link, frame, part)
         if intervals:
             assert part.value is not None
             tests.append(within(number(part), Ranges(intervals), beside, packed(part.value.type)))
@@ -224,16 +234,16 @@ def head_tests(link: LinkLayout, frame: FrameLayout) -> list[str]:
 def greatest_part(link: LinkLayout, part: PartLayout) -> int:
     """The greatest number that the conditions of an unsigned header part accept."""
     assert part.value is not None
-    intervals, beside = _allowed(link, part)
+    intervals, beside = _allowed(link, link.request, part)
     return max((*(high for _, high in intervals), *beside), default=packed(part.value.type)[1])
 
 
-def head_refusals(link: LinkLayout, frame: FrameLayout) -> list[str]:
+def head_refusals(link: LinkLayout, frame: FrameLayout, is_exception: bool = False) -> list[str]:
     """The expressions of the refusals of the header parts that the caller passes."""
     refusals = []
     for part in head_arguments(frame):
         assert part.value is not None
-        intervals, beside = _allowed(link, part)
+        intervals, beside = _allowed(link, frame, part, is_exception)
         limits = [str(part.value.type.low), str(part.value.type.high)]
         if intervals:
             limits.append(pairs(Ranges(intervals)))
@@ -262,18 +272,18 @@ def framer(
         return "", [], []
     arguments = [frames, *_bounds(link, frame, bodies), *_stations(link, frame, direction)]
     about = [f"Finds the {direction}s in a stream."]
-    if link.link.start and link.link.end and link.link.encoding == "hex_ascii":
+    if frame.start and frame.end and link.link.encoding == "hex_ascii":
         about.append("A start delimiter within a frame begins another frame.")
         return "_MarkFramer", arguments, docstring(about, 8)
     length, code = frame.role("length"), frame.role("code")
     if not _ordered(frame):
         return "", [], []
     if frame.escape is not None and (frame.escape_start, frame.escape_stop) == (0, None):
-        if not link.link.end:
+        if not frame.end:
             return "", [], []
         about.append("The end delimiter determines where a frame ends; it does not occur within, as bytes are escaped.")
         sizes = [int(argument.partition("=")[2]) for argument in arguments[1:3]]
-        marks = len(link.link.start) + len(link.link.end)
+        marks = len(frame.start) + len(frame.end)
         most = f"most={marks + frame.escape.most(sizes[1] - marks)}"
         return "_EscapeFramer", [*arguments, most], docstring(about, 8)
     if frame.escape is not None and (length is None or length.escaped):
@@ -284,11 +294,22 @@ def framer(
         return kind, [*arguments, f"length_size={length.size}"], docstring(about, 8)
     if code is None or link.link.encoding != "binary":
         return "", [], []
-    extents = {code: _extent(link, frame, record) for _, code, record in carried if code is not None}
+    extents: dict[int, tuple[int, int, int, int]] = {}
+    for _, code_number, record in carried:
+        if code_number is not None:
+            extent = _extent(link, frame, record)
+            # Of messages that share a code, only those of one form are told by it.
+            extents[code_number] = extent if extents.get(code_number, extent) == extent else (0, 0, -1, 0)
+    error = link.link.exception_response if refusal is not None else None
+    if error is not None and refusal is not None and not error.flag:
+        own = _extent(link, frame, refusal)
+        extents |= {error.code: own} if error.code is not None else {}
+        # Where a part marks exception responses, the code tells the length only of those that are as long as others.
+        extents |= {number: (0, 0, -1, 0) for number, extent in extents.items() if error.part and extent != own}
     arguments.append(f"code_size={code.size}")
     rows = "".join(f"\n{' ' * 16}{code:#04x}: {extent}," for code, extent in extents.items())
     arguments.append(f"extents={{{rows}\n{' ' * 12}}}")
-    if refusal is not None and link.link.exception_response is not None:
+    if refusal is not None and link.link.exception_response is not None and link.link.exception_response.flag:
         arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_extent(link, frame, refusal)}"]
     open_ended = [name for name, code, _ in carried if code is not None and extents[code][2] < 0]
     about.append("Code and count of the repeated part determine where a frame ends; an unknown code is garbage.")
@@ -308,7 +329,7 @@ def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) ->
     least = min(record.least for record in bodies)
     most = max(record.most if record.most is not None else 0xFFFF for record in bodies)
     width = 2 if link.link.encoding == "hex_ascii" else 1
-    marks = len(link.link.start) + len(link.link.end)
+    marks = len(frame.start) + len(frame.end)
     sizes = [marks + width * (frame.header_size + size + frame.trailer_size) for size in (least, most)]
     if frame.escape is not None and (frame.escape_start, frame.escape_stop) != (0, None):
         sizes[1] = frame.escape.most(sizes[1])
@@ -339,7 +360,7 @@ def _span(interval: tuple[int, int]) -> str:
 
 def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple[int, int, int, int]:
     """The length without the repeated part; then offset and size of its count, and the bytes of each unit."""
-    around = len(link.link.start) + frame.header_size + frame.trailer_size + len(link.link.end)
+    around = len(frame.start) + frame.header_size + frame.trailer_size + len(frame.end)
     if record.size is not None:
         return around + record.size, 0, 0, 0
     tail = record.fields[-1]

@@ -17,12 +17,13 @@ from fieldspec.backends.python.frames import (
     head_tests,
     head_value,
     is_simple,
+    marks_exceptions,
 )
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import chained, docstring, item_lines, literal, union
-from fieldspec.backends.python.writing import pairs
+from fieldspec.backends.python.writing import pairs, within
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
@@ -58,12 +59,15 @@ class DirectionView:
 
     direction: str
     frames: str
+    marked: bool
     kind: str
     escape: str
     arguments: list[str]
     quick: str
     quickly: str
     classes: str
+    rows: list[str]
+    has_subcodes: bool
     alias: str
     union: list[str]
     exchanges: list[ExchangeView]
@@ -82,11 +86,11 @@ class DirectionView:
 
 @dataclass(frozen=True, slots=True)
 class ErrorView:
-    """The exception responses of a link: the flag in the code, the record, and the parts of such a frame."""
+    """The exception responses of a link: what marks them, the code in the reply, the record, and the parts."""
 
     wrapper: str
-    flag: str
-    mask: str
+    condition: str
+    code: str
     record: str
     head: str
     bind: list[str]
@@ -116,7 +120,6 @@ class LinkView:
     doc: list[str]
     stations: str
     broadcast: str
-    marked: bool
     unanswered: bool
     wrappers: list[WrapperView]
     request: DirectionView
@@ -185,7 +188,6 @@ def link_view(
         doc=docstring(described(link.link.title or Name.of(link.name).title(), link.link, " ".join(facts)), 4),
         stations=pairs(stations.ranges if stations else None) or "()",
         broadcast=str(stations.broadcast) if stations else "None",
-        marked=bool(link.link.start or link.link.end or link.link.encoding == "hex_ascii"),
         unanswered=len(link.carried("response")) < len(link.messages),
         wrappers=wrappers,
         request=views["request"],
@@ -266,12 +268,15 @@ def _direction(
     return DirectionView(
         direction=direction,
         frames=frames,
+        marked=bool(frame.start or frame.end or link.link.encoding == "hex_ascii"),
         kind="_EscapedFrames" if frame.escape else "_Frames" if is_simple(frame) else "_PartFrames",
         escape=escape_call(frame),
         arguments=frames_arguments(link, frame),
         quick=f"_{upper}_QUICK_{direction.upper()}S",
         quickly=_quick_key(code),
         classes=f"_{upper}_{direction.upper()}_CLASSES",
+        rows=_class_rows(link, direction, carried, views),
+        has_subcodes=code is not None and bool(link.subcodes(direction)),
         alias=alias,
         union=union(alias, [view.message for view in views]),
         exchanges=views,
@@ -287,6 +292,25 @@ def _direction(
         framer_arguments=arguments,
         framer_doc=doc,
     )
+
+
+def _class_rows(link: LinkLayout, direction: str, carried: list[Exchange], views: list[ExchangeView]) -> list[str]:
+    """The classes of messages by their codes, numbers or names: `0x03: ReadRequest`."""
+    names = {exchange.message.name: exchange.side(direction)[1] for exchange in carried}
+    coded = link.frame(direction).role("code") is not None
+    shared = link.subcodes(direction) if coded else {}
+    rows = []
+    for exchange, view in zip(carried, views, strict=True):
+        code = exchange.message.message.code
+        if code is None or code not in shared:
+            rows += [f"{key}: {view.message}" for key in view.known or [view.key]]
+            continue
+        subcode = shared[code]
+        if next(iter(subcode.messages.values())) is exchange.message:
+            members = ", ".join(f"{number:#x}: {names[message.name]}" for number, message in subcode.messages.items())
+            place = f"{subcode.offset}, {subcode.size}, {literal(subcode.order)}"
+            rows.append(f"{view.key}: _Subcodes({place}, {{{members}}})")
+    return rows
 
 
 def _quick_key(code: PartLayout | None) -> str:
@@ -311,7 +335,10 @@ def _exchange(
     flag = link.link.exception_response.flag if link.link.exception_response and direction == "response" else 0
     together = has_fixed_length(shaped, frame)
     # A code with the flag of exception responses names no message, and only a code of one byte is a key of the table.
-    reads = together and (part is None or (part.size == 1 and not (code or 0) & flag))
+    # Of messages that share a code, the body tells which one it is.
+    shared = code is not None and len(link.messages_with_code(code, direction)) > 1
+    marked = any(marks_exceptions(link, frame, part) for part in frame.header)
+    reads = together and not shared and not marked and (part is None or (part.size == 1 and not (code or 0) & flag))
     tests, refusals = head_tests(link, frame), head_refusals(link, frame)
     unfit = f"_unfit({literal(shaped.record.name)})"
     return ExchangeView(
@@ -340,15 +367,22 @@ def _error(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> ErrorVi
     code = frame.role("code")
     if error is None or code is None or code.value is None:
         return None
-    head = [head_value(part, f"code | {error.flag:#x}") for part in frame.header]
-    limit = f"_refused_number({literal(code.name)}, code, {code.value.type.low}, {code.value.type.high})"
+    head = [head_value(part, f"code | {error.flag:#x}" if error.flag else "code") for part in frame.header]
+    limits = (code.value.type.low, code.value.type.high) if error.code is None else (error.code, error.code)
+    limit = f"_refused_number({literal(code.name)}, code, {limits[0]}, {limits[1]})"
+    if error.code is not None:
+        limit = f"_refused_code(code, {error.code:#04x})"
+    place = next((at for at, part in enumerate(frame.header) if part.name == error.part), 0)
+    condition = f"code & {error.flag:#x}" if error.flag else f"code == {error.code}"
+    if error.normal is not None:
+        condition = f"not ({within(f'head[{place}]', error.normal)})"
     arguments = argument_views(frame, words)
     return ErrorView(
         wrapper=scope.take(f"{pascal}ErrorReply") if arguments else "_ErrorReply",
-        flag=f"{error.flag:#x}",
-        mask=f"{~error.flag & code.value.type.high:#x}",
+        condition=condition,
+        code=f"code & {~error.flag & code.value.type.high:#x}" if error.flag else "code",
         record=words.records[error.record],
         head=f"[{', '.join(head)}]",
         bind=[f"{part.variable} = {part.name}" for part in arguments],
-        refusals=chained("error = ", [*head_refusals(link, frame), limit], "or", "", 8),
+        refusals=chained("error = ", [*head_refusals(link, frame, True), limit], "or", "", 8),
     )

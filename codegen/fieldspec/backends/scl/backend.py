@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from fieldspec.backends.scl.project import Project, project
 from fieldspec.backends.scl.sources import blocks, clashes, functions, source, types
 from fieldspec.backends.scl.tags import tag_tables
+from fieldspec.backends.scl.usages import usages as usages
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.plc.layout.table import table

@@ -85,9 +85,15 @@ LONGEST_STRING = 254
 
 
 @cached
+def declared_for_portal(layout: DeviceLayout) -> Declarations:
+    """The declarations of a device in SCL."""
+    return declarations(layout, SIEMENS)
+
+
+@cached
 def project(layout: DeviceLayout) -> Project:
     """The project of a device that has passed the checks."""
-    declared = declarations(layout, SIEMENS)
+    declared = declared_for_portal(layout)
     findings = [*declared.findings]
     scope = Scope(SIEMENS, "block", findings)
     device = Name.of(layout.device.id).pascal()

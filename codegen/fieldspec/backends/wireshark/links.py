@@ -8,7 +8,9 @@ from fieldspec.backends.wireshark.values import errata_data, intervals, value_da
 from fieldspec.layout.checksums import reflected
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.subcodes import Subcode
 from fieldspec.model.checksums import checksum_named
+from fieldspec.model.link import ExceptionResponse
 from fieldspec.names import Name
 
 LONGEST = 0xFFFF
@@ -27,19 +29,27 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
     return {
         "name": link.name,
         "title": line_text(own.title) or Name.of(link.name).title(),
-        "start": own.start,
-        "stop": own.end,
         "hex": own.encoding == "hex_ascii",
         "is_coded": is_coded,
         "is_framed": any(shape["is_framed"] for shape in shapes.values()),
         "is_numbered": any(part.part.same_as for part in link.response.header),
         "messages": messages,
         "unanswered": {name: True for name in messages if name not in link.carried("response")},
-        "exception": None if exception is None else {"flag": exception.flag, "record": exception.record},
+        "exception": None if exception is None else _exception(exception),
         "units": None
         if addresses is None
         else {"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast},
         **shapes,
+    }
+
+
+def _exception(exception: ExceptionResponse) -> dict[str, Data]:
+    return {
+        "flag": exception.flag,
+        "code": exception.code,
+        "part": exception.part or None,
+        "normal": intervals(exception.normal),
+        "record": exception.record,
     }
 
 
@@ -49,10 +59,14 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
     if own.exception_response is not None:
         bodies.append(layout.records[own.exception_response.record])
     around, width = frame.header_size + frame.trailer_size, 2 if own.encoding == "hex_ascii" else 1
-    marks = len(own.start) + len(own.end)
+    marks = len(frame.start) + len(frame.end)
     most = max((record.most if record.most is not None else LONGEST for record in bodies), default=0)
-    is_delimited = own.encoding == "hex_ascii" and bool(own.end)
+    is_delimited = own.encoding == "hex_ascii" and bool(frame.end)
     return {
+        "start": frame.start,
+        "stop": frame.end,
+        "messages": [name for name, message in link.carried(direction).items() if message.message.code is not None],
+        "subcodes": [_subcode(code, subcode) for code, subcode in link.subcodes(direction).items()],
         "parts": [_part(filters, layout, link, direction, part) for part in frame.parts],
         "header": frame.header_size,
         "trailer": frame.trailer_size,
@@ -60,6 +74,13 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
         "longest": marks + width * (around + most),
         "is_framed": is_delimited or _tells_length(frame),
     }
+
+
+def _subcode(code: int, subcode: Subcode) -> dict[str, Data]:
+    """What tells messages with a code apart."""
+    messages: list[Data] = [{"number": number, "name": message.name} for number, message in subcode.messages.items()]
+    place: dict[str, Data] = {"offset": subcode.offset, "size": subcode.size, "order": subcode.order}
+    return {"code": code, **place, "messages": messages}
 
 
 def _tells_length(frame: FrameLayout) -> bool:

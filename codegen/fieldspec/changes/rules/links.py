@@ -14,7 +14,14 @@ from fieldspec.model.link import ExceptionResponse, Link, Part, Serial
 from fieldspec.model.record import Field, Measure, Message
 from fieldspec.model.value import ParameterPart
 
-_KEYS = {"encoding": "the encoding", "start": "the start delimiter", "end": "the end delimiter", "escape": "the escape"}
+_KEYS = {
+    "encoding": "the encoding",
+    "start": "the start delimiter",
+    "end": "the end delimiter",
+    "response_start": "the start delimiter of responses",
+    "response_end": "the end delimiter of responses",
+    "escape": "the escape",
+}
 
 
 def framing_changed(comparison: Comparison) -> Iterator[Change]:
@@ -31,7 +38,8 @@ def framing_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Link):
         for key, what in _KEYS.items():
             old, new = _framing(pair.old, key), _framing(pair.new, key)
-            if old != new:
+            common = key.startswith("response_") and pair.old.has_common_delimiters and pair.new.has_common_delimiters
+            if old != new and not common:
                 text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("framing_changed", Effect.WIRE, pair, key, text, old, new)
 
@@ -136,7 +144,8 @@ def _error_text(comparison: Comparison, error: ExceptionResponse | None, before:
     if error is None:
         return ""
     record = comparison.renamed_to("records", error.record) if before else error.record
-    return f"bit {hexadecimal(error.flag)} and the record {record or 'without fields'}"
+    mark = f"bit {hexadecimal(error.flag)}" if error.flag else error.mark_text
+    return f"{mark} and the record {record or 'without fields'}"
 
 
 def role_changed(comparison: Comparison) -> Iterator[Change]:

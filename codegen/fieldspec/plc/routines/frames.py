@@ -230,6 +230,10 @@ def _open(world: World, link: LinkLayout) -> Routine:
     coded = shape.role("code")
     if coded is not None and code is not None:
         draft.add(_code_read(link, coded, holder, code, refused))
+    if error is not None and error.normal is not None and refused is not None:
+        part = next(part for part in shape.header if part.name == error.part)
+        other = outside(converted(outputs[part.name], wire_of(part).whole), error.normal.intervals, wire_of(part).whole)
+        draft.add([Assignment(refused, other if other is not None else Truth(False))])
     draft.add([Assignment(body_length, plus(length, -least))])
     return draft.finished()
 
@@ -254,7 +258,9 @@ def _code_read(
     assert isinstance(code.type, Elementary)
     statements: list[Statement] = [Assignment(code, Conversion(bits, code.type))]
     error = link.link.exception_response
-    if error is not None and refused is not None:
+    if error is not None and refused is not None and error.code is not None:
+        statements.append(Assignment(refused, compared(code, "=", Whole(error.code, code.type))))
+    if error is not None and refused is not None and error.flag:
         assert isinstance(bits.type, Elementary)
         marked = compared(Operation("AND", (bits, Whole(error.flag, bits.type)), bits.type), "<>", Whole(0, bits.type))
         without = Operation("AND", (bits, Whole(bits.type.high & ~error.flag, bits.type)), bits.type)

@@ -17,12 +17,14 @@ from fieldspec.plc.routines.expressions import (
     Call,
     Conversion,
     Expression,
+    Negation,
     Operation,
     StructType,
     Type,
     Variable,
     Whole,
     compared,
+    every,
     number,
     plus,
     sequence,
@@ -258,7 +260,11 @@ def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     )
     draft.add([Assignment(status, opened), draft.status.passed_on(draft.result, status)])
     if code is not None and coded is not None:
-        draft.refuse(compared(code, "<>", Whole(message.message.code or 0, coded)), "unknown_code")
+        other: Expression = compared(code, "<>", Whole(message.message.code or 0, coded))
+        error = link.link.exception_response
+        if refused is not None and error is not None and error.code is not None:
+            other = every([Negation(refused), other])
+        draft.refuse(other, "unknown_code")
     holder = Bytes(source, body)
     if refused is not None and refusal is not None and why is not None:
         before, draft.body = draft.body, []

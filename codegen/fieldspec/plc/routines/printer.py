@@ -56,7 +56,7 @@ def comment(text: str, indent: str = "", form: str = "// {}") -> list[str]:
 
 
 def array_name(kind: ArrayType, spelling: Spelling) -> str:
-    """The name of an array type where arrays must have one: `T_Gadget_BYTE_0_255`"""
+    """The name of an array type: `T_Gadget_BYTE_0_255`"""
     bounds: list[str] = []
     of: Type = kind
     while isinstance(of, ArrayType):
@@ -77,7 +77,7 @@ def comment_text(text: str) -> str:
 
 def type_text(kind: Type, spelling: Spelling) -> str:
     """A type where a variable is declared."""
-    if isinstance(kind, ArrayType) and spelling.array:
+    if isinstance(kind, ArrayType) and (spelling.all_named or kind in spelling.named):
         return array_name(kind, spelling)
     if isinstance(kind, ArrayType):
         return f"ARRAY[{kind.low}..{kind.high}] OF {type_text(kind.of, spelling)}"

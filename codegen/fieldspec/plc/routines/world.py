@@ -153,7 +153,7 @@ class World:
     def raw_type(self, enum: str) -> Elementary:
         """The narrowest type that holds every number that a value with an enum may have on the wire."""
         if not self._raw:
-            self._raw.update(_raw_types(self.layout))
+            self._raw.update((name, narrowest(*bounds)) for name, bounds in raw_bounds(self.layout).items())
         return self._raw[enum]
 
     def enum_from_raw(self, enum: str, raw: Expression, target: Expression) -> Call:
@@ -211,9 +211,9 @@ def _span(group: RegisterGroup) -> int:
 def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
     for link in layout.links.values():
         width = 2 if link.link.encoding == "hex_ascii" else 1
-        marks = len(link.link.start) + len(link.link.end)
         for direction in ("request", "response"):
             shape = link.frame(direction)
+            marks = len(shape.start) + len(shape.end)
             around = shape.header_size + shape.trailer_size
             if around:
                 bodies = [message.data(direction).most or 0 for message in link.carried(direction).values()]
@@ -259,7 +259,8 @@ def every_record(layout: DeviceLayout) -> Iterator[RecordLayout]:
         yield from message.bodies
 
 
-def _raw_types(layout: DeviceLayout) -> Iterator[tuple[str, Elementary]]:
+def raw_bounds(layout: DeviceLayout) -> dict[str, tuple[int, int]]:
+    """The least and the greatest number that values with each enum may have on the wire."""
     bounds: dict[str, tuple[int, int]] = {}
 
     def widen(enum: str, low: int, high: int) -> None:
@@ -276,11 +277,16 @@ def _raw_types(layout: DeviceLayout) -> Iterator[tuple[str, Elementary]]:
     for enum in layout.device.enums.values():
         for member in enum.members:
             widen(enum.name, member.value, member.value)
-        low, high = bounds.get(enum.name, (0, 0))
-        yield enum.name, narrowest(low, high)
+        bounds.setdefault(enum.name, (0, 0))
+    return bounds
+
+
+def one_type_holds(low: int, high: int) -> bool:
+    """Whether a type of whole numbers holds two of them: none holds a negative one and one from 2^63 on."""
+    return low >= 0 or high <= ELEMENTARY["LINT"].high
 
 
 def narrowest(low: int, high: int) -> Elementary:
-    """The narrowest type of whole numbers that holds two of them."""
+    """The narrowest type of whole numbers that holds two of them; LINT where none does, which is refused."""
     kinds = (ELEMENTARY[name] for name in _NARROWEST_FIRST)
-    return next(kind for kind in kinds if kind.low <= low and high <= kind.high)
+    return next((kind for kind in kinds if kind.low <= low and high <= kind.high), ELEMENTARY["LINT"])

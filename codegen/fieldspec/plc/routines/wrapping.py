@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.plc.routines.expressions import (
     BYTE,
     INT,
@@ -32,7 +32,8 @@ def framed(link: LinkLayout) -> bool:
 
 def wrapped(link: LinkLayout) -> bool:
     """Whether the bytes are written as characters, or stand between marks."""
-    return link.link.encoding == "hex_ascii" or bool(link.link.start or link.link.end)
+    shapes = (link.request, link.response)
+    return link.link.encoding == "hex_ascii" or any(shape.start or shape.end for shape in shapes)
 
 
 def link_words(world: World, link: LinkLayout) -> tuple[str, ...]:
@@ -43,13 +44,13 @@ def link_words(world: World, link: LinkLayout) -> tuple[str, ...]:
 
 def wrap_routine(world: World, link: LinkLayout) -> Routine:
     """What writes the bytes of a frame as they are sent."""
-    start, end = link.link.start, link.link.end
+    start, end = link.request.start, link.request.end
     width = 2 if link.link.encoding == "hex_ascii" else 1
     draft = Draft(
         world.routine("wrap", *link_words(world, link)),
         f"frames of {link.name}",
         world.status,
-        f"Writes bytes as they are sent on {link.name}: {_marks(link)}.",
+        f"Writes bytes as they are sent on {link.name}: {_marks(link, link.request)}.",
     )
     count = draft.declare("iBytes", INT, "input", "how many bytes there are")
     source = draft.declare("aBytes", world.frame, "in_out", "is read only")
@@ -107,21 +108,21 @@ def _write_digit(
     )
 
 
-def _marks(link: LinkLayout) -> str:
+def _marks(link: LinkLayout, shape: FrameLayout) -> str:
     text = "two hexadecimal digits for each byte" if link.link.encoding == "hex_ascii" else "as they are"
-    before = f"16#{link.link.start.hex(' ').upper()} before them" if link.link.start else ""
-    behind = f"16#{link.link.end.hex(' ').upper()} behind them" if link.link.end else ""
+    before = f"16#{shape.start.hex(' ').upper()} before them" if shape.start else ""
+    behind = f"16#{shape.end.hex(' ').upper()} behind them" if shape.end else ""
     return ", ".join(text for text in (text, before, behind) if text)
 
 
 def unwrap_routine(world: World, link: LinkLayout) -> Routine:
     """What takes the bytes of a frame out of what is received."""
-    start, end = link.link.start, link.link.end
+    start, end = link.response.start, link.response.end
     draft = Draft(
         world.routine("unwrap", *link_words(world, link)),
         f"frames of {link.name}",
         world.status,
-        f"Takes bytes out of what is received on {link.name}: {_marks(link)}.",
+        f"Takes bytes out of what is received on {link.name}: {_marks(link, link.response)}.",
     )
     length = draft.declare(LENGTH, INT, "input", "how much of aFrame is received")
     frame = draft.declare("aFrame", world.frame, "in_out", "is read only")

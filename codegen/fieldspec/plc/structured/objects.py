@@ -7,10 +7,10 @@ from decimal import Decimal
 
 from fieldspec.classes import dataclass
 from fieldspec.plc.constants import Constant, ConstantList
+from fieldspec.plc.dialects import Spelling
 from fieldspec.plc.enums import EnumDeclaration, TextTable
-from fieldspec.plc.layout.table import type_name
 from fieldspec.plc.routines.expressions import DINT, LINT, Elementary
-from fieldspec.plc.routines.printer import comment, comment_text
+from fieldspec.plc.routines.printer import comment, comment_text, type_text
 from fieldspec.plc.structs import Struct
 
 
@@ -169,13 +169,13 @@ def enum_item(declared: EnumDeclaration) -> Item:
     return Item(declared.name, "type", "enums", (*lines, f") {declared.base.name};", "END_TYPE"))
 
 
-def struct_item(struct: Struct, size: int) -> Item:
+def struct_item(struct: Struct, size: int, spelling: Spelling) -> Item:
     """A struct of some bytes, without gaps between its members."""
     lines = comment(f"{struct.title} {size} bytes.".strip())
     lines += [f"{{attribute 'pack_mode' := '{PACK_MODE}'}}", f"TYPE {struct.name} :", "STRUCT"]
     for member in struct.members:
         beside = f" // {comment_text(member.remark)}" if comment_text(member.remark) else ""
-        lines.append(f"    {member.name} : {type_name(member.type)};{beside}")
+        lines.append(f"    {member.name} : {type_text(member.type, spelling)};{beside}")
     if not struct.members:
         lines.append("    byNothing : BYTE; // a struct must have a member")
     return Item(struct.name, "type", "structs", (*lines, "END_STRUCT;", "END_TYPE"))

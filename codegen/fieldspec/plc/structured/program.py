@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name
@@ -17,6 +17,7 @@ from fieldspec.plc.routines.printer import comment_text, declaration, implementa
 from fieldspec.plc.routines.remarks import without_block
 from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.structs import Struct
+from fieldspec.plc.structured.arrays import array_item, lent_arrays, named_arrays
 from fieldspec.plc.structured.examples import examples
 from fieldspec.plc.structured.objects import (
     Item,
@@ -36,14 +37,15 @@ from fieldspec.plc.structured.padding import PACKED, padded
 class Program:
     """What is declared, its structs with padding, in memory, and the routines. `texts` is None where there are none.
 
-    `functions` are the routines as text, `items` all objects, those of the functions the last. `missing`
-    are the tasks without a block, with the reasons.
+    `spelling` names the arrays that routines are lent. `functions` are the routines as text, `items` all objects, those
+    of the functions the last. `missing` are the tasks without a block, with the reasons.
     """
 
     declared: Declarations
     structs: tuple[Struct, ...]
     placed: tuple[Placed, ...]
     texts: TextForm | None
+    spelling: Spelling
     routines: tuple[Routine, ...]
     functions: tuple[Item, ...]
     sizes: Item
@@ -61,12 +63,12 @@ class Program:
 
     def guide(self) -> list[str]:
         """How the functions are used, for the head of a file that has everything."""
-        spelling = self.declared.dialect.spelling
         return [
             "Each function returns a status. Unless that is Ok, its outputs and what it was to fill must not be used.",
+            "Arrays for arguments have types by name, because their bounds must be those of the parameter.",
             "Structs hold numbers as the processor has them. Members of records lie where their fields lie on the",
             "wire, but the order of bytes may be another one: use the functions, and do not copy memory.",
-            *examples(self.declared.world, self.routines, spelling),
+            *examples(self.declared.world, self.routines, self.spelling),
             *without_block(self.missing),
         ]
 
@@ -85,18 +87,19 @@ def about(layout: DeviceLayout) -> list[str]:
 
 def refusals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
     """What a dialect of Structured Text cannot have of a device: the same as any other, but each has its title."""
-    return list(declarations(layout, dialect).findings) if _declared(layout).findings else []
+    return list(declarations(layout, dialect).findings) if declared_in_text(layout).findings else []
 
 
 @cached
-def _declared(layout: DeviceLayout) -> Declarations:
+def declared_in_text(layout: DeviceLayout) -> Declarations:
+    """The declarations of a device in Structured Text."""
     return declarations(layout, STRUCTURED)
 
 
 @cached
 def program(layout: DeviceLayout) -> Program:
     """The program of a device that has no findings, in Structured Text, whose dialects differ in their files alone."""
-    declared = _declared(layout)
+    declared = declared_in_text(layout)
     structs = padded(declared)
     by_name = {struct.name: struct for struct in structs}
     where = tuple(placed(struct, PACKED, by_name) for struct in structs)
@@ -106,15 +109,31 @@ def program(layout: DeviceLayout) -> Program:
     item = sizes_item(f"F_{device}_SizesAreRight", sizes)
     all_blocks = routines(declared.world)
     device_routines = all_blocks.routines
-    functions = tuple(_function(routine, STRUCTURED.spelling) for routine in device_routines)
-    items = (*_items(declared, where, texts), item, *functions)
-    return Program(declared, structs, where, texts, device_routines, functions, item, items, all_blocks.missing)
+    array = STRUCTURED.spelling.array.format(device, "{}")
+    spelling = replace(STRUCTURED.spelling, array=array, named=lent_arrays(device_routines))
+    functions = tuple(_function(routine, spelling) for routine in device_routines)
+    items = (*_items(declared, where, texts, device_routines, spelling), item, *functions)
+    return Program(
+        declared, structs, where, texts, spelling, device_routines, functions, item, items, all_blocks.missing
+    )
 
 
-def _items(declared: Declarations, where: Sequence[Placed], texts: TextForm | None) -> Iterator[Item]:
+def _items(
+    declared: Declarations,
+    where: Sequence[Placed],
+    texts: TextForm | None,
+    routines_of_device: Sequence[Routine],
+    spelling: Spelling,
+) -> Iterator[Item]:
     """All objects but functions."""
     yield from map(enum_item, declared.enums)
-    yield from (struct_item(placed.struct, placed.size) for placed in where)
+    known: set[str] = set()
+    for placed_struct in where:
+        members = [member.type for member in placed_struct.struct.members]
+        yield from (array_item(kind, spelling) for kind in named_arrays(members, spelling, known))
+        yield struct_item(placed_struct.struct, placed_struct.size, spelling)
+    kinds = (item.variable.type for routine in routines_of_device for item in routine.declared)
+    yield from (array_item(kind, spelling) for kind in named_arrays(kinds, spelling, known))
     if texts is not None:
         yield form_item(texts)
     yield from map(constants_item, declared.constants)

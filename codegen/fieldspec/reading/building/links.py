@@ -44,6 +44,7 @@ def link(entry: Entry) -> Link:
         entry.entry("direction_names"),
     )
     escaping = entry.entry("escape")
+    delimiters = _delimiters(entry)
     arguments = entry.fact()
     if silence and silence.get("source"):  # what the manual prints is no longer from the standard
         arguments["standard"] = {key: standard for key, standard in arguments["standard"].items() if key != "silence"}
@@ -51,8 +52,10 @@ def link(entry: Entry) -> Link:
         **arguments,
         title=entry.text("title"),
         encoding=entry.text("encoding") or "binary",
-        start=bytes.fromhex(entry.text("start")),
-        end=bytes.fromhex(entry.text("end")),
+        start=delimiters["start"],
+        end=delimiters["end"],
+        response_start=delimiters["response_start"],
+        response_end=delimiters["response_end"],
         byte_order=entry.text("byte_order"),
         word_order=entry.text("word_order"),
         request=tuple(_part(inner, entry.text("byte_order")) for inner in entry.entries("request")),
@@ -70,8 +73,41 @@ def link(entry: Entry) -> Link:
     )
 
 
+def _delimiters(entry: Entry) -> dict[str, bytes]:
+    """The delimiters of both directions, which are stated once where they are the same."""
+    each = entry.entry("delimiters")
+    if each is None:
+        start, end = bytes.fromhex(entry.text("start")), bytes.fromhex(entry.text("end"))
+        return {"start": start, "end": end, "response_start": start, "response_end": end}
+    for key in ("start", "end"):
+        if key in entry.own:
+            text = f"`{key}` has no effect beside `delimiters`"
+            entry.refuse("wrong_form", key, text, "remove it, or state it for each direction under `delimiters`")
+    delimiters = {}
+    for direction, prefix in (("request", ""), ("response", "response_")):
+        inner = each.entry(direction)
+        for key in ("start", "end"):
+            delimiters[prefix + key] = bytes.fromhex(inner.text(key) if inner is not None else "")
+    return delimiters
+
+
 def _exception_response(entry: Entry) -> ExceptionResponse:
-    return ExceptionResponse(flag=entry.integer("flag") or 0, record=entry.text("record"), sources=entry.sources)
+    marks = [key for key in ("flag", "code", "part") if key in entry.own]
+    if len(marks) != 1:
+        text = f"an exception response has {len(marks)} marks" if marks else "nothing marks an exception response"
+        entry.refuse("wrong_form", marks[-1] if marks else "record", text, "state one of `flag`, `code` and `part`")
+    if ("normal" in entry.own) != ("part" in entry.own):
+        key = "part" if "part" in entry.own else "normal"
+        entry.refuse("wrong_form", key, "`part` and `normal` need each other", "add the other one, or remove both")
+    part, code = entry.text("part"), entry.integer("code")
+    return ExceptionResponse(
+        flag=(entry.integer("flag") or 0) if code is None and not part else 0,
+        record=entry.text("record"),
+        sources=entry.sources,
+        code=None if part else code,
+        part=part,
+        normal=entry.whole_ranges("normal") if part else None,
+    )
 
 
 def _part(entry: Entry, link_order: str) -> Part:

@@ -26,28 +26,32 @@ function isName(directionNames, direction) {
   return Object.values(directionNames).includes(direction);
 }
 
+/** The frame of bytes or of a text. Throws Unreadable. */
+function inputFrame(device, input) {
+  if (input instanceof Uint8Array) return { frame: input, direction: "", remarks: [] };
+  const line = logLine(String(input), [...device.links.values()]);
+  if (!line?.frame.length) throw new Unreadable("there are no bytes in it");
+  return line;
+}
+
+/**
+ * The request that a user names, null without one. Throws Unreadable for a text that is no frame, and RangeError for a
+ * frame that is no request.
+ */
+export function namedRequest(device, input, options) {
+  if (!input) return null;
+  const places = [...device.links.keys()].map((link) => [link, "request"]).filter(([link]) => options.goes(link, "response"));
+  const request = readFrame(device, inputFrame(device, input).frame, new FrameOptions(places, options.message));
+  const faults = reasonsOf(request.explanation);
+  if (isWrong(request) && (faults.length !== 1 || faults[0] !== "unknown_code")) {
+    throw new RangeError(`request is not a valid request of ${device.data.device}: ${faults.join(", ")}`);
+  }
+  return { request: request.explanation, sure: true };
+}
+
 /** The functions that explain frames of a device, whose data they take. */
 export function explainer(data) {
   const device = new ExplainedDevice(data);
-  const links = [...device.links.values()];
-
-  function frameOf(input) {
-    if (input instanceof Uint8Array) return { frame: input, direction: "", remarks: [] };
-    const line = logLine(String(input), links);
-    if (!line?.frame.length) throw new Unreadable("there are no bytes in it");
-    return line;
-  }
-
-  function requestOf(input, options) {
-    if (input === undefined) return null;
-    const places = links.map(({ name }) => [name, "request"]).filter(([name]) => options.goes(name, "response"));
-    const request = readFrame(device, frameOf(input).frame, new FrameOptions(places, options.message));
-    const faults = reasonsOf(request.explanation);
-    if (isWrong(request) && (faults.length !== 1 || faults[0] !== "unknown_code")) {
-      throw new RangeError(`request is not a valid request of ${data.device}: ${faults.join(", ")}`);
-    }
-    return { request: request.explanation, sure: true };
-  }
 
   /**
    * The explanation of a frame: bytes, or a text with its bytes in any usual spelling. Throws Unreadable for a text that
@@ -55,8 +59,8 @@ export function explainer(data) {
    */
   function explain(input, options = {}) {
     const allowed = frameOptions(device, options);
-    const asked = requestOf(options.request, allowed);
-    const line = frameOf(input);
+    const asked = namedRequest(device, options.request, allowed);
+    const line = inputFrame(device, input);
     const reading = readFrame(device, line.frame, allowed, line.direction, asked);
     const remarks = [...line.remarks, ...remarksOn(device, reading, 0, allowed)];
     return explanationData(device, reading.explanation, reading.readings, reading.chosen, remarks, isWrong(reading));
@@ -65,7 +69,7 @@ export function explainer(data) {
   /** The explanations of the lines of a log; `error` says why a line is no frame. Throws like `explain` for options. */
   function* explainLog(text, options = {}) {
     const allowed = frameOptions(device, options);
-    const reader = new LogReader(device, allowed, requestOf(options.request, allowed));
+    const reader = new LogReader(device, allowed, namedRequest(device, options.request, allowed));
     for (const line of linesOf(text.replace(/^\ufeff/, ""))) {
       try {
         const reading = reader.read(line);

@@ -363,6 +363,13 @@ class Client(_RegisterClient):
     `settle` how long the device may take to show what it was asked for, all in seconds. None stands
     for what the manual prints; where it prints nothing, a response may take a second. Reads are sent
     again `retries` times.
+
+    Tasks without a method:
+
+        move_velocity: The only move at a speed without an end is the jog (2.4 L314-316).
+        limit_torque: The share of torque is set for pushes, in 07E7h and in points, and for homing
+            (2.4 L326; 3.5 L865; 3.4 L798). What parameters 30 to 32 set is the current of the motor
+            (3.4 L801-805).
     """
 
     def __init__(
@@ -606,6 +613,13 @@ class AsyncClient(_AsyncRegisterClient):
     `settle` how long the device may take to show what it was asked for, all in seconds. None stands
     for what the manual prints; where it prints nothing, a response may take a second. Reads are sent
     again `retries` times.
+
+    Tasks without a method:
+
+        move_velocity: The only move at a speed without an end is the jog (2.4 L314-316).
+        limit_torque: The share of torque is set for pushes, in 07E7h and in points, and for homing
+            (2.4 L326; 3.5 L865; 3.4 L798). What parameters 30 to 32 set is the current of the motor
+            (3.4 L801-805).
     """
 
     def __init__(

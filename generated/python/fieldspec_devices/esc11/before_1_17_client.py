@@ -190,6 +190,9 @@ class Client(_ParameterClient):
 
     Tasks without a method:
 
+        move_velocity: The moves at a speed alone, 14h and 15h, are those of the jog (9.1.5, 9.1.6).
+        limit_torque: The force is a value of the moves by a distance, 12h and 13h, of gripping, and
+            of points; nothing limits it by itself (9.1.3 L345, 9.1.4 L379, 9.1.11 L562).
         reset_alarm_before_1_17: an open question. Command 4Eh exists from 1.17 on (9.3.10). How an
             alarm is reset over the line before that is not printed.
         save: an open question. No command saves. 60h stores points for good, and 63h does not use the
@@ -400,6 +403,9 @@ class AsyncClient(_AsyncParameterClient):
 
     Tasks without a method:
 
+        move_velocity: The moves at a speed alone, 14h and 15h, are those of the jog (9.1.5, 9.1.6).
+        limit_torque: The force is a value of the moves by a distance, 12h and 13h, of gripping, and
+            of points; nothing limits it by itself (9.1.3 L345, 9.1.4 L379, 9.1.11 L562).
         reset_alarm_before_1_17: an open question. Command 4Eh exists from 1.17 on (9.3.10). How an
             alarm is reset over the line before that is not printed.
         save: an open question. No command saves. 60h stores points for good, and 63h does not use the

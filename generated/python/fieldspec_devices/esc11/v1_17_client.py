@@ -209,6 +209,9 @@ class Client(_ParameterClient):
 
     Tasks without a method:
 
+        move_velocity: The moves at a speed alone, 14h and 15h, are those of the jog (9.1.5, 9.1.6).
+        limit_torque: The force is a value of the moves by a distance, 12h and 13h, of gripping, and
+            of points; nothing limits it by itself (9.1.3 L345, 9.1.4 L379, 9.1.11 L562).
         save: an open question. No command saves. 60h stores points for good, and 63h does not use the
             EEPROM (9.5.4 L1040); whether the parameters that 61h and 62h write outlast the power is
             not printed.
@@ -436,6 +439,9 @@ class AsyncClient(_AsyncParameterClient):
 
     Tasks without a method:
 
+        move_velocity: The moves at a speed alone, 14h and 15h, are those of the jog (9.1.5, 9.1.6).
+        limit_torque: The force is a value of the moves by a distance, 12h and 13h, of gripping, and
+            of points; nothing limits it by itself (9.1.3 L345, 9.1.4 L379, 9.1.11 L562).
         save: an open question. No command saves. 60h stores points for good, and 63h does not use the
             EEPROM (9.5.4 L1040); whether the parameters that 61h and 62h write outlast the power is
             not printed.

@@ -300,6 +300,23 @@ class _Telegram3Tasks(_CyclicWork):
             ],
         )
 
+    def move_velocity(self, *, speed_percent: _Quantity) -> _Jog:
+        task = self.task(
+            "move_velocity",
+            None,
+            _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
+            _Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled", reason="servo"),
+        )
+        return _Jog(
+            task.run(
+                [
+                    task.write("speed_setpoint_b_percent", speed_percent),
+                ],
+            ),
+            task.look,
+            lambda: task.run([task.write("speed_setpoint_b", 0)]),
+        )
+
     def quick_stop(self) -> _Work[_Any]:
         task = self.task("quick_stop", None)
         return task.carry_out(
@@ -396,6 +413,27 @@ class Telegram3(_BlockingClient):
         Source: 3.3.1 L587; 3.3.2 L606; 7.2.3 L2055-2056.
         """
         self._run(self._work.servo_off(limit=limit))
+
+    def move_velocity(self, *, speed_percent: _Quantity) -> _Motion:
+        """Move velocity.
+
+        Steps: write target_speed = <speed>; write target_speed = 0.
+
+        Note: The ramps are those of the drive: the telegram has no acceleration. How long the motor
+        takes to the commanded speed is not printed.
+
+        Note: In telegrams 5 and 105, XERR and KPC stay as they are. What the drive makes of them is
+        not printed.
+
+        Note: The sign of life in STW2 is left as it is; parameter 925 says how often it may fail (4.1
+        L913).
+
+        Inferred (steps): The setpoint is the speed of the motor while the drive is in the state S4;
+        6.1 has its formula. How a motion ends is not printed: at 0 the commanded speed is 0.
+
+        Source: 3.1 L472; 3.2 L538-542; 6.1 L1552-1562.
+        """
+        return _Motion(self._run, self._work.move_velocity(speed_percent=speed_percent))
 
     def quick_stop(self) -> None:
         """Quick stop.
@@ -496,6 +534,27 @@ class AsyncTelegram3(_AsyncBaseClient):
         """
         await self._run(self._work.servo_off(limit=limit))
 
+    def move_velocity(self, *, speed_percent: _Quantity) -> _AsyncMotion:
+        """Move velocity.
+
+        Steps: write target_speed = <speed>; write target_speed = 0.
+
+        Note: The ramps are those of the drive: the telegram has no acceleration. How long the motor
+        takes to the commanded speed is not printed.
+
+        Note: In telegrams 5 and 105, XERR and KPC stay as they are. What the drive makes of them is
+        not printed.
+
+        Note: The sign of life in STW2 is left as it is; parameter 925 says how often it may fail (4.1
+        L913).
+
+        Inferred (steps): The setpoint is the speed of the motor while the drive is in the state S4;
+        6.1 has its formula. How a motion ends is not printed: at 0 the commanded speed is 0.
+
+        Source: 3.1 L472; 3.2 L538-542; 6.1 L1552-1562.
+        """
+        return _AsyncMotion(self._run, self._work.move_velocity(speed_percent=speed_percent))
+
     async def quick_stop(self) -> None:
         """Quick stop.
 
@@ -550,6 +609,23 @@ class _Telegram5Tasks(_CyclicWork):
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x4, name="operation_enabled")),
             ],
+        )
+
+    def move_velocity(self, *, speed_percent: _Quantity) -> _Jog:
+        task = self.task(
+            "move_velocity",
+            None,
+            _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
+            _Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled", reason="servo"),
+        )
+        return _Jog(
+            task.run(
+                [
+                    task.write("speed_setpoint_b_percent", speed_percent),
+                ],
+            ),
+            task.look,
+            lambda: task.run([task.write("speed_setpoint_b", 0)]),
         )
 
     def quick_stop(self) -> _Work[_Any]:
@@ -651,6 +727,27 @@ class Telegram5(_BlockingClient):
         """
         self._run(self._work.servo_off(limit=limit))
 
+    def move_velocity(self, *, speed_percent: _Quantity) -> _Motion:
+        """Move velocity.
+
+        Steps: write target_speed = <speed>; write target_speed = 0.
+
+        Note: The ramps are those of the drive: the telegram has no acceleration. How long the motor
+        takes to the commanded speed is not printed.
+
+        Note: In telegrams 5 and 105, XERR and KPC stay as they are. What the drive makes of them is
+        not printed.
+
+        Note: The sign of life in STW2 is left as it is; parameter 925 says how often it may fail (4.1
+        L913).
+
+        Inferred (steps): The setpoint is the speed of the motor while the drive is in the state S4;
+        6.1 has its formula. How a motion ends is not printed: at 0 the commanded speed is 0.
+
+        Source: 3.1 L472; 3.2 L538-542; 6.1 L1552-1562.
+        """
+        return _Motion(self._run, self._work.move_velocity(speed_percent=speed_percent))
+
     def quick_stop(self) -> None:
         """Quick stop.
 
@@ -751,6 +848,27 @@ class AsyncTelegram5(_AsyncBaseClient):
         Source: 3.3.1 L587; 3.3.2 L606; 7.2.3 L2055-2056.
         """
         await self._run(self._work.servo_off(limit=limit))
+
+    def move_velocity(self, *, speed_percent: _Quantity) -> _AsyncMotion:
+        """Move velocity.
+
+        Steps: write target_speed = <speed>; write target_speed = 0.
+
+        Note: The ramps are those of the drive: the telegram has no acceleration. How long the motor
+        takes to the commanded speed is not printed.
+
+        Note: In telegrams 5 and 105, XERR and KPC stay as they are. What the drive makes of them is
+        not printed.
+
+        Note: The sign of life in STW2 is left as it is; parameter 925 says how often it may fail (4.1
+        L913).
+
+        Inferred (steps): The setpoint is the speed of the motor while the drive is in the state S4;
+        6.1 has its formula. How a motion ends is not printed: at 0 the commanded speed is 0.
+
+        Source: 3.1 L472; 3.2 L538-542; 6.1 L1552-1562.
+        """
+        return _AsyncMotion(self._run, self._work.move_velocity(speed_percent=speed_percent))
 
     async def quick_stop(self) -> None:
         """Quick stop.
@@ -1354,6 +1472,32 @@ class _Telegram102Tasks(_CyclicWork):
             ],
         )
 
+    def move_velocity_with_torque_reduction(self, *, torque_reduction_percent: _Quantity, speed_percent: _Quantity) -> _Jog:
+        task = self.task(
+            "move_velocity_with_torque_reduction",
+            None,
+            _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
+            _Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled", reason="servo"),
+        )
+        return _Jog(
+            task.run(
+                [
+                    task.write("torque_reduction_percent", torque_reduction_percent),
+                    task.write("speed_setpoint_b_percent", speed_percent),
+                ],
+            ),
+            task.look,
+            lambda: task.run([task.write("speed_setpoint_b", 0)]),
+        )
+
+    def reduce_torque(self, *, torque_reduction_percent: _Quantity) -> _Work[_Any]:
+        task = self.task("reduce_torque", None)
+        return task.carry_out(
+            [
+                task.write("torque_reduction_percent", torque_reduction_percent),
+            ],
+        )
+
     def quick_stop(self) -> _Work[_Any]:
         task = self.task("quick_stop", None)
         return task.carry_out(
@@ -1452,6 +1596,40 @@ class Telegram102(_BlockingClient):
         Source: 3.3.1 L587; 3.3.2 L606; 7.2.3 L2055-2056.
         """
         self._run(self._work.servo_off(limit=limit))
+
+    def move_velocity_with_torque_reduction(self, *, torque_reduction_percent: _Quantity, speed_percent: _Quantity) -> _Motion:
+        """Move velocity with torque reduction.
+
+        Steps: write torque_reduction = <torque_reduction>; write target_speed = <speed>; write
+        target_speed = 0.
+
+        Note: The ramps are those of the drive: the telegram has no acceleration. How long the motor
+        takes to the commanded speed is not printed.
+
+        Note: In telegrams 5 and 105, XERR and KPC stay as they are. What the drive makes of them is
+        not printed.
+
+        Note: The sign of life in STW2 is left as it is; parameter 925 says how often it may fail (4.1
+        L913).
+
+        Inferred (steps): The setpoint is the speed of the motor while the drive is in the state S4;
+        6.1 has its formula. How a motion ends is not printed: at 0 the commanded speed is 0.
+
+        Source: 3.1 L472, 496; 3.2 L538-543; 6.1 L1552-1562; 6.11 L1790-1796.
+        """
+        return _Motion(self._run, self._work.move_velocity_with_torque_reduction(torque_reduction_percent=torque_reduction_percent, speed_percent=speed_percent))
+
+    def reduce_torque(self, *, torque_reduction_percent: _Quantity) -> None:
+        """Reduce torque.
+
+        Steps: write torque_reduction = <torque_reduction>.
+
+        Note: Whether MOMRED counts while STW2.8 is 0 is not printed: 6.11 has its formula without a
+        condition, and 6.11.2 has it in the place of the limits while the bit is 1 (L1860).
+
+        Source: 3.1 L496, 512; 6.11 L1790-1796.
+        """
+        self._run(self._work.reduce_torque(torque_reduction_percent=torque_reduction_percent))
 
     def quick_stop(self) -> None:
         """Quick stop.
@@ -1554,6 +1732,40 @@ class AsyncTelegram102(_AsyncBaseClient):
         """
         await self._run(self._work.servo_off(limit=limit))
 
+    def move_velocity_with_torque_reduction(self, *, torque_reduction_percent: _Quantity, speed_percent: _Quantity) -> _AsyncMotion:
+        """Move velocity with torque reduction.
+
+        Steps: write torque_reduction = <torque_reduction>; write target_speed = <speed>; write
+        target_speed = 0.
+
+        Note: The ramps are those of the drive: the telegram has no acceleration. How long the motor
+        takes to the commanded speed is not printed.
+
+        Note: In telegrams 5 and 105, XERR and KPC stay as they are. What the drive makes of them is
+        not printed.
+
+        Note: The sign of life in STW2 is left as it is; parameter 925 says how often it may fail (4.1
+        L913).
+
+        Inferred (steps): The setpoint is the speed of the motor while the drive is in the state S4;
+        6.1 has its formula. How a motion ends is not printed: at 0 the commanded speed is 0.
+
+        Source: 3.1 L472, 496; 3.2 L538-543; 6.1 L1552-1562; 6.11 L1790-1796.
+        """
+        return _AsyncMotion(self._run, self._work.move_velocity_with_torque_reduction(torque_reduction_percent=torque_reduction_percent, speed_percent=speed_percent))
+
+    async def reduce_torque(self, *, torque_reduction_percent: _Quantity) -> None:
+        """Reduce torque.
+
+        Steps: write torque_reduction = <torque_reduction>.
+
+        Note: Whether MOMRED counts while STW2.8 is 0 is not printed: 6.11 has its formula without a
+        condition, and 6.11.2 has it in the place of the limits while the bit is 1 (L1860).
+
+        Source: 3.1 L496, 512; 6.11 L1790-1796.
+        """
+        await self._run(self._work.reduce_torque(torque_reduction_percent=torque_reduction_percent))
+
     async def quick_stop(self) -> None:
         """Quick stop.
 
@@ -1607,6 +1819,32 @@ class _Telegram105Tasks(_CyclicWork):
                 task.put("control_word_1", 0x8, False),
                 task.settle(),
                 task.wait(_Condition("status_word_1", 0x0, mask=0x4, name="operation_enabled")),
+            ],
+        )
+
+    def move_velocity_with_torque_reduction(self, *, torque_reduction_percent: _Quantity, speed_percent: _Quantity) -> _Jog:
+        task = self.task(
+            "move_velocity_with_torque_reduction",
+            None,
+            _Condition("status_word_1", 0x0, mask=0x8, name="alarm", reason="alarm"),
+            _Condition("status_word_1", 0x4, mask=0x4, name="operation_enabled", reason="servo"),
+        )
+        return _Jog(
+            task.run(
+                [
+                    task.write("torque_reduction_percent", torque_reduction_percent),
+                    task.write("speed_setpoint_b_percent", speed_percent),
+                ],
+            ),
+            task.look,
+            lambda: task.run([task.write("speed_setpoint_b", 0)]),
+        )
+
+    def reduce_torque(self, *, torque_reduction_percent: _Quantity) -> _Work[_Any]:
+        task = self.task("reduce_torque", None)
+        return task.carry_out(
+            [
+                task.write("torque_reduction_percent", torque_reduction_percent),
             ],
         )
 
@@ -1710,6 +1948,40 @@ class Telegram105(_BlockingClient):
         """
         self._run(self._work.servo_off(limit=limit))
 
+    def move_velocity_with_torque_reduction(self, *, torque_reduction_percent: _Quantity, speed_percent: _Quantity) -> _Motion:
+        """Move velocity with torque reduction.
+
+        Steps: write torque_reduction = <torque_reduction>; write target_speed = <speed>; write
+        target_speed = 0.
+
+        Note: The ramps are those of the drive: the telegram has no acceleration. How long the motor
+        takes to the commanded speed is not printed.
+
+        Note: In telegrams 5 and 105, XERR and KPC stay as they are. What the drive makes of them is
+        not printed.
+
+        Note: The sign of life in STW2 is left as it is; parameter 925 says how often it may fail (4.1
+        L913).
+
+        Inferred (steps): The setpoint is the speed of the motor while the drive is in the state S4;
+        6.1 has its formula. How a motion ends is not printed: at 0 the commanded speed is 0.
+
+        Source: 3.1 L472, 496; 3.2 L538-543; 6.1 L1552-1562; 6.11 L1790-1796.
+        """
+        return _Motion(self._run, self._work.move_velocity_with_torque_reduction(torque_reduction_percent=torque_reduction_percent, speed_percent=speed_percent))
+
+    def reduce_torque(self, *, torque_reduction_percent: _Quantity) -> None:
+        """Reduce torque.
+
+        Steps: write torque_reduction = <torque_reduction>.
+
+        Note: Whether MOMRED counts while STW2.8 is 0 is not printed: 6.11 has its formula without a
+        condition, and 6.11.2 has it in the place of the limits while the bit is 1 (L1860).
+
+        Source: 3.1 L496, 512; 6.11 L1790-1796.
+        """
+        self._run(self._work.reduce_torque(torque_reduction_percent=torque_reduction_percent))
+
     def quick_stop(self) -> None:
         """Quick stop.
 
@@ -1811,6 +2083,40 @@ class AsyncTelegram105(_AsyncBaseClient):
         Source: 3.3.1 L587; 3.3.2 L606; 7.2.3 L2055-2056.
         """
         await self._run(self._work.servo_off(limit=limit))
+
+    def move_velocity_with_torque_reduction(self, *, torque_reduction_percent: _Quantity, speed_percent: _Quantity) -> _AsyncMotion:
+        """Move velocity with torque reduction.
+
+        Steps: write torque_reduction = <torque_reduction>; write target_speed = <speed>; write
+        target_speed = 0.
+
+        Note: The ramps are those of the drive: the telegram has no acceleration. How long the motor
+        takes to the commanded speed is not printed.
+
+        Note: In telegrams 5 and 105, XERR and KPC stay as they are. What the drive makes of them is
+        not printed.
+
+        Note: The sign of life in STW2 is left as it is; parameter 925 says how often it may fail (4.1
+        L913).
+
+        Inferred (steps): The setpoint is the speed of the motor while the drive is in the state S4;
+        6.1 has its formula. How a motion ends is not printed: at 0 the commanded speed is 0.
+
+        Source: 3.1 L472, 496; 3.2 L538-543; 6.1 L1552-1562; 6.11 L1790-1796.
+        """
+        return _AsyncMotion(self._run, self._work.move_velocity_with_torque_reduction(torque_reduction_percent=torque_reduction_percent, speed_percent=speed_percent))
+
+    async def reduce_torque(self, *, torque_reduction_percent: _Quantity) -> None:
+        """Reduce torque.
+
+        Steps: write torque_reduction = <torque_reduction>.
+
+        Note: Whether MOMRED counts while STW2.8 is 0 is not printed: 6.11 has its formula without a
+        condition, and 6.11.2 has it in the place of the limits while the bit is 1 (L1860).
+
+        Source: 3.1 L496, 512; 6.11 L1790-1796.
+        """
+        await self._run(self._work.reduce_torque(torque_reduction_percent=torque_reduction_percent))
 
     async def quick_stop(self) -> None:
         """Quick stop.
@@ -2433,6 +2739,15 @@ class AsyncTelegram111(_AsyncBaseClient):
 class _Telegram750Tasks(_CyclicWork):
     """What the clients of one cyclic message do, as generators."""
 
+    def limit_torque(self, *, positive_torque_limit_percent: _Quantity, negative_torque_limit_percent: _Quantity) -> _Work[_Any]:
+        task = self.task("limit_torque", None)
+        return task.carry_out(
+            [
+                task.write("positive_torque_limit_percent", positive_torque_limit_percent),
+                task.write("negative_torque_limit_percent", negative_torque_limit_percent),
+            ],
+        )
+
 
 class Telegram750(_BlockingClient):
     """The cyclic exchange: Torque beside another telegram (HIWIN telegram 750) (HIWIN 報文 750).
@@ -2493,6 +2808,25 @@ class Telegram750(_BlockingClient):
         """Exchanges for some seconds, once in each cycle. Raises DeviceError."""
         self._run(self._work.run(seconds))
 
+    def limit_torque(self, *, positive_torque_limit_percent: _Quantity, negative_torque_limit_percent: _Quantity) -> None:
+        """Limit torque.
+
+        Steps: write messages/telegram_750/request/positive_torque_limit = <positive_torque_limit>;
+        write messages/telegram_750/request/negative_torque_limit = <negative_torque_limit>.
+
+        Since 2.12.5, 3.12.5.
+
+        Note: The lesser of a limit and that of Pt402, Pt403, Pt483 or Pt484 counts (6.11.2 L1848).
+
+        Note: With both limits 0 this function is off, and so it is while STW2.8 is 1 (6.11.2
+        L1858-1860).
+
+        Inferred (since): The function works from these versions on (6.11.2 L1856).
+
+        Source: 3.1 L499-500; 6.11 L1802-1808; 6.11.2 L1848, 1856-1860.
+        """
+        self._run(self._work.limit_torque(positive_torque_limit_percent=positive_torque_limit_percent, negative_torque_limit_percent=negative_torque_limit_percent))
+
 
 class AsyncTelegram750(_AsyncBaseClient):
     """The cyclic exchange: Torque beside another telegram (HIWIN telegram 750) (HIWIN 報文 750).
@@ -2552,4 +2886,23 @@ class AsyncTelegram750(_AsyncBaseClient):
     async def run(self, seconds: float) -> None:
         """Exchanges for some seconds, once in each cycle. Raises DeviceError."""
         await self._run(self._work.run(seconds))
+
+    async def limit_torque(self, *, positive_torque_limit_percent: _Quantity, negative_torque_limit_percent: _Quantity) -> None:
+        """Limit torque.
+
+        Steps: write messages/telegram_750/request/positive_torque_limit = <positive_torque_limit>;
+        write messages/telegram_750/request/negative_torque_limit = <negative_torque_limit>.
+
+        Since 2.12.5, 3.12.5.
+
+        Note: The lesser of a limit and that of Pt402, Pt403, Pt483 or Pt484 counts (6.11.2 L1848).
+
+        Note: With both limits 0 this function is off, and so it is while STW2.8 is 1 (6.11.2
+        L1858-1860).
+
+        Inferred (since): The function works from these versions on (6.11.2 L1856).
+
+        Source: 3.1 L499-500; 6.11 L1802-1808; 6.11.2 L1848, 1856-1860.
+        """
+        await self._run(self._work.limit_torque(positive_torque_limit_percent=positive_torque_limit_percent, negative_torque_limit_percent=negative_torque_limit_percent))
 

@@ -407,6 +407,14 @@ class Client(_RegisterClient):
     `settle` how long the device may take to show what it was asked for, all in seconds. None stands
     for what the manual prints; where it prints nothing, a response may take a second. Reads are sent
     again `retries` times.
+
+    Tasks without a method:
+
+        move_velocity: The commands of 201EH move to a position or by a distance, search for a torque
+            or for the origin, or jog (8.2 L1624). The jog is the move at the speed of 2014H.
+        limit_torque: an open question. A stored point has a limit (4.5 L1120-1126). 0400H and 0401H
+            are the torque rates of pushing (5.2 L1172-1173). Does any register limit the torque of
+            the moves of 201EH, and which moves do 0400H and 0401H limit?
     """
 
     def __init__(
@@ -650,6 +658,14 @@ class AsyncClient(_AsyncRegisterClient):
     `settle` how long the device may take to show what it was asked for, all in seconds. None stands
     for what the manual prints; where it prints nothing, a response may take a second. Reads are sent
     again `retries` times.
+
+    Tasks without a method:
+
+        move_velocity: The commands of 201EH move to a position or by a distance, search for a torque
+            or for the origin, or jog (8.2 L1624). The jog is the move at the speed of 2014H.
+        limit_torque: an open question. A stored point has a limit (4.5 L1120-1126). 0400H and 0401H
+            are the torque rates of pushing (5.2 L1172-1173). Does any register limit the torque of
+            the moves of 201EH, and which moves do 0400H and 0401H limit?
     """
 
     def __init__(

@@ -189,13 +189,22 @@ class Frames:
             data += self.algorithm(data).to_bytes(self.tail_size, self.check_order)
         return self.marked(data)
 
-    def message(self, classes: dict[int, Any], code: int, body: Data, wanted: int | None = None) -> Any:
-        """The data of the message with a code, which must be the `wanted` one, if any. Raises CodecError."""
+    def message(
+        self, classes: dict[int, Any], code: int, body: Data, wanted: int | None = None, answer: Any = None
+    ) -> Any:
+        """The data of the message with a code, which must be the `wanted` one, if any. Raises CodecError.
+
+        Where several messages share the code, the class must be `answer`, if there is one.
+        """
         message_class = classes.get(code)
         if message_class is None:
             raise CodecError("unknown_code", f"no message has the code {code:#04x}", self.code_offset)
         if wanted is not None and wanted != code:
             raise CodecError("unknown_code", f"the code {code:#04x} answers another request", self.code_offset)
+        if not isinstance(message_class, type):
+            message_class = message_class.of(body, self.head_size)
+            if answer is not None and message_class is not answer:
+                raise CodecError("unknown_code", "the subcode answers another request", self.code_offset)
         return self.body(message_class, body)
 
     def named(self, classes: dict[int | str, Any], name: int | str) -> Any:

@@ -18,6 +18,13 @@ if TYPE_CHECKING:
 _F32, _F64 = Struct(">f"), Struct(">d")
 
 
+def refused_code(code: int, expected: int) -> CodecError | None:
+    """The only code of exception responses."""
+    if code == expected:
+        return None
+    return CodecError("unknown_code", f"an exception response has the code {expected:#04x}")
+
+
 def refused_number(
     name: str,
     value: Any,

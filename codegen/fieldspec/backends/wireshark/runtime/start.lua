@@ -4,11 +4,18 @@ declare_fields()
 index_spaces()
 
 for _, link in pairs(device.links) do
-    link.by_code = {}
-    for _, name in ipairs(link.messages) do
-        local message = device.messages[name]
-        if message.code then
-            link.by_code[message.code] = message
+    for _, shape in ipairs({ link.request, link.response }) do
+        shape.by_code, shape.shared = {}, {}
+        for _, name in ipairs(shape.messages) do
+            local message = device.messages[name]
+            shape.by_code[message.code] = message
+        end
+        for _, subcode in ipairs(shape.subcodes) do
+            shape.shared[subcode.code] = subcode
+            subcode.by_number = {}
+            for _, row in ipairs(subcode.messages) do
+                subcode.by_number[row.number] = device.messages[row.name]
+            end
         end
     end
 end

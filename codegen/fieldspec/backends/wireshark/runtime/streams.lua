@@ -57,8 +57,11 @@ local function answers(link, request, response)
     if request.unit ~= response.unit then
         return false
     end
-    if response.is_coded and request.message ~= response.message then
-        return false
+    if response.is_coded then
+        local is_other = response.message and response.message ~= request.message
+        if is_other or request.code ~= response.code then
+            return false
+        end
     end
     for name, number in pairs(response.repeated) do
         if request.values[name] ~= number then
@@ -72,7 +75,7 @@ end
 local function head_of(link, direction, bytes, asked, message)
     local head = { values = {}, repeated = {} }
     local shape = link[direction]
-    local parts = bytes:sub(#link.start + 1)
+    local parts = bytes:sub(#shape.start + 1)
     if link.hex then
         parts = parts:gsub("%X.*$", "")
         parts = parts:sub(1, #parts - #parts % 2):gsub("..", function(pair) return string.char(tonumber(pair, 16)) end)
@@ -86,7 +89,9 @@ local function head_of(link, direction, bytes, asked, message)
                 head.unit = number
             elseif part.role == "code" then
                 head.is_coded = true
-                head.message = frames.message_of(link, direction, number)
+                local body = parts:sub(shape.header + 1)
+                local named, _, own = frames.message_of(link, direction, number, parts, body)
+                head.message, head.code = named, own
             elseif part.same_as then
                 head.repeated[part.same_as] = number
             end
@@ -160,6 +165,7 @@ local function remember(link, session, choice, pinfo)
             table.remove(session, 1)
         end
         note.unit, note.values, note.message = choice.head.unit, choice.head.values, choice.head.message
+        note.code = choice.head.code
         session[#session + 1] = note
     elseif choice.asked then
         note.asked = choice.asked

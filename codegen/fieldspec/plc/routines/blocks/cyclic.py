@@ -9,13 +9,24 @@ from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.task import Step, Task
-from fieldspec.model.watches import JOG, REFUSAL, STARTING, before_effect, is_last_wait, watches
+from fieldspec.model.watches import LASTING, REFUSAL, STARTING, before_effect, is_last_wait, watches
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, holds, kind_of, outputs_of
 from fieldspec.plc.routines.blocks.ports import axis_key, member
 from fieldspec.plc.routines.blocks.standard import BlockDraft, chain
 from fieldspec.plc.routines.blocks.tasks import TAKING_OVER, describe, end_steps, target
 from fieldspec.plc.routines.blocks.words import masked, opposite, value_of
-from fieldspec.plc.routines.expressions import UINT, Expression, Member, Negation, Whole, compared, every
+from fieldspec.plc.routines.expressions import (
+    BOOL,
+    TIMER,
+    Expression,
+    Member,
+    Negation,
+    Truth,
+    Variable,
+    compared,
+    every,
+    number,
+)
 from fieldspec.plc.routines.routine import Assignment, Routine, Statement, when
 from fieldspec.plc.routines.world import World
 
@@ -59,6 +70,10 @@ class _Maker:
         self.axis = block.struct("axis", axis_key(message), "the same for all blocks of the telegram")
         self.set: list[_Bit] = []
         self.pulsed: list[_Bit] = []
+        self.setpoints: list[tuple[Expression, Variable]] = []
+        self.ending: list[Statement] = []
+        self.lowered: list[Statement] = []
+        self.commanded = 0
         self.remark = ""
 
     def all(self) -> None:
@@ -66,8 +81,8 @@ class _Maker:
         task, block = self.task, self.block
         waiting = [step for step in task.steps if step.action == "wait"]
         first = before_effect(task)
-        ends = end_steps(task) if task.kind == JOG else None
-        if waiting and task.kind != JOG and not block.levelled:
+        ends = end_steps(task) if task.kind in LASTING else None
+        if waiting and task.kind not in LASTING and not block.levelled:
             block.limit()
         if first:
             missing = [self._missing(step) for step in task.steps[:first]]
@@ -79,8 +94,40 @@ class _Maker:
             self._safe()
         for at, step in enumerate(task.steps[first:], first):
             if ends is not None and at == ends[1]:
-                block.add([when(Negation(block.start), [block.go(block.next + 1)])])
+                self._lasting()
             self._step(step)
+
+    def _lasting(self) -> None:
+        """Adds the step in which a motion goes on, until Execute is FALSE. What is commanded follows its inputs.
+
+        Where the response shows that the speed is reached, it counts once the command has stood for some time.
+        """
+        block = self.block
+        away = when(Negation(block.start), [block.go(block.next + 1)])
+        following: list[Statement] = []
+        if self.setpoints:
+            self.remark = (
+                "While Execute is TRUE, the request follows the inputs. The last step is carried out whatever ends the "
+                "block."
+            )
+            following = [Assignment(place, raw) for place, raw in self.setpoints]
+            reached = self.operands.with_role("speed_reached", self.message.name)
+            if len(reached) == 1:
+                block.settle_input("T#20ms")
+                steady = block.steady = block.declare("xSteady", BOOL, "local")
+                at_speed = block.declare("InVelocity", BOOL, "output", "the commanded speed is reached")
+                place, field = self._place(reached[0])
+                shown = holds(self.world, reached[0], field.value, True, place)
+                same = every([compared(place, "=", raw) for place, raw in self.setpoints])
+                settled = Member(block.declared_once("fbSettle", TIMER, "local"), "Q", BOOL)
+                following = [
+                    Assignment(steady, same),
+                    *following,
+                    Assignment(at_speed, every([steady, settled, shown])),
+                ]
+                self.lowered += [Assignment(steady, Truth(False)), Assignment(at_speed, Truth(False))]
+        converted = [*block.at_start, when(block.unharmed(), following)] if following else []
+        block.add([*converted, away])
 
     def _safe(self) -> None:
         """Clears first what would let something go on when the alarm is gone."""
@@ -159,11 +206,16 @@ class _Maker:
             place, field = self._place(operand)
             if step.argument:
                 value: Expression = argument(block, step.argument, operand, field.value)
+                assert isinstance(value, Variable)
+                self.setpoints.append((place, value))
+                self.commanded = self.commanded or block.next
             else:
                 assert step.value is not None
                 kind = kind_of(self.world, operand, field.value)
                 value = constant(self.world, operand, field.value, step.value, kind)
             block.add([Assignment(place, value), block.go(on)])
+            if self.task.kind in LASTING and step is self.task.steps[-1]:
+                self.ending.append(Assignment(place, value))
         else:
             raise NoBlock(f"`{step.action} {step.target}` is nothing that a telegram can do")
 
@@ -178,8 +230,7 @@ class _Maker:
             test = opposite(holds(self.world, watch.operand, field.value, watch.value, place))
             wrong.append((test, [block.fail(watch.reason)]))
         steps = block.selected([step.ask for step in block.steps])
-        unharmed = compared(block.reason, "=", Whole(0, UINT))
-        working = when(Negation(block.busy), begin, [chain(wrong), when(unharmed, steps)])
+        working = when(Negation(block.busy), begin, [chain(wrong), when(block.unharmed(), steps)])
         tail = [block.again()] if block.levelled else self._tail()
         return block.finished([*block.timers(), *block.edges, working, when(block.busy, tail)])
 
@@ -194,4 +245,6 @@ class _Maker:
         taken = [Negation(block.displaced)] if block.displaced is not None else []
         undoing = [when(every([*taken, Negation(block.done)]), undone)] if undone else []
         owning = [when(Negation(block.done), own)] if own else []
-        return [*late, block.outcome(), block.over(*low, *owning, *undoing)]
+        commanded = compared(block.step, ">", number(self.commanded))
+        ending = [when(commanded, self.ending)] if self.ending else []
+        return [*late, block.outcome(), block.over(*low, *owning, *undoing, *self.lowered, *ending)]

@@ -9,7 +9,7 @@ from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.model.operand import Operand, Operands
 from fieldspec.model.record import Message
 from fieldspec.model.task import Step, Task
-from fieldspec.model.watches import JOG, REFUSAL, before_effect, watches
+from fieldspec.model.watches import LASTING, REFUSAL, before_effect, watches
 from fieldspec.names import Name
 from fieldspec.plc.routines.blocks.lines import LineDraft
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, holds, outputs_of
@@ -141,7 +141,7 @@ class _Sending:
         if before_effect(task):
             raise NoBlock("it waits before it has sent anything")
         ends = end_steps(task)
-        if not block.levelled and task.kind != JOG:
+        if not block.levelled and task.kind not in LASTING:
             block.limit()
         begins: dict[int, int] = {}
         at = 0

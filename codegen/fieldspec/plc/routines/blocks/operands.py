@@ -33,7 +33,7 @@ from fieldspec.plc.routines.expressions import (
     outside,
 )
 from fieldspec.plc.routines.remarks import count_of, of_value
-from fieldspec.plc.routines.routine import Assignment, Statement, when
+from fieldspec.plc.routines.routine import Assignment, Condition, Statement, when
 from fieldspec.plc.routines.scaling import Quantity, quantities
 from fieldspec.plc.routines.world import PREFIXES, World
 
@@ -111,13 +111,13 @@ def argument(block: BlockDraft, name: str, operand: Operand, value: Value | None
             ((parameter, raw),),
             block.status.type,
         )
-        block.at_start += _refusing(block, call)
+        block.at_start += _unless_refused(block, _refusing(block, call))
         return raw
     source = block.declare(world.variable(f"{name}{_counts(operand, value)}", kind), kind, "input", remark)
     raw = block.declare(raw_name, kind, "output", "what is sent")
     block.at_start.append(Assignment(raw, source))
     if isinstance(kind, Elementary) and value is not None and value.type.kind is Kind.INTEGER:
-        block.at_start += _ranged(block, value, raw, kind)
+        block.at_start += _unless_refused(block, [*_ranged(block, value, raw, kind)])
     return raw
 
 
@@ -131,6 +131,13 @@ def _refusing(block: BlockDraft, call: Call) -> list[Statement]:
         Assignment(block.result, call),
         when(compared(block.result, "<>", block.status.of("ok")), [block.fail("request")]),
     ]
+
+
+def _unless_refused(block: BlockDraft, statements: list[Statement]) -> list[Statement]:
+    """What converts a further argument: left out once one is refused, so that eStatus remains that of the refusal."""
+    if not any(isinstance(statement, Condition) for statement in block.at_start) or not statements:
+        return statements
+    return [when(block.unharmed(), statements)]
 
 
 def _ranged(block: BlockDraft, value: Value, raw: Variable, kind: Elementary) -> Iterator[Statement]:

@@ -150,15 +150,16 @@ class BlockDraft:
         self.late = _over(timer)
 
     late: Expression | None = None
+    steady: Variable | None = None
+    """What fbSettle times in place of the steps that wait for it: a command that stands."""
 
     def take_over(self, count: Expression) -> None:
         """Ends the motion of every other block with the same count, and this one when another takes over."""
         owner = self.declared_once("udiOwner", UDINT, "local")
-        unharmed = compared(self.reason, "=", Whole(0, UINT))
         more = Operation("+", (count, Whole(1, UDINT)), UDINT)
         most = compared(count, "=", Whole(UDINT.high, UDINT))
         increment = when(most, [Assignment(count, Whole(0, UDINT))], [Assignment(count, more)])
-        self.claim = [when(unharmed, [increment]), Assignment(owner, count)]
+        self.claim = [when(self.unharmed(), [increment]), Assignment(owner, count)]
         self.displaced = compared(owner, "<>", count)
 
     displaced: Expression | None = None
@@ -174,7 +175,8 @@ class BlockDraft:
         calls: list[Statement] = []
         names = {declared.variable.name: declared.variable for declared in self.declared}
         if "fbSettle" in names:
-            running = either([compared(self.step, "=", number(step)) for step in self.settling])
+            settling = either([compared(self.step, "=", number(step)) for step in self.settling])
+            running = settling if self.steady is None else self.steady
             calls.append(Timing(names["fbSettle"], running, names["tSettle"]))
         if "fbLimit" in names:
             calls.append(Timing(names["fbLimit"], self.busy, names["tLimit"]))
@@ -249,6 +251,10 @@ class BlockDraft:
             declared for declared in self.declared if declared.role != "local" or declared.variable.name in names
         ]
         return Routine(self.name, self.group, None, tuple(ordered), tuple(body), tuple(filter(None, self.remarks)))
+
+    def unharmed(self) -> Expression:
+        """Whether there is no reason to end with an error."""
+        return compared(self.reason, "=", Whole(0, UINT))
 
     def failed(self) -> Expression:
         """Whether there is a reason to end with an error."""

@@ -40,7 +40,7 @@ def describe(block: BlockDraft, task: Task, *more: str) -> None:
 
 
 def end_steps(task: Task) -> tuple[int, int] | None:
-    """The steps that begin and end what must not go on by itself. Raises NoBlock for a jog that no step ends."""
+    """The steps that begin and end what must not go on by itself. Raises NoBlock for what lasts and no step ends."""
     try:
         return watches.end_steps(task)
     except ValueError as error:

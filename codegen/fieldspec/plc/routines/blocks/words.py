@@ -10,7 +10,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.fact import ScalarValue
 from fieldspec.model.operand import REGISTERS, Operand, Operands
 from fieldspec.model.task import Step, Task
-from fieldspec.model.watches import JOG, MOVING, REFUSAL, Watch, before_effect, is_last_wait, watches
+from fieldspec.model.watches import LASTING, MOVING, REFUSAL, Watch, before_effect, is_last_wait, watches
 from fieldspec.plc.routines.blocks.lines import LineDraft
 from fieldspec.plc.routines.blocks.operands import NoBlock, argument, constant, holds, kind_of, outputs_of
 from fieldspec.plc.routines.blocks.ports import AXIS
@@ -132,18 +132,18 @@ class _Maker:
         begins: dict[int, int] = {}
         if task.kind in MOVING or first:
             self._looks(self.watches, [(self._target(step), step) for step in task.steps[:first]], once=True)
-        if not block.levelled and task.kind != JOG:
+        if not block.levelled and task.kind not in LASTING:
             block.limit()
         at = first
         while at < len(task.steps):
             begins[at] = block.next
-            if ends is not None and task.kind == JOG and at == ends[1]:
-                self._jogging()
+            if ends is not None and task.kind in LASTING and at == ends[1]:
+                self._lasting()
                 begins[at] = block.next
             at = self._step(at)
         if ends is not None:
             after = begins.get(ends[1] + 1, block.next)
-            block.hold = task.kind == JOG
+            block.hold = task.kind in LASTING
             block.ends_by(begins[ends[0]], begins[ends[1]], after - 1)
 
     def _target(self, step: Step) -> Operand:
@@ -293,8 +293,8 @@ class _Maker:
         test = holds(self.world, watch.operand, register.register.answer, watch.value, variable)
         return opposite(test)
 
-    def _jogging(self) -> None:
-        """Adds the steps in which a jog goes on, until Execute is FALSE."""
+    def _lasting(self) -> None:
+        """Adds the steps in which a motion goes on, until Execute is FALSE."""
         if self.watches:
             self._looks(self.watches, [], once=False)
         else:

@@ -1,0 +1,58 @@
+"""Exception responses: what marks them, read from a frame, and compared before one is written."""
+
+from __future__ import annotations
+
+from fieldspec.backends.c.expressions import (
+    OUT,
+    ZERO,
+    Cast,
+    Expression,
+    Group,
+    Identifier,
+    Operation,
+    PointerMember,
+    Unary,
+    different,
+    equal,
+    negate,
+    unsigned,
+)
+from fieldspec.backends.c.naming import Naming, argument, frame_member
+from fieldspec.backends.c.statements import Assignment, Body, If, assign
+from fieldspec.backends.c.values import out_of_range_test, refuse
+from fieldspec.classes import replace
+from fieldspec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.model.link import ExceptionResponse
+
+_CODE, _CODE_TYPE = Identifier("code"), "uint32_t"
+
+
+def read_mark(mark: ExceptionResponse, frame: FrameLayout, code: Expression, error: Expression) -> Body:
+    """Finds out whether a response is an exception response, and takes the flag off its code."""
+    if mark.part:
+        part = next(part for part in frame.header if part.name == mark.part)
+        assert part.value is not None
+        value = replace(part.value, ranges=mark.permitted(part.value, True), sentinels=(), write_ranges=None)
+        outside = out_of_range_test(value, PointerMember(OUT, frame_member(part.name)))
+        assert outside is not None, "a check sees to it that the part has other numbers too"
+        return (assign(error, negate(Group(outside))),)
+    if mark.code is not None:
+        return (assign(error, equal(code, unsigned(mark.code))),)
+    flag = unsigned(mark.flag)
+    without_flag = Assignment(code, Unary("~", Cast(_CODE_TYPE, flag)), "&=")
+    return (assign(error, different(Operation("&", (code, flag)), ZERO)), If(error, (without_flag,)))
+
+
+def check_mark(naming: Naming, link: LinkLayout, frame: FrameLayout, is_exception: bool) -> Body:
+    """Refuses a part, or a code, that marks the other kind of response."""
+    mark = link.link.exception_response
+    if mark is None or frame.direction == "request" or mark.flag:
+        return ()
+    if mark.code is not None:
+        wrong = different(_CODE, unsigned(mark.code))
+        return refuse(naming, wrong, "err_unknown_code") if is_exception else ()
+    part = next(part for part in frame.header if part.name == mark.part)
+    assert part.value is not None
+    value = replace(part.value, ranges=mark.permitted(part.value, is_exception), sentinels=(), write_ranges=None)
+    outside = out_of_range_test(value, Identifier(argument(part.name)))
+    return refuse(naming, outside, "err_out_of_range") if outside is not None else ()

@@ -1,0 +1,195 @@
+"""How programs use the generated C: code for registers, parameters, messages and process data."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.c.backend import claim_names
+from fieldspec.backends.c.fields import members
+from fieldspec.backends.c.frames import header_parameters
+from fieldspec.backends.c.naming import Naming, Noun, member
+from fieldspec.backends.c.runtime_files import is_bit
+from fieldspec.backends.c.values import WireValue, accessed_type
+from fieldspec.backends.usages import Usage, VersionUsages, sample_count
+from fieldspec.classes import dataclass
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.access import readable, writable
+from fieldspec.model.value import Kind, Value
+from fieldspec.names import stem
+
+_INCLUDE = '#include "@header@"\n'
+
+
+def version_usages(layout: DeviceLayout) -> VersionUsages:
+    """The code for a version of a device."""
+    naming = Naming(layout.device.id)
+    claim_names(naming, layout)
+    variables = {"header": f"{stem(layout.device.id, layout.device.version)}.h"}
+    return VersionUsages("C", variables, tuple(_Usages(layout, naming).rows()))
+
+
+@dataclass(frozen=True, slots=True)
+class _Usages:
+    """A version with the names of its header."""
+
+    layout: DeviceLayout
+    naming: Naming
+
+    def rows(self) -> Iterator[Usage]:
+        """The code for all facts."""
+        for register in self.layout.registers:
+            if not register.register.reserved and not is_bit(register):
+                address, words = (self.naming.macro("register", register.name, name) for name in ("address", "words"))
+                start = f"\n/* the bytes of {words} registers from {address} on */\nuint8_t bytes[2 * {words}];\n"
+                start = start.replace(words, "@0@").replace(address, "@1@")
+                fact, value = register.register, register.register.value
+                wire = WireValue(value, register.order, register.swapped)
+                access = fact.access, fact.trigger
+                yield from self._value(
+                    fact.place.path, "register", (register.name,), wire, access, start, [words, address]
+                )
+        for parameter_set in self.layout.device.parameters.values():
+            for row in parameter_set.parameters:
+                if not row.reserved:
+                    names = parameter_set.name, row.name
+                    number = self.naming.macro("parameter", *names, "number")
+                    start = "\n/* the bytes of the value of parameter @0@ */\nuint8_t bytes[@1@];\n"
+                    wire = WireValue(row.value, "big", False)
+                    access = row.access, row.trigger
+                    arguments = [number, str(row.value.size)]
+                    yield from self._value(row.place.path, "parameter", names, wire, access, start, arguments)
+        for message in self.layout.messages.values():
+            yield from self._message(message)
+
+    def _value(
+        self,
+        path: str,
+        noun: Noun,
+        names: tuple[str, ...],
+        wire: WireValue,
+        access: tuple[str, bool],
+        start: str,
+        arguments: list[str],
+    ) -> Iterator[Usage]:
+        """The code that converts a value. A register that starts an action answers with any number."""
+        value, device = wire.value, self.layout.device
+        if wire.is_array:
+            return
+        text, arguments = _INCLUDE + start, [*arguments]
+
+        def argument(content: str) -> str:
+            arguments.append(content)
+            return f"@{len(arguments) - 1}@"
+
+        used = False
+        answer = value.as_answer(access[1])
+        ok = self.naming.own_macro("ok")
+        if readable(access[0]):
+            kind = accessed_type(self.naming, device, answer)
+            decode = self.naming.function(noun, *names, "decode")
+            text += (
+                f"{argument(kind)} value;\nif ({argument(decode)}(bytes, &value) == {ok}) {{\n    /* use value */\n}}\n"
+            )
+            used = True
+        sample = self._sample(value)
+        if sample and (writable(access[0]) or access[1]):
+            encode = self.naming.function(noun, *names, "encode")
+            text += f"if ({argument(encode)}({argument(sample)}, bytes) == {ok}) {{\n    /* send bytes */\n}}\n"
+            used = True
+        if used:
+            yield Usage(path, text, tuple(arguments))
+
+    def _message(self, message: MessageLayout) -> Iterator[Usage]:
+        link = next((link for link in self.layout.links.values() if message.name in link.carried("request")), None)
+        if link is None:
+            return
+        bare = not link.request.header and not link.request.trailer and message.message.number is not None
+        if bare:
+            yield from self._telegram(message)
+        elif (request := self._struct(message.request)) is not None:
+            yield Usage(message.message.place.path, *self._frame(message, link, request))
+
+    def _frame(self, message: MessageLayout, link: LinkLayout, request: str) -> tuple[str, tuple[str, ...]]:
+        header = [str(number + 1) for number, _ in enumerate(header_parameters(link.request))]
+        struct = self.naming.type("record", message.request.name)
+        function = self.naming.function("link", link.name, "encode", message.name, "request")
+        passed = [*header, *(["&request"] if request else []), "frame", "sizeof frame", "&length"]
+        declared = "const @1@ request = {@2@};\n" if request else ""
+        text = (
+            f"{_INCLUDE}\n{declared}uint8_t frame[{self._longest(link)}];\nsize_t length = 0;\n"
+            f"if (@0@({', '.join(passed)}) == {self.naming.own_macro('ok')}) {{\n"
+            "    /* send length bytes of frame */\n}\n"
+        )
+        return text, (function, struct, request) if request else (function,)
+
+    def _longest(self, link: LinkLayout) -> int:
+        """The bytes of the longest request of a link that the code needs."""
+        most = max(message.request.most or 0 for message in link.messages.values())
+        parts = link.request.header_size + link.request.trailer_size + most
+        return (
+            (2 if link.link.encoding == "hex_ascii" or link.request.escape else 1) * parts
+            + len(link.link.start)
+            + len(link.link.end)
+        )
+
+    def _telegram(self, message: MessageLayout) -> Iterator[Usage]:
+        """The code for process data, and for each field of them."""
+        ok = self.naming.own_macro("ok")
+        for direction, data in zip(("request", "response"), message.bodies, strict=False):
+            if not members(data):
+                continue
+            kind = self.naming.type("record", data.name)
+            verb = "decode" if direction == "response" else "encode"
+            function = self.naming.function("record", data.name, verb)
+            if direction == "response":
+                text = (
+                    f"{_INCLUDE}\n/* length bytes of data are what the device sends */\n@0@ telegram;\n"
+                    f"if (@1@(data, length, &telegram) == {ok}) {{\n    /* use telegram.@2@ */\n}}\n"
+                )
+            else:
+                text = (
+                    f"{_INCLUDE}\n/* telegram is a @0@ with all members */\ntelegram.@2@ = @3@;\n"
+                    f"if (@1@(&telegram, data, sizeof data, &length) == {ok}) {{\n"
+                    "    /* send length bytes of data */\n}\n"
+                )
+            for field in members(data):
+                sample = self._sample(field.value) if field.value is not None and not field.is_list else ""
+                if sample:
+                    arguments = [kind, function, member(field.name)]
+                    yield Usage(
+                        field.field.place.path, text, tuple([*arguments, sample] if verb == "encode" else arguments)
+                    )
+
+    def _struct(self, record: RecordLayout) -> str | None:
+        """The initializers of a struct; None where it has lists, records or choices."""
+        rows = []
+        for field in members(record):
+            sample = self._field(field)
+            if not sample:
+                return None
+            rows.append(f".{member(field.name)} = {sample}")
+        return ", ".join(rows)
+
+    def _field(self, field: FieldLayout) -> str:
+        return "" if field.value is None or field.is_list or field.cases else self._sample(field.value)
+
+    def _sample(self, value: Value) -> str:
+        """An expression that may be written; empty where there is none."""
+        kind = value.type.kind
+        if kind is Kind.FLOAT:
+            return "0" if value.ranges is None or 0 in value.ranges else str(value.ranges.low)
+        if value.const is not None:
+            return ""
+        if kind is Kind.BOOLEAN:
+            return "true" if value.ranges is None or 1 in value.ranges else "false"
+        count = sample_count(value, self.layout.device)
+        if count is None:
+            return ""
+        enum = self.layout.device.enums.get(value.enum)
+        for row in enum.members if enum is not None else ():
+            if row.value == count and not row.unavailable and enum is not None:
+                return self.naming.macro("enum", enum.name, row.name)
+        suffix = "u" if not value.type.signed else ""
+        return f"{count}{suffix}" if abs(count) < 1 << 31 else f"{count}{suffix}ll"

@@ -1,0 +1,54 @@
+"""How programs use what an output generates: code to copy, by the paths of facts."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from fieldspec.classes import dataclass
+from fieldspec.model.device import Device
+from fieldspec.model.value import Kind, Value
+
+
+class Usage(NamedTuple):
+    """Code that reads or writes a fact. `@0@`, `@1@` in the template are the arguments, `@name@` the variables."""
+
+    fact: str
+    template: str
+    arguments: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class VersionUsages:
+    """The code for one version of a device in one language. `variables` differ from version to version.
+
+    Templates and arguments do not, wherever the names of the versions are the same; versions then share their code.
+    """
+
+    language: str
+    variables: dict[str, str]
+    rows: tuple[Usage, ...]
+
+
+def usage_text(usage: Usage, variables: dict[str, str]) -> str:
+    """The code of a usage."""
+    text = usage.template
+    for name, value in (*((str(n), value) for n, value in enumerate(usage.arguments)), *variables.items()):
+        text = text.replace(f"@{name}@", value)
+    return text
+
+
+def sample_count(value: Value, device: Device) -> int | None:
+    """A raw value that may be written; None for texts, bytes and floating-point numbers."""
+    if value.type.kind in (Kind.TEXT, Kind.BYTES, Kind.FLOAT):
+        return None
+    if value.const is not None:
+        return value.const
+    ranges = value.writable_ranges
+    enum = device.enums.get(value.enum)
+    if enum is not None:
+        for member in enum.members:
+            if not member.unavailable and (ranges is None or member.value in ranges):
+                return member.value
+    if isinstance(value.default, int) and (ranges is None or value.default in ranges):
+        return value.default
+    return 0 if ranges is None or 0 in ranges else ranges.low

@@ -1,0 +1,38 @@
+"""Arrays that routines are lent, as types by name, since an argument must have exactly the bounds of its parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from fieldspec.plc.dialects import Spelling
+from fieldspec.plc.routines.expressions import ArrayType, Type
+from fieldspec.plc.routines.printer import array_name, comment, type_text
+from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.structured.objects import Item
+
+
+def lent_arrays(routines: Iterable[Routine]) -> frozenset[ArrayType]:
+    """The arrays that routines are lent."""
+    declared = (declared for routine in routines for declared in routine.of_role("in_out"))
+    return frozenset(item.variable.type for item in declared if isinstance(item.variable.type, ArrayType))
+
+
+def named_arrays(kinds: Iterable[Type], spelling: Spelling, known: set[str]) -> Iterator[ArrayType]:
+    """The arrays that have a name, as far as it is not known yet; each behind those that lie in it."""
+    for kind in kinds:
+        if not isinstance(kind, ArrayType):
+            continue
+        yield from named_arrays([kind.of], spelling, known)
+        if kind in spelling.named:
+            name = array_name(kind, spelling)
+            if name not in known:
+                known.add(name)
+                yield kind
+
+
+def array_item(kind: ArrayType, spelling: Spelling) -> Item:
+    """The type of an array by its name."""
+    title = "For arguments: the bounds of an array must be those of the parameter."
+    bounds = f"ARRAY[{kind.low}..{kind.high}] OF {type_text(kind.of, spelling)}"
+    lines = (*comment(title), f"TYPE {array_name(kind, spelling)} : {bounds};", "END_TYPE")
+    return Item(array_name(kind, spelling), "type", "arrays", lines)

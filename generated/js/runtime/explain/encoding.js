@@ -1,0 +1,183 @@
+import { CodecError } from "../error.js";
+import { isWhole } from "./numbers.js";
+import { intervalsText, isWithin } from "./texts.js";
+import { memberOf } from "./device.js";
+import { sentinelOf, turnedWords } from "./values.js";
+import { checksumOf, escapedBytes, lengthNumber, typeBounds } from "./frames.js";
+
+const FLOATS = new DataView(new ArrayBuffer(8));
+
+function bytesOfNumber(number, size, order) {
+  const bits = BigInt.asUintN(8 * size, BigInt(number));
+  const big = Uint8Array.from({ length: size }, (_, at) => Number((bits >> BigInt(8 * (size - 1 - at))) & 255n));
+  return order === "big" ? big : big.reverse();
+}
+
+function joinedBytes(series) {
+  return Uint8Array.from(series.flatMap((bytes) => [...bytes]));
+}
+
+/** The bytes of one value. Throws CodecError where no codec takes it. */
+function bytesOfValue(device, name, value, raw) {
+  const { kind, size, swapped, order = "big" } = value;
+  if (kind === "text" || kind === "bytes") {
+    const bytes = typeof raw === "string" ? Uint8Array.from(raw, (char) => char.charCodeAt(0)) : raw;
+    if (typeof raw === "string" && /[^\x00-\x7f]/.test(raw)) throw new CodecError("unknown_value", `${name} has characters that are not ASCII`);
+    if (bytes.length > size || (kind === "bytes" && bytes.length !== size)) {
+      throw new CodecError("wrong_length", `${name} has ${size} bytes, not ${bytes.length}`);
+    }
+    return Uint8Array.from({ length: size }, (_, at) => bytes[at] ?? 0);
+  }
+  const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
+  const bytes = kind === "float" ? bytesOfFloat(name, value, raw, actual) : bytesOfNumber(checkedNumber(device, name, value, raw), size, actual);
+  return swapped ? turnedWords(bytes) : bytes;
+}
+
+function bytesOfFloat(name, value, number, order) {
+  if (value.size === 4 && Math.abs(number) !== Infinity && Math.abs(Math.fround(number)) === Infinity) {
+    throw new CodecError("out_of_range", `${name} is ${number}, which 32 bits do not hold`);
+  }
+  if (value.ranges && !isWithin(value.ranges, number) && !sentinelOf(value, number)) {
+    throw new CodecError("out_of_range", `${name} is ${number}, not in ${intervalsText(value.ranges)}`);
+  }
+  if (value.size === 4) FLOATS.setFloat32(0, number);
+  else FLOATS.setFloat64(0, number);
+  const nan = Number.isNaN(number) && value.sentinels?.find((sentinel) => sentinel.nan);
+  const big = nan ? bytesOfNumber(nan.value, value.size, "big") : new Uint8Array(FLOATS.buffer.slice(0, value.size));
+  return order === "big" ? big : big.reverse();
+}
+
+function checkedNumber(device, name, value, raw) {
+  if (!isWhole(raw)) throw new CodecError("wrong_type", `${name} is a whole number, not ${raw}`);
+  if (value.const !== undefined && raw != value.const) throw new CodecError("wrong_const", `${name} is ${raw}, not ${value.const}`);
+  if (value.enum) {
+    const listing = device.enums.get(value.enum);
+    const member = memberOf(listing, raw);
+    if (!listing.open && !sentinelOf(value, raw) && (!member || member.unavailable)) {
+      throw new CodecError("unknown_value", `${name} is ${raw}, which ${value.enum} does not list`);
+    }
+  }
+  return inRange(name, value, raw);
+}
+
+function inRange(name, value, number) {
+  const [low, high] = typeBounds(value);
+  const ranges = value.writeRanges ?? value.ranges;
+  const isKnown = value.sentinels?.some((sentinel) => sentinel.value == number);
+  if (number < low || number > high || (ranges && !isWithin(ranges, number) && !isKnown)) {
+    throw new CodecError("out_of_range", `${name} is ${number}, not in ${ranges ? intervalsText(ranges) : `${low}..${high}`}`);
+  }
+  return number;
+}
+
+/** The form of a record for the values of its fields: the record itself, or what its selector decides. */
+export function formOfValues(record, values) {
+  if (record.selector === undefined) return record;
+  const number = values.get(record.selector);
+  return isWhole(number ?? "") ? record.forms.get(BigInt(number)) : undefined;
+}
+
+/** The bytes of a record. Throws CodecError for values that are missing or that no codec takes. */
+export function encodeRecord(device, record, values) {
+  const form = formOfValues(record, values);
+  if (!form) throw new CodecError("unknown_value", `${record.selector} is ${values.get(record.selector)}, which chooses nothing that may follow`);
+  const known = new Map();
+  for (const field of form.fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
+  return joinedBytes(form.fields.map((field) => {
+    if (!field.measures) return joinedBytes(known.get(field.name).map((item) => bytesOfElement(device, field, item)));
+    const [of, name] = field.measures;
+    const other = form.named.get(name);
+    const items = other.isList ? known.get(name).length : 1;
+    const number = inRange(field.name, field.value, of === "bytes" ? items * other.size : items);
+    return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
+  }));
+}
+
+/** The values of the elements of a field: those entered, or its constant or zeros where nobody enters them. */
+function elementsOf(field, values) {
+  const value = values.get(field.name);
+  if (value === undefined) {
+    const implied = field.value?.const ?? (field.reserved ? impliedValue(field) : undefined);
+    if (implied === undefined) throw new CodecError("missing_value", `${field.name} is missing`);
+    return Array.from({ length: field.count ?? 0 }, () => implied);
+  }
+  if (!field.isList) return [value];
+  const isRight = field.lengths ? isWithin(field.lengths, value.length) : value.length === field.count;
+  if (!isRight) {
+    const count = field.lengths ? intervalsText(field.lengths) : field.count;
+    throw new CodecError("wrong_length", `${field.name} has ${count} elements, not ${value.length}`);
+  }
+  return value;
+}
+
+function impliedValue({ value }) {
+  if (typeof value.default === "number") return value.default;
+  return value.kind === "text" || value.kind === "bytes" ? new Uint8Array(value.size) : 0;
+}
+
+function bytesOfElement(device, field, item) {
+  if (field.record) return encodeRecord(device, device.records.get(field.record), item);
+  return bytesOfValue(device, field.name, field.value, item);
+}
+
+/** Whether users supply the value of a part. */
+export function isArgument({ role, constant, reserved }) {
+  return (role === "unit_address" || role === "plain") && constant === undefined && !reserved;
+}
+
+/**
+ * The frame of a message; `values` has the values of the parts of its header and of the fields of its body, by name.
+ * With `error`, it is the exception response. Throws CodecError.
+ */
+export function encodeFrame(device, { link: linkName, direction, message: messageName, error = false }, values) {
+  const link = device.links.get(linkName);
+  const shape = link[direction];
+  const message = link.carriedMessages[error ? "request" : direction].get(messageName);
+  if (!message) throw new CodecError("unknown_code", `${messageName} is not sent on ${linkName}`);
+  const record = error ? device.records.get(link.exception.record) : message[direction];
+  const body = encodeRecord(device, record, values);
+  const numbers = new Map(shape.parts.map((part) => [part.name, partNumber(link, part, values, message, error)]));
+  const parts = (series) => series.map((part) => partBytes(part, numbers.get(part.name)));
+  const original = () => joinedBytes([...parts(shape.header), body, ...parts(shape.trailer)]);
+  const sent = () => sentBytes(shape, original());
+  const { length } = shape;
+  if (length) {
+    const total = (shape.escape && !length.escaped ? sent() : original()).length;
+    const units = lengthNumber(length, total);
+    if (units === undefined) throw new CodecError("wrong_length", `${length.name} cannot say that the frame has ${total} bytes`);
+    numbers.set(length.name, units);
+  }
+  for (const check of shape.checks) {
+    numbers.set(check.name, checksumOf(check, shape.escape && !check.escaped ? sent() : original()));
+  }
+  const inner = sent();
+  const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;
+  return joinedBytes([link.start, encoded, link.end]);
+}
+
+function charactersOf(bytes) {
+  const digits = Array.from(bytes, (byte) => byte.toString(16).toUpperCase().padStart(2, "0")).join("");
+  return Uint8Array.from(digits, (char) => char.charCodeAt(0));
+}
+
+function sentBytes(shape, data) {
+  if (!shape.escape) return data;
+  const stop = data.length + shape.escapeStop;
+  const inner = escapedBytes(shape.escape, data.subarray(shape.escapeStart, stop));
+  return joinedBytes([data.subarray(0, shape.escapeStart), inner, data.subarray(stop)]);
+}
+
+function partBytes(part, number) {
+  return number instanceof Uint8Array ? number : bytesOfNumber(number, part.size, part.order ?? "big");
+}
+
+function partNumber(link, part, values, message, error) {
+  if (part.role === "length" || part.role === "checksum") return part.role === "length" ? 0 : new Uint8Array(part.size);
+  if (part.constant !== undefined) return part.constant;
+  if (part.role === "code") return error ? message.code | link.exception.flag : message.code;
+  const number = values.get(part.name);
+  if (number === undefined) throw new CodecError("missing_value", `${part.name} is missing`);
+  const addresses = part.role === "unit_address" ? link.addresses : undefined;
+  if (addresses?.ranges && number == addresses.broadcast) return number;
+  return inRange(part.name, { ...part.value, ranges: addresses?.ranges ?? part.value.ranges, writeRanges: undefined }, number);
+}

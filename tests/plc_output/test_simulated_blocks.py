@@ -1,0 +1,337 @@
+"""The blocks for tasks are compiled and run against the simulator, each device with the behaviour of its spec."""
+
+from __future__ import annotations
+
+import os
+import random
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, ClassVar
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from benches import Bench
+from devices import Transport
+from loaded import programs
+from simulated import ProcessData, Simulated
+from test_device_blocks import NUMBER, Esc11Rig, HiwinRig, Rig, Tc100Rig
+
+from fieldspec.plc.routines.blocks.ports import FRAMES
+from layouts import SPECS
+
+STEPS = int(os.environ.get("FIELDSPEC_RANDOM_STEPS", "800"))
+
+
+class Ck10Rig(Rig):
+    """A CK10 by frames of Modbus RTU."""
+
+    starting: ClassVar[dict[str, Sequence[str]]] = {
+        "MoveAbsolute": ["absolute"],
+        "MoveRelative": ["relative"],
+        "Home": ["home"],
+        "Jog": ["endless"],
+        "RunPoint": ["absolute", "relative"],
+    }
+    blocks = ("ServoOn", "ServoOff", *starting, "Stop", "ResetAlarm", "ReadPosition", "RtuClient")
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__(Bench(SPECS, "ck10", self.blocks, folder))
+        connect(self, "ck10", "rtu")
+        self.bench.set("MoveAbsolute", diPositionCounts=2000, udiSpeedCounts=20000)
+        self.bench.set("MoveRelative", diDistanceCounts=-500, udiSpeedCounts=20000)
+        self.bench.set("Jog", eDirection=1, udiSpeed=1000)
+
+
+class Ck10TableRig(Rig):
+    """The blocks of the point table of a CK10."""
+
+    starting: ClassVar[dict[str, Sequence[str]]] = {"RunPointTable": ["absolute", "relative"]}
+    blocks = (
+        *("ServoOn", "RunPointTable", "ReadPointsElement", "WritePointsElement", "ReadPoints", "WritePoints"),
+        *("SavePoints", "ReadFlashPointsElement", "RtuClient"),
+    )
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__(Bench(SPECS, "ck10", self.blocks, folder))
+        connect(self, "ck10", "rtu")
+
+    def scan(self) -> None:
+        if self.device.engine.states["program"] == "running":
+            self.allowed["RunPointTable"] = 1  # the next point of the table that runs
+        super().scan()
+
+
+class Tc100SimulatedRig(Tc100Rig):
+    """A TC100 by frames of Modbus RTU."""
+
+    starting: ClassVar[dict[str, Sequence[str]]] = {
+        "MoveAbsolute": ["absolute"],
+        "MoveRelative": ["relative"],
+        "Home": ["home"],
+        "JogPositive": ["endless"],
+        "RunPoint": ["absolute", "relative"],
+    }
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__(folder)
+        connect(self, "tc100", "rtu")
+
+
+class Esc11SimulatedRig(Esc11Rig):
+    """An ESC11 by its packets."""
+
+    starting: ClassVar[dict[str, Sequence[str]]] = {
+        "MoveAbsolute": ["absolute"],
+        "MoveRelative": ["relative"],
+        "Home": ["home"],
+        "JogOpen": ["absolute", "endless"],
+        "RunPoint": ["absolute", "relative"],
+    }
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__(folder)
+        connect(self, "esc11", "serial")
+
+
+class TelegramRig(HiwinRig):
+    """A HIWIN E on telegram 111."""
+
+    message = "telegram_111"
+    starting: ClassVar[dict[str, Sequence[str]]] = {
+        "MoveAbsoluteTelegram111": ["absolute"],
+        "MoveRelativeTelegram111": ["relative"],
+        "Telegram111Home": ["home"],
+        "Telegram111JogPositive": ["endless"],
+    }
+
+    def __init__(self, folder: Path) -> None:
+        Rig.__init__(self, Bench(SPECS, "hiwin-e", self.blocks, folder))
+        self.device = Simulated("hiwin-e", "cyclic", self.message)
+        self.process_data = ProcessData(self.bench, self.device, self.message)
+        for block, name in self.bench.inputs:
+            if name.startswith("lr"):
+                self.bench.set(block, **{name: 50.0})
+        for block in ("MoveAbsoluteTelegram111", "MoveRelativeTelegram111"):
+            if block in self.bench.blocks:
+                self.bench.set(block, lrSpeed=6000000.0)
+
+    def serve(self) -> None:
+        self.process_data.lost = self.lost
+        self.process_data.serve()
+
+    lost = False
+
+
+class VelocityRig(TelegramRig):
+    """A HIWIN E on telegram 102."""
+
+    message = "telegram_102"
+    starting: ClassVar[dict[str, Sequence[str]]] = {"Telegram102MoveVelocityWithTorqueReduction": ["endless"]}
+    blocks = (
+        *("Telegram102ServoOn", "Telegram102ServoOff", "Telegram102MoveVelocityWithTorqueReduction"),
+        *("Telegram102ReduceTorque", "Telegram102QuickStop", "Telegram102ResetAlarm"),
+    )
+
+
+def connect(rig: Any, device: str, link: str) -> None:
+    """Puts a device of the simulator on the line of a rig."""
+    variable = next(name for name in rig.bench.ports if name.lower().endswith("frames"))
+    rig.device = Simulated(device, link)
+    rig.transport = Transport(rig.bench, FRAMES, variable, delay=1)
+    for block, name in rig.bench.inputs:
+        if name in ("usiStation", "usiAddress"):
+            rig.bench.set(block, **{name: 1})
+
+
+RIGS: dict[str, Callable[[Path], Any]] = {
+    "ck10": Ck10Rig,
+    "tc100": Tc100SimulatedRig,
+    "esc11": Esc11SimulatedRig,
+    "telegram 111": TelegramRig,
+}
+
+
+@pytest.fixture
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where compiled programs are kept."""
+    return programs(tmp_path_factory)
+
+
+def moved(rig: Any, block: str, **inputs: Any) -> float:
+    """Where a device is when a block that moves it is done."""
+    assert rig.done(block, scans=3000, **inputs) == "Done"
+    assert not rig.device.motion.moving
+    position: float = rig.device.engine.axis.position(rig.device.unit.now)
+    return position
+
+
+@pytest.mark.parametrize(
+    ("name", "form", "absolute", "relative"),
+    [
+        ("ck10", "{}", {"diPositionCounts": 2000}, {"diDistanceCounts": -500}),
+        ("tc100", "{}", {"diPositionCounts": 2000}, {"diDistanceCounts": -500}),
+        ("esc11", "{}", {"lrPosition": 5.0}, {"lrDistance": -1.25}),
+        ("telegram 111", "Telegram111{}", {"diPosition": 2000}, {"diDistance": -500}),
+    ],
+)
+def test_a_device_goes_where_its_blocks_send_it(
+    name: str, form: str, absolute: dict[str, Any], relative: dict[str, Any], folder: Path
+) -> None:
+    rig = RIGS[name](folder)
+    rig.run(3)
+    first, second, jog = (next(block for block in rig.starting if word in block) for word in ("Abs", "Rel", "Jog"))
+    assert rig.done(form.format("ServoOn")) == "Done"
+    assert moved(rig, form.format("Home")) == 0
+    scale = 100 if name == "esc11" else 1
+    assert moved(rig, first, **absolute) == pytest.approx(scale * next(iter(absolute.values())))
+    between = rig.device.engine.axis.position(rig.device.unit.now)
+    assert moved(rig, second, **relative) == pytest.approx(between + scale * next(iter(relative.values())))
+    rig.run(30, jog, Execute=True)
+    assert rig.device.motion.moving
+    rig.run(60, jog, Execute=False)
+    assert (rig.device.motion.moving, rig.ended(jog)) == (False, "")
+    assert rig.done(form.format("ServoOff")) == "Done"
+
+
+def point(rig: Any, position: int, next_point: int) -> dict[str, int]:
+    """A point of a CK10 that moves to a position fast, with all else as small as it may be."""
+    world = rig.bench.world
+    values = {"position": position, "jump_point": next_point, "high_speed": 20000, "command": "absolute_high_speed"}
+    result: dict[str, int] = {}
+    for field in world.layout.records["point"].fields:
+        content = field.value
+        if content is None or field.field.reserved:
+            continue
+        raw = values.get(field.name, content.ranges.low if content.ranges is not None else 0)
+        members = world.layout.device.enums[content.enum].members if content.enum else ()
+        numbers = {member.name: member.value for member in members}
+        result[world.member("point", field.name).lower()] = numbers.get(raw, raw)
+    return result
+
+
+def test_points_that_are_written_are_read_back_saved_and_run(folder: Path) -> None:
+    rig = Ck10TableRig(folder)
+    rig.run(3)
+    position = rig.bench.world.member("point", "position").lower()
+    rows = rig.bench.ports["aData"]
+    for number in range(3):
+        rows[number] |= point(rig, 1000 * (number + 1), number + 1 if number < 2 else 10000)
+    rig.bench.ports["stData"] |= point(rig, 4000, 10000)
+    assert rig.done("WritePoints", iFirst=0, iLast=2) == "Done"
+    assert rig.done("WritePointsElement", iNumber=3) == "Done"
+    for row in (rig.bench.ports["stData"], *rig.bench.ports["aData"]):
+        row |= dict.fromkeys(row, 0)
+    assert rig.done("ReadPoints", iFirst=1, iLast=3) == "Done"
+    assert [row[position] for row in rig.bench.ports["aData"][:4]] == [0, 2000, 3000, 4000]
+    assert rig.done("ReadPointsElement", iNumber=0) == "Done"
+    assert rig.bench.ports["stData"][position] == 1000
+    assert rig.done("SavePoints") == "Done"
+    assert rig.done("ReadFlashPointsElement", iNumber=3) == "Done"
+    assert rig.bench.ports["stData"][position] == 4000
+    assert rig.done("ServoOn") == "Done"
+    assert moved(rig, "RunPointTable") == 3000
+    assert rig.device.motion.starts == ["absolute"] * 3
+    assert rig.done("ReadPoints", iFirst=127, iLast=128) == f"Error {NUMBER['request']}"
+
+
+MOVE = "Telegram102MoveVelocityWithTorqueReduction"
+
+
+@pytest.fixture
+def speed(folder: Path) -> VelocityRig:
+    """A drive on telegram 102 with its servo on, whose reference speed is 3000/min."""
+    rig = VelocityRig(folder)
+    rig.run(3)
+    assert rig.done("Telegram102ServoOn") == "Done"
+    rig.bench.set(MOVE, lrSpeed=10.0, lrTorqueReduction=25.0)
+    return rig
+
+
+def commanded(rig: VelocityRig) -> tuple[float, float]:
+    """The speed and the reduction of torque that the drive is sent, in percent."""
+    request, data = rig.process_data.of("request"), rig.process_data
+    counts = [request[data.member(data.request, name)] for name in ("speed_setpoint_b", "torque_reduction")]
+    return counts[0] * 100 / 2**30, counts[1] * 100 / 2**14
+
+
+def test_a_drive_follows_the_speed_while_it_is_asked_to(speed: VelocityRig) -> None:
+    speed.run(3, MOVE, Execute=True)
+    assert not speed.bench.out[MOVE, "InVelocity"], "the drive has not begun to turn"
+    speed.run(40)
+    assert (commanded(speed), speed.bench.out[MOVE, "InVelocity"]) == (pytest.approx((10.0, 25.0)), True)
+    assert speed.device.engine.axis.speed(speed.device.unit.now) == pytest.approx(0.1 * 3000 / 60 * 10000)
+    speed.run(1, MOVE, lrSpeed=-20.0)
+    assert (commanded(speed)[0], speed.bench.out[MOVE, "InVelocity"]) == (pytest.approx(-20.0), False)
+    assert speed.run(40).bench.out[MOVE, "InVelocity"]
+    speed.run(3, MOVE, Execute=False)
+    assert (commanded(speed), speed.bench.ended(MOVE)) == ((0.0, 25.0), "")
+    assert not speed.run(40).device.motion.moving
+
+
+@pytest.mark.parametrize("end", ["alarm", "lost", "servo", "abort", "quick stop", "servo off", "refused"])
+def test_whatever_ends_a_speed_takes_its_command_away(speed: VelocityRig, end: str) -> None:
+    speed.run(40, MOVE, Execute=True)
+    result = "CommandAborted"
+    if end == "alarm":
+        speed.device.alarm(1)
+        result = f"Error {NUMBER['alarm']}"
+    elif end == "lost":
+        speed.lost = True
+        result = f"Error {NUMBER['transport']}"
+    elif end == "servo":
+        speed.device.power_cycle()
+        result = f"Error {NUMBER['servo']}"
+    elif end == "abort":
+        speed.bench.set(MOVE, Abort=True)
+    elif end == "quick stop":
+        speed.bench.set("Telegram102QuickStop", Execute=True)
+    elif end == "servo off":
+        speed.bench.set("Telegram102ServoOff", Execute=True)
+    else:
+        speed.bench.set(MOVE, lrTorqueReduction=120.0)
+        result = f"Error {NUMBER['request']}"
+    speed.run(4)
+    assert (commanded(speed)[0], speed.ended(MOVE)) == (0.0, result)
+    assert not speed.bench.out[MOVE, "InVelocity"]
+    assert bool(speed.bench.out[MOVE, "eStatus"]) == (end == "refused")
+    speed.lost = False
+    starts = len(speed.device.motion.starts)
+    speed.run(60)
+    assert (speed.device.motion.moving, len(speed.device.motion.starts)) == (False, starts)
+
+
+def test_a_torque_is_reduced_without_a_motion(speed: VelocityRig) -> None:
+    assert speed.done("Telegram102ReduceTorque", lrTorqueReduction=40.0) == "Done"
+    assert (commanded(speed)[1], speed.device.motion.moving) == (pytest.approx(40.0, abs=0.01), False)
+
+
+@pytest.mark.parametrize("name", ["ck10", "tc100", "esc11", "telegram 111", "telegram 102"])
+def test_nothing_starts_without_an_edge_whatever_happens_to_a_simulated_device(name: str, folder: Path) -> None:
+    rig = {**RIGS, "telegram 102": VelocityRig}[name](folder)
+    dice, ended = random.Random(11), 0
+    blocks = [block for block in rig.bench.blocks if (block, "Execute") in rig.bench.inputs]
+    for _ in range(STEPS):
+        chance = dice.random()
+        if chance < 0.08:
+            block = dice.choice(blocks)
+            rig.bench.set(block, Execute=not rig.bench.now[block, "Execute"])
+        elif chance < 0.082:
+            rig.bench.set(dice.choice(blocks), Abort=dice.random() < 0.3)
+        elif chance < 0.086:
+            rig.device.alarm(dice.choice([0, 3]))
+        elif chance < 0.0865:
+            rig.device.power_cycle()
+        elif chance < 0.087:
+            rig.restart()
+        if rig.transport is not None:
+            rig.transport.lost = 0.09 < chance < 0.1
+            rig.transport.swallowed = 0.1 < chance < 0.11
+        else:
+            rig.lost = 0.09 < chance < 0.095
+        rig.scan()
+        ended += sum(rig.bench.ended(block) == "Done" for block in blocks)
+    assert ended
+    assert rig.device.motion.starts

@@ -1,0 +1,80 @@
+"""Exception responses that a code of their own marks, or a part before the body."""
+
+from __future__ import annotations
+
+import pytest
+
+from fieldspec.explain.explanation import explained
+from fieldspec.live.client import Client, RefusedError, Timing
+from fieldspec.reference.frames import codec
+from fieldspec.reference.records import CodecError
+from layouts import TEST_SPECS, newest
+from python_package import codec_error, module_of
+
+SCANNER = newest(TEST_SPECS, "scanner")
+MODULE = module_of(SCANNER)
+LINKS = codec(SCANNER).links
+REFUSED_LINE = b">FF02FF\r"
+BUSY = bytes.fromhex("05 02 10 17")
+
+
+class Line:
+    """A line on which one frame comes."""
+
+    datagrams = True
+
+    def __init__(self, frame: bytes) -> None:
+        self.frame = frame
+        self.sent = False
+
+    def write(self, data: bytes) -> None:
+        self.sent = True
+
+    def read(self, timeout: float) -> bytes:
+        return self.frame if self.sent else b""
+
+    def close(self) -> None:
+        """Nothing is open."""
+
+
+def test_a_code_of_its_own_marks_an_exception_response() -> None:
+    decoded = LINKS["terminal"].decode(REFUSED_LINE, "response")
+    assert (decoded.error, decoded.message, decoded.values) == (True, None, {"reason": 2})
+    reply = MODULE.terminal.decode_response(REFUSED_LINE, MODULE.ReadStateRequest())
+    assert (reply.code, reply.exception) == (0xFF, MODULE.Refusal(2))
+    assert MODULE.terminal.encode_error(0xFF, MODULE.Refusal(2)) == REFUSED_LINE
+    with pytest.raises(codec_error()) as refused:
+        MODULE.terminal.encode_error(0x10, MODULE.Refusal(2))
+    assert refused.value.reason == "unknown_code"
+    assert explained(SCANNER, "terminal", "response", REFUSED_LINE).error
+
+
+def test_a_part_before_the_body_marks_an_exception_response() -> None:
+    decoded = LINKS["panel"].decode(BUSY, "response")
+    assert decoded.error
+    assert decoded.message is not None
+    assert decoded.message.name == "read_state"
+    reply = MODULE.panel.decode_response(BUSY, MODULE.ReadStateRequest())
+    assert (reply.station, reply.code, reply.status) == (5, 0x10, 2)
+    assert MODULE.panel.encode_error(5, 0x10, MODULE.Nothing(), status=2) == BUSY
+
+
+def test_a_response_is_not_encoded_with_the_mark_of_the_other_kind() -> None:
+    with pytest.raises(codec_error()) as refused:
+        MODULE.panel.encode_response(5, MODULE.ReadStateResponse(7), status=2)
+    assert refused.value.reason == "out_of_range"
+    with pytest.raises(codec_error()):
+        MODULE.panel.encode_error(5, 0x10, MODULE.Nothing(), status=100)
+    for error, values in ((False, {"status": 2, "state": 7}), (True, {"status": 0})):
+        with pytest.raises(CodecError, match="status is"):
+            LINKS["panel"].encode("response", "read_state", {"station": 5, **values}, error=error)
+
+
+@pytest.mark.parametrize(
+    ("link", "frame", "number", "name"), [("panel", BUSY, 2, "busy"), ("terminal", REFUSED_LINE, 2, "")]
+)
+def test_a_client_raises_what_an_exception_response_says(link: str, frame: bytes, number: int, name: str) -> None:
+    client = Client(SCANNER, link, Line(frame), 5, Timing(timeout=5))
+    with pytest.raises(RefusedError) as refused:
+        client.ask("read_state", {})
+    assert (refused.value.number, refused.value.name) == (number, name)

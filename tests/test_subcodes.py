@@ -1,0 +1,81 @@
+"""Messages that share a code, and delimiters of each direction."""
+
+from __future__ import annotations
+
+import pytest
+
+from fieldspec.explain.explanation import explained, recognised
+from fieldspec.reference.frames import codec
+from fieldspec.reference.records import CodecError
+from layouts import TEST_SPECS, newest
+from python_package import codec_error, module_of
+from simulators import Unit
+
+SCANNER = newest(TEST_SPECS, "scanner")
+MODULE = module_of(SCANNER)
+HOST = codec(SCANNER).links["host"]
+CLEARED = bytes.fromhex("06 02 05 08 00 0A 17")
+UNKNOWN = bytes.fromhex("06 02 05 08 00 07 14")
+SHORT = bytes.fromhex("06 02 05 08 00 0D")
+REFUSED = bytes.fromhex("06 02 05 88 03 90")
+
+
+def test_the_subcode_selects_the_message() -> None:
+    decoded = HOST.decode(CLEARED, "response")
+    assert decoded.message is not None
+    assert decoded.message.name == "clear_counters"
+    assert MODULE.host.decode_response(CLEARED).message == MODULE.ClearCountersResponse()
+    assert explained(SCANNER, "host", "response", CLEARED).message == "clear_counters"
+    assert recognised(SCANNER, CLEARED) == [("host", "response", "clear_counters", False)]
+
+
+@pytest.mark.parametrize(("frame", "reason", "offset"), [(UNKNOWN, "unknown_code", 2), (SHORT, "incomplete", 3)])
+def test_a_subcode_that_no_message_has_is_refused_where_it_is(frame: bytes, reason: str, offset: int) -> None:
+    for decode in (lambda: HOST.decode(frame, "response"), lambda: MODULE.host.decode_response(frame)):
+        with pytest.raises((CodecError, codec_error())) as refused:
+            decode()
+        assert (refused.value.reason, refused.value.offset) == (reason, offset)
+    assert explained(SCANNER, "host", "response", frame).reasons == (reason,)
+
+
+def test_a_response_with_another_subcode_than_the_request_is_refused() -> None:
+    request = MODULE.EchoDataRequest(7)
+    with pytest.raises(codec_error()) as refused:
+        MODULE.host.decode_response(CLEARED, request)
+    assert refused.value.reason == "unknown_code"
+    with pytest.raises(codec_error()):
+        MODULE.host.decode_response(CLEARED, MODULE.RestartRequest())
+    assert MODULE.host.decode_response(CLEARED, MODULE.ClearCountersRequest).message == MODULE.ClearCountersResponse()
+
+
+def test_an_exception_response_answers_whichever_message_was_sent() -> None:
+    assert HOST.decode(REFUSED, "response").message is None
+    reply = MODULE.host.decode_response(REFUSED, MODULE.ClearCountersRequest())
+    assert (reply.code, reply.exception.reason) == (0x08, 3)
+    assert explained(SCANNER, "host", "response", REFUSED, "read_counter").message == "read_counter"
+
+
+def test_each_direction_has_its_delimiters() -> None:
+    request = MODULE.host.encode_request(5, MODULE.ClearCountersRequest())
+    assert request == bytes.fromhex("01 05 08 00 0A 17 0D")
+    assert MODULE.host.encode_response(5, MODULE.ClearCountersResponse()) == CLEARED
+    for frame, direction in ((CLEARED, "request"), (request, "response")):
+        with pytest.raises(CodecError, match="does not start with"):
+            HOST.decode(frame, direction)
+        assert "wrong_mark" in explained(SCANNER, "host", direction, frame).reasons
+
+
+def test_framers_find_the_frames_of_their_direction() -> None:
+    line = MODULE.terminal.encode_request(MODULE.ReadStateRequest())
+    assert line == b":10F0\r\n"
+    assert MODULE.terminal.request_framer().feed(b"\x00" + line) == [line]
+    framer = MODULE.host.response_framer()
+    assert framer.feed(CLEARED) == []
+    assert framer.idle() == [CLEARED], "messages of different lengths share the code, so only silence ends one"
+
+
+def test_a_simulated_device_answers_each_message_and_stays_silent_where_none_is_due() -> None:
+    unit = Unit("scanner", "host", folder=TEST_SPECS)
+    assert unit.answer("clear_counters").frame[:2] == bytes.fromhex("06 02")
+    answer = unit.answer("restart")
+    assert (answer.frame, answer.text) == (b"", "not answered: restart")
