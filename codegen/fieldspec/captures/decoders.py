@@ -209,7 +209,7 @@ class Decoder:
         unsigned = raw.view(np.uint64) if value.size == 8 and not self.type.signed else None
         numbers: npt.NDArray[np.int64] | npt.NDArray[np.uint64] = raw if unsigned is None else unsigned
         if value.ranges is not None:
-            result.verdict[~_within(numbers, value.ranges)] = OUT_OF_RANGE
+            result.verdict[~within(numbers, value.ranges)] = OUT_OF_RANGE
         for sentinel in value.sentinels:
             is_sentinel = numbers == numbers.dtype.type(sentinel.value)
             result.verdict[is_sentinel] = OK
@@ -258,7 +258,7 @@ class Decoder:
         return self.texts.place(data.rstrip(b"\0").decode("ascii")), OK
 
 
-def _within(numbers: npt.NDArray[np.int64] | npt.NDArray[np.uint64], ranges: Ranges) -> Mask:
+def within(numbers: npt.NDArray[np.int64] | npt.NDArray[np.uint64], ranges: Ranges) -> Mask:
     """Whether numbers are in any interval. Bounds that the type of the column cannot have are those of the type."""
     limits = np.iinfo(numbers.dtype)
     inside = np.zeros(len(numbers), np.bool_)

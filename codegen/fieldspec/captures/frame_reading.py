@@ -8,7 +8,7 @@ import numpy.typing as npt
 from fieldspec.captures.bodies import BodyReader, FieldRows, blame
 from fieldspec.captures.checksums import are_right
 from fieldspec.captures.columns import Bytes, Mask, Numbers, number_at, numbers, runs
-from fieldspec.captures.decoders import Decoders
+from fieldspec.captures.decoders import Decoders, within
 from fieldspec.captures.verdicts import (
     INCOMPLETE,
     OK,
@@ -24,6 +24,8 @@ from fieldspec.explain.row import unwrapped
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.escapes import EscapeError
 from fieldspec.layout.frame import PartLayout, original_parts
+from fieldspec.layout.subcodes import Subcode, subcode
+from fieldspec.model.link import ExceptionResponse
 
 NONE = -1
 
@@ -72,7 +74,7 @@ class FrameReader:
         self.carried = self.link.carried(direction)
         self.has_code = self.shape.role("code") is not None
         self.is_bare = not (
-            self.link.link.start or self.link.link.end or self.link.link.encoding != "binary" or self.shape.escape
+            self.shape.start or self.shape.end or self.link.link.encoding != "binary" or self.shape.escape
         )
         self.bodies: dict[tuple[int, bool], BodyReader] = {}
         self.least = self.shape.header_size + self.shape.trailer_size
@@ -113,8 +115,8 @@ class FrameReader:
         own = self.link.link
         for row, (start, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
             frame = buffer[start : start + length].tobytes()
-            parts = unwrapped(own, frame)
-            if parts.start != own.start:
+            parts = unwrapped(own, self.direction, frame)
+            if parts.start != self.shape.start:
                 verdict[row] = WRONG_MARK
             data = parts.data
             pieces.append(data)
@@ -122,7 +124,7 @@ class FrameReader:
                 data = original_parts(self.shape, data) if len(data) >= self.least else data
             except EscapeError:
                 verdict[row] = verdict[row] or WRONG_MARK
-            if not verdict[row] and (parts.reason or parts.end != own.end):
+            if not verdict[row] and (parts.reason or parts.end != self.shape.end):
                 verdict[row] = VERDICT_NUMBERS.get(parts.reason, WRONG_MARK) if parts.reason else WRONG_MARK
             originals.append(data)
         sent = _spans(pieces)
@@ -167,19 +169,42 @@ class FrameReader:
             frames.fields.append(FieldRows(rows, part.name, part.value.unit, values))
 
     def _code(self, frames: ReadFrames, code: Numbers) -> None:
-        """The message of each frame by its code. A flag in the code marks an exception response."""
+        """The message of each frame by its code, and by its subcode where several messages have the code."""
         refusal = self.link.link.exception_response
         if refusal is not None and self.direction == "response":
-            frames.is_refused[:] = (code & refusal.flag) != 0
+            frames.is_refused[:] = self._refused(frames, code, refusal)
             code = np.where(frames.is_refused, code & ~refusal.flag, code)
         frames.code[:] = code
-        names = self.carried
-        for place, message in enumerate(self.messages):
-            own = message.message.code
-            if own is not None:
-                carries = frames.is_refused | (message.name in names)
-                frames.message[(code == own) & carries & (frames.message == NONE)] = place
+        if refusal is not None and refusal.code is not None:
+            frames.code[frames.is_refused] = NONE  # it answers any request
+        places = {message.name: place for place, message in enumerate(self.messages)}
+        for is_refused, carried in ((False, self.direction), (True, "request")):
+            for number in {message.message.code for message in self.link.carried(carried).values()} - {None}:
+                assert number is not None
+                rows = np.flatnonzero((code == number) & (frames.is_refused == is_refused))
+                messages = self.link.messages_with_code(number, carried)
+                if len(messages) == 1:
+                    frames.message[rows] = places[messages[0].name]
+                elif not is_refused and (shared := subcode(messages, carried)) is not None:
+                    self._by_subcode(frames, rows, shared, places)
         blame(frames.verdict, (frames.message == NONE) & ~frames.is_refused, UNKNOWN_CODE)
+
+    def _refused(self, frames: ReadFrames, code: Numbers, refusal: ExceptionResponse) -> Mask:
+        """Which frames are exception responses."""
+        if refusal.part:
+            part = next(part for part in self.shape.header if part.name == refusal.part)
+            signed = part.value is not None and part.value.type.signed
+            number = number_at(frames.buffer, frames.at + part.offset, part.size, part.order, signed)
+            return np.zeros(len(code), np.bool_) if refusal.normal is None else ~within(number, refusal.normal)
+        return np.not_equal(code & refusal.flag, 0) if refusal.code is None else np.equal(code, refusal.code)
+
+    def _by_subcode(self, frames: ReadFrames, rows: Numbers, shared: Subcode, places: dict[str, int]) -> None:
+        """The messages of frames with one code. Bodies too short for a subcode count as those of the first message."""
+        number = number_at(frames.buffer, frames.body[rows] + shared.offset, shared.size, shared.order)
+        short = frames.body_size[rows] < shared.end
+        for key, message in shared.messages.items():
+            frames.message[rows[~short & (number == key)]] = places[message.name]
+        frames.message[rows[short]] = places[next(iter(shared.messages.values())).name]
 
     def _choose(self, frames: ReadFrames, asked: Numbers | None) -> None:
         """The message of frames without a code: that of the request, or the only one with bodies of their size."""
