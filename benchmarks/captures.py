@@ -88,8 +88,8 @@ def rows() -> Iterator[Row]:
         took = in_turns({"ours": ("/bin/sh", "-c", script), "c": (str(walk), str(path))}, 3)
         ours = least(took["ours"], FRAMES)
         fields = [option for field in FIELDS for option in ("-e", field)]
-        shown = in_turns({"tshark": (tshark, "-n", "-r", str(some), "-T", "fields", *fields)}, 1)
-        yield row(ours, "tshark -T fields", least(shown["tshark"], SOME), at_least=5)
+        of_tshark = in_turns({"tshark": (tshark, "-n", "-r", str(some), "-T", "fields", *fields)}, 1)
+        yield row(ours, "tshark -T fields", least(of_tshark["tshark"], SOME), at_least=5)
         yield row(ours, "a loop in C, which adds the words", least(took["c"], FRAMES))
     data = b"".join(packets(FEW))
     parse = construct.GreedyRange(FRAME).parse

@@ -85,8 +85,8 @@ class Observations:
         if self.broadcast is not None:
             others = compute.not_equal(asked["unit_address"], self.broadcast)
             asked = asked.filter(compute.fill_null(others, True))
-        found = asked.group_by(keys).aggregate([("frame", "count"), ("moment", "min"), ("moment", "max")])
-        for row in found.to_pylist():
+        totals_asked = asked.group_by(keys).aggregate([("frame", "count"), ("moment", "min"), ("moment", "max")])
+        for row in totals_asked.to_pylist():
             use = self._use(row)
             use.requests += row["frame_count"]
             use.first = _least(use.first, row["moment_min"])

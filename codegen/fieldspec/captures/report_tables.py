@@ -1,10 +1,13 @@
-"""Tables of a report as Parquet."""
+"""Tables in Parquet: those of a report are written, those of frames and values are read."""
 
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, BinaryIO
+
+ROWS = 1 << 18
+"""The rows of a table that are read at once."""
 
 
 def parquet_bytes(columns: Sequence[str], rows: Sequence[Mapping[str, Any]]) -> bytes:
@@ -23,3 +26,14 @@ def parquet_bytes(columns: Sequence[str], rows: Sequence[Mapping[str, Any]]) -> 
     output = io.BytesIO()
     parquet.write_table(pa.table(arrays), output)
     return output.getvalue()
+
+
+def parquet_batches(file: BinaryIO) -> Iterator[Any]:
+    """The record batches of a Parquet file. Raises OSError for a file that is none."""
+    import pyarrow as pa
+    from pyarrow import parquet
+
+    try:
+        yield from parquet.ParquetFile(file).iter_batches(batch_size=ROWS)
+    except pa.ArrowInvalid as error:
+        raise OSError(0, str(error)) from None

@@ -48,16 +48,19 @@ def capture_report(arguments: argparse.Namespace, layout: DeviceLayout) -> tuple
 
 def _read_tables(folder: Path, observations: Observations) -> None:
     """Adds the tables that `decode --to parquet` has written. Raises UsageError."""
-    from pyarrow import parquet
+    from fieldspec.captures.report_tables import parquet_batches
 
     for table, add in (("frames", observations.add_frames), ("values", observations.add_values)):
         paths = sorted((folder / table).glob("*.parquet"))
         if not paths:
             raise UsageError(f"{folder} has no tables in Parquet; decode with --to parquet, or name the captures")
         for path in paths:
-            with parquet.ParquetFile(path) as file:
-                for batch in file.iter_batches(batch_size=1 << 18):
-                    add(batch)
+            try:
+                with open(path, "rb") as file:
+                    for batch in parquet_batches(file):
+                        add(batch)
+            except OSError as error:  # noqa: PERF203 - the message names the file
+                raise UsageError(f"cannot read {path}: {error.strerror}") from None
 
 
 def _decode(name: str, decoder: DeviceDecoder, observations: Observations) -> None:
