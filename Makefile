@@ -102,7 +102,7 @@ capabilities: $(INSTALLED)
 	FIELDSPEC_CAPABILITIES=all $(BIN)/pytest -n 3 tests/test_capabilities.py
 
 plants: $(INSTALLED)
-	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py tests/plc_output/test_device_blocks.py -k whatever_happens
+	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py tests/plc_output/test_device_blocks.py tests/plc_output/test_simulated_blocks.py -k whatever_happens
 
 # Needs matiec, gcc-arm-none-eabi and libnewlib-arm-none-eabi.
 plc-sizes: $(INSTALLED)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from compiled import FLAGS, Block, Compiled
+from compiled import Block, Compiled
 from st_syntax import parsed
 from standard_text import anonymous, named, needed, without_comments
 from test_scl_execution import siemens_text
@@ -19,8 +19,6 @@ from fieldspec.plc.routines.printer import type_text
 from fieldspec.plc.routines.routine import Routine
 from layouts import newest
 
-QUICK = tuple(flag.replace("-O1", "-O0") for flag in FLAGS if flag != "-g")
-"""These programs run for a moment, and are compiled for much longer."""
 ENDS = ("Done", "CommandAborted", "Error", "Busy")
 
 
@@ -86,7 +84,7 @@ class Bench:
             (*((f"b{numbers[name]}_{variable}", kind) for (name, variable), kind in self.inputs.items()), *lent),
             (*((f"b{numbers[name]}.{variable}", kind) for (name, variable), kind in self.outputs.items()), *lent),
         )
-        self.program = Compiled(whole, folder, block, unit, QUICK)
+        self.program = Compiled(whole, folder, block, unit)
         self._kinds = dict(lent)
         self.now: dict[tuple[str, str], Any] = {}
         self.restart()

@@ -21,6 +21,7 @@ from st_machine import Machine
 from st_syntax import Unit, parsed
 from standard_text import anonymous
 
+from example_counts import FACTOR
 from external_tools import require_tool
 from matiec import matiec
 
@@ -41,7 +42,10 @@ FORMATS = {
     "dint": "i",
     "lint": "q",
 }
-FLAGS = ("-std=gnu11", "-O1", "-g", "-Wall", "-Wextra", "-Werror", "-fsanitize=address,undefined,float-cast-overflow")
+# Most programs run for a moment and are compiled for much longer. Some warnings need an optimizer: those of the nights.
+OPTIMIZATION = ("-O1", "-g") if FACTOR > 1 else ("-O0",)
+WARNINGS = ("-Wall", "-Wextra", "-Werror")
+FLAGS = ("-std=gnu11", *OPTIMIZATION, *WARNINGS, "-fsanitize=address,undefined,float-cast-overflow")
 # What matiec writes for every program alike: parameters for EN that a block does not look at, tests of divisors,
 # initial values of arrays of arrays on one level.
 QUIET = ("-Wno-unused-parameter", "-Wno-unused-function", "-Wno-type-limits", "-Wno-missing-braces")
@@ -70,10 +74,9 @@ class Compiled(Machine):
         folder: Path,
         block: Block | None = None,
         unit: Unit | None = None,
-        flags: tuple[str, ...] = FLAGS,
     ) -> None:
         super().__init__(parsed(anonymous(text)) if unit is None else unit)
-        self.block, self.flags = block, flags
+        self.block = block
         self.numbers = {name: number for number, name in enumerate(self.unit.functions)}
         self._process = subprocess.Popen(
             [str(self._program(text, folder))],
@@ -168,7 +171,7 @@ class Compiled(Machine):
     def _program(self, text: str, folder: Path) -> Path:
         """The program of a text, compiled."""
         tool = matiec()
-        about = repr((text, self.block, self.flags, QUIET, Path(__file__).read_bytes()))
+        about = repr((text, self.block, FLAGS, QUIET, Path(__file__).read_bytes()))
         place = folder / hashlib.sha256(about.encode()).hexdigest()[:16]
         place.mkdir(parents=True, exist_ok=True)
         with (place / "lock").open("w") as lock:
@@ -189,7 +192,7 @@ class Compiled(Machine):
         assert ran.returncode == 0, ran.stderr[-3000:]
         assert not ran.stderr, ran.stderr[-3000:]
         (place / "driver.c").write_text(self._driver((place / "POUS.h").read_text("utf-8")), "utf-8")
-        compiler = [require_tool("gcc"), *self.flags, *QUIET, "-isystem", str(tool / "lib" / "C"), f"-I{place}"]
+        compiler = [require_tool("gcc"), *FLAGS, *QUIET, "-isystem", str(tool / "lib" / "C"), f"-I{place}"]
         unfinished = place / "unfinished"
         completed_process = subprocess.run(
             [*compiler, "-o", str(unfinished), str(place / "driver.c"), "-lm"],

@@ -303,6 +303,14 @@ def test_whatever_ends_a_speed_takes_its_command_away(speed: VelocityRig, end: s
     assert (speed.device.motion.moving, len(speed.device.motion.starts)) == (False, starts)
 
 
+def test_a_speed_that_is_withdrawn_at_once_is_never_commanded(speed: VelocityRig) -> None:
+    speed.run(1, MOVE, Execute=True)
+    for _ in range(5):
+        speed.run(1, MOVE, Execute=False)
+        assert commanded(speed) == (0.0, 0.0)
+    assert speed.device.motion.starts == []
+
+
 def test_a_torque_is_reduced_without_a_motion(speed: VelocityRig) -> None:
     assert speed.done("Telegram102ReduceTorque", lrTorqueReduction=40.0) == "Done"
     assert (commanded(speed)[1], speed.device.motion.moving) == (pytest.approx(40.0, abs=0.01), False)

@@ -119,6 +119,15 @@ def _disagreements(judge: Judge, asked: list[Query], expected: list[Answer], ans
             continue
         if judge.name == "explainer" and wanted.reason and wanted.reason in (answer.reason or "").split():
             continue
+        if (
+            judge.name == "javascript"
+            and query.values is not None
+            and wanted.reason
+            and answer.reason == "wrong_length"
+        ):
+            # Of values with two mistakes it names the length of a list first, as the bytes are counted before they are
+            # written.
+            continue
         if not wanted.is_stable and judge.drops_bits:
             answer.again = None
         differences = wanted.differences(answer)

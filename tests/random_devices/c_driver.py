@@ -188,20 +188,26 @@ class Driver:
         return f"second = (int){encode}({'&content, ' if members(record) else ''}again, sizeof again, &length);"
 
     def _value_case(self, kind: str, path: tuple[str, ...], shape: tuple[Value, str, bool, bool, int]) -> str:
-        value, _, _, _, size = shape
+        value, _, _, trigger, size = shape
         noun = "register" if kind == "register" else "parameter"
         decode = self.naming.function(noun, *path, "decode")  # type: ignore[arg-type]
         encode = self.naming.function(noun, *path, "encode")  # type: ignore[arg-type]
         array = value.type.kind in (Kind.TEXT, Kind.BYTES)
         call = "content" if array else "&content"
         argument, other = "content, ", ""
+        kind_of_answer, written_kind = (
+            accessed_type(self.naming, self.layout.device, content) for content in (value.as_answer(trigger), value)
+        )
+        if kind_of_answer != written_kind:
+            # An answer that is no number of the type is no member either.
+            other = f"if (({written_kind})content != content) {{ second = {REASONS.index('unknown_value')}; }} else "
         if value.const is not None:
             argument, other = (
                 "",
                 f"if (content != {_literal(value)}) {{ second = {REASONS.index('wrong_const')}; }} else ",
             )
         return (
-            f'if (strcmp(name, "{".".join((kind, *path))}") == 0) {{ {self._declared(value)}'
+            f'if (strcmp(name, "{".".join((kind, *path))}") == 0) {{ {self._declared(value.as_answer(trigger))}'
             f" if (size != {size}) {{ status = size < {size} ? 1 : 2; }} else {{"
             f" status = (int){decode}(data, {call}); if (status == 0) {{ {_show_value(value, 'content')}"
             f" length = {size}; {other}second = (int){encode}({argument}again); }} }} }}"

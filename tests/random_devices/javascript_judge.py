@@ -133,6 +133,9 @@ def values_of(record: RecordLayout, data: Mapping[str, Any]) -> dict[str, Any]:
     for member in members_of(chosen):
         field = member.field
         if not member.key:
+            if record.selector is not None and field is chosen.fields[-1] and field.value is not None:
+                # Objects do not have the constant that a selector has chosen.
+                result[field.name] = field.value.const
             continue
 
         def element(item: Any, field: Any = field) -> Any:

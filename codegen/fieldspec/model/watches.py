@@ -14,7 +14,7 @@ MOVING = ("home", "move_absolute", "move_relative", "move_velocity", "jog", "run
 """The tasks that move, and that an alarm and a servo that is off end."""
 
 LASTING = ("jog", "move_velocity")
-"""The tasks that go on until somebody ends them, and that their last step ends."""
+"""The tasks that go on until their last step ends them."""
 
 REFUSAL = "fault_code"
 """The role of what shows that a command was not carried out. What a step waits for there must hold from then on."""

@@ -25,7 +25,6 @@ from fieldspec.plc.routines.expressions import (
     Variable,
     compared,
     every,
-    number,
 )
 from fieldspec.plc.routines.routine import Assignment, Routine, Statement, when
 from fieldspec.plc.routines.world import World
@@ -73,7 +72,7 @@ class _Maker:
         self.setpoints: list[tuple[Expression, Variable]] = []
         self.ending: list[Statement] = []
         self.lowered: list[Statement] = []
-        self.commanded = 0
+        self.commanding: Variable | None = None
         self.remark = ""
 
     def all(self) -> None:
@@ -103,14 +102,18 @@ class _Maker:
         Where the response shows that the speed is reached, it counts once the command has stood for some time.
         """
         block = self.block
-        away = when(Negation(block.start), [block.go(block.next + 1)])
+        end = block.go(block.next + 1)
         following: list[Statement] = []
         if self.setpoints:
             self.remark = (
                 "While Execute is TRUE, the request follows the inputs. The last step is carried out whatever ends the "
                 "block."
             )
-            following = [Assignment(place, raw) for place, raw in self.setpoints]
+            commanding = self.commanding = block.declare("xCommanding", BOOL, "local")
+            following = [
+                Assignment(commanding, Truth(True)),
+                *(Assignment(place, raw) for place, raw in self.setpoints),
+            ]
             reached = self.operands.with_role("speed_reached", self.message.name)
             if len(reached) == 1:
                 block.settle_input("T#20ms")
@@ -127,7 +130,7 @@ class _Maker:
                 ]
                 self.lowered += [Assignment(steady, Truth(False)), Assignment(at_speed, Truth(False))]
         converted = [*block.at_start, when(block.unharmed(), following)] if following else []
-        block.add([*converted, away])
+        block.add([when(Negation(block.start), [end], converted)])
 
     def _safe(self) -> None:
         """Clears first what would let something go on when the alarm is gone."""
@@ -207,8 +210,9 @@ class _Maker:
             if step.argument:
                 value: Expression = argument(block, step.argument, operand, field.value)
                 assert isinstance(value, Variable)
-                self.setpoints.append((place, value))
-                self.commanded = self.commanded or block.next
+                if self.task.kind in LASTING:
+                    self.setpoints.append((place, value))
+                    return
             else:
                 assert step.value is not None
                 kind = kind_of(self.world, operand, field.value)
@@ -245,6 +249,7 @@ class _Maker:
         taken = [Negation(block.displaced)] if block.displaced is not None else []
         undoing = [when(every([*taken, Negation(block.done)]), undone)] if undone else []
         owning = [when(Negation(block.done), own)] if own else []
-        commanded = compared(block.step, ">", number(self.commanded))
-        ending = [when(commanded, self.ending)] if self.ending else []
+        ending = self.ending
+        if self.commanding is not None:
+            ending = [when(self.commanding, [*ending, Assignment(self.commanding, Truth(False))])]
         return [*late, block.outcome(), block.over(*low, *owning, *undoing, *self.lowered, *ending)]
