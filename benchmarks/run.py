@@ -35,6 +35,7 @@ FILES = (
     "python_many",
     "queries",
     "device",
+    "captures",
     "javascript",
     "c_instructions",
     "c_cortex",

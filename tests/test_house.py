@@ -48,6 +48,7 @@ HOMES = {
     "jsonschema_rs": ("reading/",),
     "jinja2": ("backends/templates.py",),
     "construct": ("reference/",),
+    "pyarrow": ("captures/",),
     "openpyxl": ("lists/workbook.py",),
     "xlsxwriter": ("lists/packing.py",),
     "argparse": ("cli.py", "commands/"),

@@ -217,11 +217,19 @@ def _parser() -> argparse.ArgumentParser:
     way = "request, response, or the names that the link has for them"
     decode = verb("decode", "explain a frame or a log of frames, byte by byte", compiled=True)
     decode.add_argument("device", metavar="DEVICE[@VERSION]")
-    frames = "the bytes in hexadecimal (default, or -: lines of standard input)"
-    decode.add_argument("frame", nargs="*", default=[], metavar="HEX|-", help=frames)
+    frames = "the bytes in hexadecimal (default, or -: lines of standard input); with --to: captures, logs, folders"
+    decode.add_argument("frame", nargs="*", default=[], metavar="HEX|-|FILE", help=frames)
     sent(decode, way, "the message, if the frame does not identify it")
     decode.add_argument("--request", metavar="HEX", help="the request that the response answers")
     decode.add_argument("--format", choices=("text", "json"), default="text")
+    to = "decode captures and logs in bulk, into tables of frames and values"
+    decode.add_argument("--to", choices=("parquet", "csv", "jsonl", "arrow"), help=to)
+    out = "with --to: the folder for the tables; a repeated run goes on where the last one stopped"
+    decode.add_argument("--out", metavar="FOLDER", help=out)
+    decode.add_argument("--port", metavar="NUMBERS", help="with --to: TCP and UDP ports of the devices, such as 502")
+    decode.add_argument("--units", metavar="NUMBERS", help="with --to: values of these unit addresses only: 1,3-5")
+    rows = "with --to: the frames in one file of each table (default: 1000000)"
+    decode.add_argument("--part-frames", type=int, metavar="NUMBER", help=rows)
 
     encode = verb("encode", "encode the frame of a message", compiled=True)
     encode.add_argument("device", metavar="DEVICE[@VERSION]")
@@ -271,36 +279,7 @@ def _parser() -> argparse.ArgumentParser:
     into.set_defaults(verb="importing")
 
     audit = verb("audit", "report the evidence that the spec of a device is right, and where it is missing")
-    audit.add_argument("device", metavar="DEVICE[@VERSION]")
-    audit.add_argument("--manual", metavar="FILE", help="the text of the manual (default: its recorded index)")
-    audit.add_argument("--record", action="store_true", help="write the index of that text beside the spec")
-    audit.add_argument("--all", action="store_true", help="include the long tables")
-    audit.add_argument(
-        "--as-printed", action="store_true", help="show what the checks would find if the spec had no errata"
-    )
-    audit.add_argument(
-        "--table", metavar="NAME", help="print only this table, such as ledger; required for csv and xlsx"
-    )
-    audit.add_argument("--format", choices=("text", "json", "html", "sarif", "csv", "xlsx"), default="text")
-    audit.add_argument("--out", metavar="FILE", help="the file for the page or the table (default: standard output)")
-    audit.add_argument(
-        "--dump", metavar="FILE", help="judge values read from a device: CSV, XLSX or JSON (-: standard input)"
-    )
-    for role in ("address", "value", "words", "space"):
-        audit.add_argument(
-            f"--{role}", metavar="COLUMN", help=f"the column of the dump with the {role}, if it is not recognized"
-        )
-    audit.add_argument("--base", choices=("hex", "decimal", "4xxxx"), help="the notation of addresses in the dump")
-    audit.add_argument(
-        "--offset", type=int, metavar="NUMBER", help="the difference between addresses in the dump and on the wire"
-    )
-    audit.add_argument("--encoding", metavar="NAME", help="the encoding of the dump, such as gbk, big5 or utf-16")
-    audit.add_argument("--sheet", metavar="NAME", help="the sheet, if the dump is a workbook")
-    signs = "record that a section of the manual was compared with the spec (`all`: every section)"
-    audit.add_argument("--sign", metavar="SECTION", help=signs)
-    audit.add_argument("--by", metavar="NAME", help="with --sign: who compared it, a name or a role")
-    audit.add_argument("--on", metavar="DATE", help="with --sign: when (default: today)")
-    audit.add_argument("--how", metavar="TEXT", help="with --sign: how")
+    audit.late_arguments = ("fieldspec.commands.audit_options", "add_audit")
 
     for name, help in (
         ("simulate", "serve a device that is simulated from its spec"),

@@ -79,7 +79,7 @@ def _file(name: str, data: bytes, encoding: str, sheet: Sheet) -> tuple[SourceFi
 OF_DUMPS = ("address", "value", "words", "space", "base", "offset", "encoding", "sheet")
 """The options that say how a dump is read."""
 
-ALONE = ("sign", "dump", "record", "as_printed")
+ALONE = ("sign", "dump", "record", "as_printed", "captures")
 """The options that ask for something other than the audit; each excludes the others."""
 
 FORMED = ("sign", "record")
@@ -109,14 +109,18 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(f"{arguments.format} holds a single table; name it with --table, such as --table ledger")
     if arguments.table and arguments.format in WHOLE:
         raise UsageError(f"{arguments.format} shows the whole audit; use --table with text, json, csv or xlsx")
-    if arguments.out and not arguments.table and arguments.format != "html":
+    if arguments.out and not arguments.table and arguments.format not in ("html", "parquet"):
         raise UsageError("--out writes a page or a table; give --format html, or --table, such as --table ledger")
+    if arguments.format == "parquet" and not (arguments.captures and arguments.out):
+        raise UsageError("parquet holds the tables of captures; give --captures FOLDER and --out FOLDER")
     options = [option for option in ("by", "on", "how") if getattr(arguments, option) is not None]
     if options and not arguments.sign:
         raise UsageError(f"--{options[0]} goes with --sign SECTION")
     options = [option for option in OF_DUMPS if getattr(arguments, option) is not None]
     if options and not arguments.dump:
         raise UsageError(f"--{options[0]} goes with --dump FILE")
+    if arguments.captures:
+        return _print_captures(arguments)
     load_checks()
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     layouts = {
@@ -156,7 +160,7 @@ def _must_go_together(arguments: argparse.Namespace) -> None:
         raise UsageError(
             f"{_option_text(asked[0])} prints no report, so {_option_text(beside[0])} has no effect; leave it out"
         )
-    if asked and asked[0] in ("sign", "dump") and arguments.manual:
+    if asked and asked[0] in ("sign", "dump", "captures") and arguments.manual:
         raise UsageError(f"{_option_text(asked[0])} reads no manual, so --manual has no effect; leave it out")
 
 
@@ -175,6 +179,24 @@ def _print_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> int:
     else:
         _print_report(report, findings, arguments, layout.device)
     return 1 if has_errors(findings) else 0
+
+
+def _print_captures(arguments: argparse.Namespace) -> int:
+    """Prints the report on captures. Exit code 1 where they contradict the spec."""
+    from fieldspec.commands import capture_audit
+
+    if arguments.format == "sarif":
+        raise UsageError("sarif shows findings in specs, and --captures has none; use text, json, html or parquet")
+    spec, version = specs.spec_at(arguments.specs, arguments.device)
+    layout = specs.layout_of(spec, version)
+    report, is_wrong = capture_audit.capture_report(arguments, layout)
+    if arguments.format == "parquet":
+        capture_audit.write_tables(report, Path(arguments.out))
+    elif arguments.table:
+        _print_table(report, arguments)
+    else:
+        _print_report(report, (), arguments, layout.device)
+    return int(is_wrong)
 
 
 def _print_report(

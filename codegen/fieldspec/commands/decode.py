@@ -79,6 +79,13 @@ LONGEST_LINE = 8192
 
 def run(arguments: argparse.Namespace) -> int:
     """Explains a frame, or each line of standard input. Exit code 1 where anything is wrong. Raises UsageError."""
+    if arguments.to:
+        from fieldspec.commands import bulk_decoding
+
+        return bulk_decoding.run(arguments)
+    for option in ("out", "port", "units", "part_frames"):
+        if getattr(arguments, option) is not None:
+            raise UsageError(f"--{option.replace('_', '-')} goes with --to, which decodes captures and logs in bulk")
     layout = layout_cache.requested_layout(arguments)
     if not layout.links:
         raise UsageError(f"{arguments.device} has no link, so there are no frames to decode")

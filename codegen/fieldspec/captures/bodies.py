@@ -1,0 +1,183 @@
+"""The bodies of frames of one message and direction: judged as the codecs do, and their fields as columns."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import numpy.typing as npt
+
+from fieldspec.captures.columns import Bytes, Mask, Numbers, number_at, spread
+from fieldspec.captures.decoders import Decoders, ValueColumns
+from fieldspec.captures.verdicts import INCOMPLETE, OK, REFUSED, UNKNOWN_VALUE, WRONG_LENGTH, WRONG_MEASURE
+from fieldspec.classes import dataclass
+from fieldspec.layout.record import FieldLayout, RecordLayout
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """A value at a fixed offset in a record, by its path there. `field` is the field that it is, or that it is in."""
+
+    path: str
+    offset: int
+    layout: FieldLayout
+    field: FieldLayout
+
+
+@dataclass(frozen=True, slots=True)
+class FieldRows:
+    """Decoded values: the row of the frame of each, the text of its path, and its unit."""
+
+    frame: Numbers
+    path: str
+    unit: str
+    values: ValueColumns
+
+
+def slots(record: RecordLayout, prefix: str = "", at: int = 0, outer: FieldLayout | None = None) -> Iterator[Slot]:
+    """The values of a record in the order of the wire, those of records in it too; a repeated field counts once."""
+    for field in record.fields:
+        many = field.is_list and not (outer is None and field.count is None)
+        for index in range(field.count or 1):
+            path = f"{prefix}{field.name}[{index}]" if many else f"{prefix}{field.name}"
+            place = at + field.offset + index * field.size
+            if field.record is not None:
+                yield from slots(field.record, f"{path}.", place, outer or field)
+            elif field.value is not None:
+                yield Slot(path, place, field, outer or field)
+
+
+class BodyReader:
+    """Reads bodies that one record describes. `emits` is whether its fields are values of the tables.
+
+    Fields of messages that access registers are not: what they carry are the registers.
+    """
+
+    def __init__(self, record: RecordLayout, decoders: Decoders, emits: bool) -> None:
+        self.record, self.decoders, self.emits = record, decoders, emits
+        self.slots = list(slots(record)) if record.selector is None else []
+        self.chosen = {id(each): BodyReader(each, decoders, emits) for each in record.chosen.values()}
+
+    def read(
+        self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+    ) -> Iterator[tuple[Numbers, FieldRows]]:
+        """Judges bodies of `size` bytes from `at` on, and yields their fields with the rows of the bodies.
+
+        A verdict that is not yet another one becomes that of the first fault.
+        """
+        if self.record.selector is None:
+            yield from self._fields(buffer, at, size, verdict)
+            return
+        selector = self.record.selector
+        short = selector.offset + selector.size > size
+        number = number_at(buffer, at + selector.offset, selector.size, selector.order)
+        blame(verdict, short | (size < self.record.least), INCOMPLETE)
+        decided = short.copy()
+        for key in np.unique(number[~short]).tolist():
+            record = self.record.chosen.get(key)
+            if record is not None:
+                rows = np.flatnonzero(~short & (number == key))
+                decided[rows] = True
+                own = verdict[rows]
+                for frames, fields in self.chosen[id(record)].read(buffer, at[rows], size[rows], own):
+                    yield rows[frames], fields
+                verdict[rows] = own
+        long = np.zeros(len(at), np.bool_) if self.record.most is None else size > self.record.most
+        blame(verdict, ~decided & long, WRONG_LENGTH)
+        blame(verdict, ~decided, UNKNOWN_VALUE)
+
+    def _fields(
+        self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+    ) -> Iterator[tuple[Numbers, FieldRows]]:
+        counts = {field.name: self._count(field, size) for field in self.record.fields}
+        for slot in self.slots:
+            field = slot.field
+            if field.count is None:
+                items = np.maximum(counts[field.name], 0)
+                rows, index = spread(items)
+            else:
+                rows, index = np.flatnonzero(field.offset + field.size * field.count <= size), None
+                blame(verdict, field.offset + field.size * field.count > size, INCOMPLETE)
+            assert slot.layout.value is not None
+            judged = slot.layout.value.const is not None or bool(slot.layout.value.enum)
+            if len(rows) and (self.emits or judged):
+                yield from self._slot(slot, buffer, at, rows, index, verdict)
+            self._measure(slot, buffer, at, size, counts, verdict)
+        end = np.zeros(len(size), np.int64)
+        for field in self.record.fields:
+            room = size < field.offset + counts[field.name] * field.size
+            least = field.field.repeat.low if field.field.repeat else 0
+            blame(verdict, room | (counts[field.name] < least), INCOMPLETE)
+            end = field.offset + counts[field.name] * field.size
+        blame(verdict, size > end, WRONG_LENGTH)
+
+    @staticmethod
+    def _count(field: FieldLayout, size: Numbers) -> Numbers:
+        """How many elements of a field there are: as many as fit if their number is free."""
+        repeat = field.field.repeat
+        if repeat is None or not field.size:
+            return np.full(len(size), field.count or 0)
+        return np.minimum((size - field.offset) // field.size, repeat.high)
+
+    def _slot(
+        self,
+        slot: Slot,
+        buffer: Bytes,
+        at: Numbers,
+        rows: Numbers,
+        index: Numbers | None,
+        verdict: npt.NDArray[np.int8],
+    ) -> Iterator[tuple[Numbers, FieldRows]]:
+        layout, value = slot.layout, slot.layout.value
+        assert value is not None
+        key = self.decoders.place(value, layout.order, layout.swapped, layout.field.reserved)
+        place = at[rows] + slot.offset + (0 if index is None else index * slot.field.size)
+        values = self.decoders.items[key].decode(buffer, place)
+        for number in REFUSED:
+            blame_rows(verdict, rows[values.verdict == number], number)
+        if not self.emits:
+            return
+        if index is None:
+            yield rows, FieldRows(rows, slot.path, value.unit, values)
+            return
+        name = slot.field.name
+        for number in range(int(index.max()) + 1):
+            own = np.flatnonzero(index == number)
+            path = slot.path.replace(name, f"{name}[{number}]", 1)
+            yield rows[own], FieldRows(rows[own], path, value.unit, values_at(values, own))
+
+    def _measure(
+        self,
+        slot: Slot,
+        buffer: Bytes,
+        at: Numbers,
+        size: Numbers,
+        counts: dict[str, Numbers],
+        verdict: npt.NDArray[np.int8],
+    ) -> None:
+        """Judges a field that measures another one."""
+        measure = slot.layout.field.measures if slot.layout is slot.field else None
+        other = self.record.named(measure.field) if measure else None
+        if measure is None or other is None or other.cases:
+            return
+        items = np.clip((size - other.offset) // max(other.size, 1), 0, counts[other.name])
+        items = np.maximum(items, 0) if other.is_list else np.ones(len(at), np.int64)
+        should = items * other.size if measure.of == "bytes" else items
+        number = number_at(buffer, at + slot.offset, slot.layout.size, slot.layout.order)
+        blame(verdict, (number != should) & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
+
+
+def values_at(values: ValueColumns, rows: Numbers | Mask) -> ValueColumns:
+    """Some rows of decoded values."""
+    names = ("raw", "has_raw", "quantity", "has_quantity", "text", "verdict")
+    return ValueColumns(*(getattr(values, name)[rows] for name in names))
+
+
+def blame(verdict: npt.NDArray[np.int8], which: Mask, number: int) -> None:
+    """Gives frames a verdict that have none other yet."""
+    verdict[which & (verdict == OK)] = number
+
+
+def blame_rows(verdict: npt.NDArray[np.int8], rows: Numbers, number: int) -> None:
+    """The same for rows."""
+    verdict[rows[verdict[rows] == OK]] = number

@@ -1,0 +1,234 @@
+"""Packets of captures in the formats pcap and pcapng, in batches of a limited size.
+
+Sources: draft-ietf-opsawg-pcap, draft-ietf-opsawg-pcapng.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections import Counter
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+
+from fieldspec.captures.columns import NO_TIME, Bytes, Numbers, number_at, numbers
+from fieldspec.classes import dataclass
+
+BATCH = 1 << 23
+"""The bytes that are read at once."""
+
+LONGEST = 1 << 26
+"""The bytes of the longest record or block that a capture may have; a greater length is no length."""
+
+Read = Callable[[int], bytes]
+"""Reads at most so many bytes; returns none at the end."""
+
+
+class CaptureError(ValueError):
+    """A file that is no capture, or one from which nothing more can be read. `offset` counts bytes of the file."""
+
+    def __init__(self, offset: int, detail: str) -> None:
+        super().__init__(f"byte {offset}: {detail}")
+        self.offset, self.detail = offset, detail
+
+
+@dataclass(frozen=True, slots=True)
+class Packets:
+    """Captured packets: `size` bytes each from `at` on in the buffer. `interface` is the place of the interface.
+
+    `time` is in nanoseconds since 1970. `end` is the offset in the file behind the last one.
+    """
+
+    buffer: Bytes
+    at: Numbers
+    size: Numbers
+    time: Numbers
+    interface: Numbers
+    end: int
+
+
+@dataclass(slots=True)
+class Interface:
+    """The kind of packets of an interface, the parts of a second that its times count, and what is added to them."""
+
+    link_type: int
+    ticks: int
+    offset: int = 0
+
+
+class CaptureReader:
+    """Reads one capture. `interfaces` grows as the file describes them; `losses` counts what cannot be read.
+
+    `position` and `interfaces` are all that is needed to go on reading later, from that byte of the file on.
+    """
+
+    def __init__(self, read: Read, state: dict[str, Any] | None = None) -> None:
+        self.read = read
+        self.losses: Counter[str] = Counter()
+        self.pending = b""
+        self.position = 0
+        self.interfaces: list[Interface] = []
+        self.order, self.is_blocks = "", False
+        if state is None:
+            self._open()
+        else:
+            self.position, self.order, self.is_blocks = state["position"], state["order"], state["blocks"]
+            self.interfaces = [Interface(*values) for values in state["interfaces"]]
+
+    def state(self, end: int) -> dict[str, Any]:
+        """What another reader needs to go on behind the packets that end at a byte of the file."""
+        interfaces = [[own.link_type, own.ticks, own.offset] for own in self.interfaces]
+        return {"position": end, "order": self.order, "blocks": self.is_blocks, "interfaces": interfaces}
+
+    def _open(self) -> None:
+        head = self._more(24)
+        magic = head[:4]
+        for order in "<>":
+            ticks = {0xA1B2C3D4: 10**6, 0xA1B23C4D: 10**9}.get(struct.unpack(f"{order}I", magic.ljust(4, b"\0"))[0])
+            if ticks is not None:
+                if len(head) < 24:
+                    raise CaptureError(0, "the file ends within its header of 24 bytes")
+                self.order = order
+                link_type = struct.unpack(f"{order}I", head[20:24])[0] & 0xFFFF
+                self.interfaces = [Interface(link_type, ticks)]
+                self.pending, self.position = b"", 24
+                return
+        if magic != b"\x0a\x0d\x0d\x0a":
+            begin = magic.hex(" ").upper() or "nothing"
+            raise CaptureError(0, f"the file begins with {begin}: neither pcap nor pcapng")
+        self.is_blocks = True
+
+    def _more(self, size: int) -> bytes:
+        """Reads until there are `size` bytes that no packet has taken, or the file ends."""
+        parts = [self.pending]
+        have = len(self.pending)
+        while have < size and (data := self.read(size - have)):
+            parts.append(data)
+            have += len(data)
+        self.pending = b"".join(parts)
+        return self.pending
+
+    def batches(self) -> Iterator[Packets]:
+        """The packets of the file. What cannot be read is in `losses`, in bytes."""
+        size = BATCH
+        while True:
+            data = self._more(size)
+            if not data:
+                return
+            places, used = self._blocks(data) if self.is_blocks else self._records(data)
+            self.position += used
+            self.pending = data[used:]
+            if places:
+                buffer = np.frombuffer(data, np.uint8)
+                heads = numbers(places)
+                yield self._of_blocks(buffer, heads) if self.is_blocks else self._of_records(buffer, heads)
+            if used:
+                size = BATCH
+            elif len(data) < size:
+                self.losses["truncated"] += len(data)
+                return
+            else:
+                size = len(data) * 2  # the next record is longer than what was read
+
+    def _word(self, buffer: Bytes, at: Numbers) -> Numbers:
+        return number_at(buffer, at, 4, "big" if self.order == ">" else "little")
+
+    def _nanoseconds(self, seconds: Numbers, rest: Numbers, interface: Numbers) -> Numbers:
+        """Times in nanoseconds, from seconds and ticks."""
+        ticks = numbers([own.ticks for own in self.interfaces])[interface]
+        exact = rest * (10**9 // ticks)
+        coarse = (rest.astype(np.float64) * (1e9 / ticks)).astype(np.int64)
+        return seconds * 10**9 + np.where(10**9 % ticks == 0, exact, coarse)
+
+    def _records(self, data: bytes) -> tuple[list[int], int]:
+        """The places of the whole records of a pcap file in some bytes, and how many bytes they take."""
+        places: list[int] = []
+        size_at = struct.Struct(f"{self.order}I").unpack_from
+        at, end = 0, len(data)
+        add = places.append
+        while at + 16 <= end:
+            (size,) = size_at(data, at + 8)
+            if size > LONGEST:
+                self._lose(f"a packet of {size} bytes at byte {self.position + at}, which no packet has", end - at)
+                return places, end
+            following = at + 16 + size
+            if following > end:
+                break
+            add(at)
+            at = following
+        return places, at
+
+    def _of_records(self, buffer: Bytes, heads: Numbers) -> Packets:
+        interface = np.zeros(len(heads), np.int64)
+        time = self._nanoseconds(self._word(buffer, heads), self._word(buffer, heads + 4), interface)
+        return Packets(buffer, heads + 16, self._word(buffer, heads + 8), time, interface, self.position)
+
+    def _lose(self, why: str, size: int) -> None:
+        """Counts the rest of a file from which no record can be told."""
+        while data := self.read(BATCH):
+            size += len(data)
+        self.losses[why] += size
+
+    def _blocks(self, data: bytes) -> tuple[list[int], int]:
+        """The places of the packets in the whole blocks of a pcapng file in some bytes, and the bytes of these."""
+        places: list[int] = []
+        at, end = 0, len(data)
+        while at + 12 <= end:
+            if data[at : at + 4] == b"\x0a\x0d\x0d\x0a":
+                if places:
+                    break  # the interfaces of the next section are others
+                self.order = "<" if data[at + 8 : at + 12] == b"\x4d\x3c\x2b\x1a" else ">"
+                self.interfaces = []
+            kind, size = struct.unpack_from(f"{self.order}II", data, at)
+            if size < 12 or size % 4 or size > LONGEST:
+                self._lose(f"a block of {size} bytes at byte {self.position + at}, which no block has", end - at)
+                return places, end
+            if at + size > end:
+                break
+            if (kind == 6 and size >= 32) or (kind == 3 and size >= 16):
+                places.append(at)
+            elif kind == 1:
+                if places:
+                    break  # the packets so far belong to the interfaces as they are
+                self._add_interface(data[at + 8 : at + size - 4])
+            at += size
+        return places, at
+
+    def _of_blocks(self, buffer: Bytes, heads: Numbers) -> Packets:
+        """The packets of blocks. Simple blocks, of the kind 3, have no time and belong to the first interface."""
+        simple = self._word(buffer, heads) == 3
+        room = self._word(buffer, heads + 4) - np.where(simple, 16, 32)
+        interface = np.where(simple, 0, self._word(buffer, heads + 8))
+        size = np.where(simple, np.minimum(self._word(buffer, heads + 8), room), self._word(buffer, heads + 20))
+        wrong = (size > room) | (interface >= len(self.interfaces))
+        self.losses["packets whose block contradicts itself"] += int(room[wrong].sum())
+        right = ~wrong
+        heads, size, interface, simple = heads[right], size[right], interface[right], simple[right]
+        count = self._word(buffer, heads + 12) << 32 | self._word(buffer, heads + 16)
+        count[simple | (count < 0)] = 0
+        ticks = numbers([own.ticks for own in self.interfaces])[interface]
+        offset = numbers([own.offset for own in self.interfaces])[interface]
+        time = self._nanoseconds(count // ticks + offset, count % ticks, interface)
+        time[simple] = NO_TIME
+        return Packets(buffer, heads + np.where(simple, 12, 28), size, time, interface, self.position)
+
+    def _add_interface(self, body: bytes) -> None:
+        """Reads the description of an interface with the options that bear on times."""
+        if len(body) < 8:
+            self.interfaces.append(Interface(-1, 10**6))
+            return
+        own = Interface(struct.unpack_from(f"{self.order}H", body)[0], 10**6)
+        at = 8
+        while at + 4 <= len(body):
+            code, size = struct.unpack_from(f"{self.order}HH", body, at)
+            value = body[at + 4 : at + 4 + size]
+            if code == 0:
+                break
+            if code == 9 and value:
+                power = min(value[0] & 0x7F, 62 if value[0] & 0x80 else 18)
+                own.ticks = 2**power if value[0] & 0x80 else 10**power
+            elif code == 14 and len(value) == 8:
+                own.offset = struct.unpack(f"{self.order}q", value)[0]
+            at += 4 + (size + 3) // 4 * 4
+        self.interfaces.append(own)

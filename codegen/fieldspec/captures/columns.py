@@ -1,0 +1,70 @@
+"""Columns of numbers over the bytes of many frames: reading numbers at places, gathering bytes, spreading rows."""
+
+from __future__ import annotations
+
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+Bytes: TypeAlias = npt.NDArray[np.uint8]
+Numbers: TypeAlias = npt.NDArray[np.int64]
+Mask: TypeAlias = npt.NDArray[np.bool_]
+Texts: TypeAlias = npt.NDArray[np.int32]
+"""Places in a list of texts; -1 is none."""
+
+NO_TIME = int(np.iinfo(np.int64).min)
+"""The time of a packet without one."""
+
+
+def numbers(values: object) -> Numbers:
+    """Whole numbers as a column."""
+    return np.asarray(values, dtype=np.int64)
+
+
+def number_at(buffer: Bytes, at: Numbers, size: int, order: str = "big", signed: bool = False) -> Numbers:
+    """The whole numbers of `size` bytes, up to 8, at some places, modulo 2^64.
+
+    Places outside of the buffer read other bytes of it; the caller has excluded them.
+    """
+    if size == 1:
+        single = buffer.take(at, mode="clip")
+        return (single.view(np.int8) if signed else single).astype(np.int64)
+    if size in (4, 8) and len(buffer) >= size:
+        kind = f"{'<' if order == 'little' else '>'}{'i' if signed else 'u'}{size}"
+        numbers_there: npt.NDArray[Any] = np.ndarray((len(buffer) - size + 1,), kind, buffer, strides=(1,))
+        return numbers_there[np.clip(at, 0, len(buffer) - size)].astype(np.int64)  # `take` would copy all of them
+    number = np.zeros(len(at), np.int64)
+    for step in reversed(range(size)) if order == "little" else range(size):
+        number = number << 8 | buffer.take(at + step, mode="clip")
+    unused = 64 - 8 * size
+    return (number << unused) >> unused if signed and unused else number
+
+
+def spread(counts: Numbers) -> tuple[Numbers, Numbers]:
+    """For `counts` items of each row: the row of each item, and its number within the row."""
+    rows = np.repeat(np.arange(len(counts)), counts)
+    starts = np.cumsum(counts) - counts
+    return rows, np.arange(len(rows)) - starts[rows]
+
+
+def gathered(buffer: Bytes, at: Numbers, sizes: Numbers) -> tuple[Bytes, Numbers]:
+    """The bytes of some spans one behind another, and the offset of each span and of the end."""
+    offsets = np.zeros(len(at) + 1, np.int64)
+    np.cumsum(sizes, out=offsets[1:])
+    if len(at) and bool((at[1:] == at[:-1] + sizes[:-1]).all()):
+        return buffer[int(at[0]) : int(at[0] + offsets[-1])], offsets
+    shift = np.repeat(at - offsets[:-1], sizes)
+    return buffer[shift + np.arange(len(shift))], offsets
+
+
+def runs(keys: Numbers) -> list[tuple[int, Numbers]]:
+    """The rows of each key, in ascending order of keys; the rows of a key keep their order."""
+    if not len(keys):
+        return []
+    if bool((keys == keys[0]).all()):
+        return [(int(keys[0]), np.arange(len(keys)))]
+    order = np.argsort(keys, kind="stable")
+    ordered = keys[order]
+    cuts = np.flatnonzero(ordered[1:] != ordered[:-1]) + 1
+    return [(int(keys[part[0]]), part) for part in np.split(order, cuts)]

@@ -1,0 +1,158 @@
+"""Cuts streams of bytes into frames with the framers of the generated code, and keeps track of the bytes between."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from fieldspec.captures.columns import NO_TIME
+from fieldspec.captures.payloads import REQUEST, RESPONSE, UNKNOWN
+from fieldspec.classes import dataclass
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.simulator.codecs import Framer, device_module, framer
+
+SILENCE = 10**9
+"""The nanoseconds without bytes after which a frame that has begun does not go on."""
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A frame or a run of bytes that is none, with the time and the packet of its last byte.
+
+    `is_payload`: it is all that one payload has.
+    """
+
+    data: bytes
+    is_frame: bool
+    is_payload: bool
+    direction: int
+    time: int
+    packet: int
+    stream: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Span:
+    start: int
+    end: int
+    direction: int
+
+
+class Cutter:
+    """Cuts the payloads of one link. Bytes that may still become a frame wait in `pending`, by stream and direction.
+
+    A stream whose direction is unknown carries both; a frame that may be either is a response after a request.
+    """
+
+    def __init__(self, layout: DeviceLayout, link: str) -> None:
+        self.layout, self.link = layout, link
+        self._framers: dict[int, Framer] | None = None
+        self.pending: dict[tuple[int, int], tuple[bytes, list[tuple[int, int, int]]]] = {}
+
+    @property
+    def framers(self) -> dict[int, Framer]:
+        """The framers by direction, imported when the first payload needs them."""
+        if self._framers is None:
+            module = device_module(self.layout)
+            ways = ((REQUEST, "request"), (RESPONSE, "response"))
+            framers = ((way, framer(module, self.link, name)) for way, name in ways)
+            self._framers = {way: each for way, each in framers if each is not None}
+        return self._framers
+
+    @property
+    def cuts(self) -> bool:
+        """Whether the link has framers. The frames of one without come whole."""
+        return bool(self.framers)
+
+    def state(self) -> list[Any]:
+        """What another cutter needs to go on."""
+        return [[*key, data.hex(), marks] for key, (data, marks) in self.pending.items()]
+
+    def restore(self, state: list[Any]) -> None:
+        """Goes on where another cutter was."""
+        for stream, direction, data, marks in state:
+            self.pending[stream, direction] = bytes.fromhex(data), [(mark[0], mark[1], mark[2]) for mark in marks]
+
+    def is_waiting(self, stream: int, direction: int) -> bool:
+        """Whether bytes of a stream wait."""
+        return (stream, direction) in self.pending
+
+    def feed(self, stream: int, direction: int, data: bytes, time: int, packet: int, follows_loss: bool) -> list[Piece]:
+        """The frames and other bytes that a payload completes."""
+        key = stream, direction
+        pieces: list[Piece] = []
+        waiting, marks = self.pending.pop(key, (b"", []))
+        if waiting and (follows_loss or _is_silent(marks[-1][1], time)):
+            pieces = self._cut(key, waiting, marks, True)
+            waiting, marks = b"", []
+        joined = waiting + data
+        return pieces + self._cut(key, joined, [*marks, (len(joined), time, packet)], False)
+
+    def finish(self) -> list[Piece]:
+        """What is left at the end of a source."""
+        waiting, self.pending = self.pending, {}
+        return [piece for key, (data, marks) in waiting.items() for piece in self._cut(key, data, marks, True)]
+
+    def _cut(self, key: tuple[int, int], data: bytes, marks: list[tuple[int, int, int]], is_last: bool) -> list[Piece]:
+        spans: list[_Span] = []
+        settled = len(data)
+        for direction, own in self.framers.items():
+            if key[1] not in (direction, UNKNOWN):
+                continue
+            own.reset()
+            own.dropped = 0
+            frames = own.feed(data)
+            settled = min(settled, own.dropped + sum(map(len, frames)))
+            if is_last:
+                frames += own.idle()
+            own.reset()
+            at = 0
+            for frame in frames:
+                at = data.index(frame, at)
+                spans.append(_Span(at, at + len(frame), direction))
+                at += len(frame)
+        if is_last:
+            settled = len(data)
+        pieces, at = [], 0
+        for span in _chosen(spans):
+            if span.start > settled or (span.start == settled and not is_last and span.end > settled):
+                break
+            if span.start > at:
+                pieces.append(self._piece(key, data, _Span(at, span.start, UNKNOWN), marks, False))
+            pieces.append(self._piece(key, data, span, marks, True))
+            at = span.end
+        if settled > at:
+            pieces.append(self._piece(key, data, _Span(at, settled, UNKNOWN), marks, False))
+            at = settled
+        if at < len(data):
+            self.pending[key] = data[at:], [(end - at, *rest) for end, *rest in marks if end > at]  # type: ignore[misc]
+        return pieces
+
+    @staticmethod
+    def _piece(
+        key: tuple[int, int], data: bytes, span: _Span, marks: list[tuple[int, int, int]], is_frame: bool
+    ) -> Piece:
+        _, time, packet = next(mark for mark in marks if mark[0] >= span.end)
+        direction = span.direction if is_frame else key[1]
+        is_payload = len(marks) == 1 and span.end - span.start == len(data)
+        return Piece(data[span.start : span.end], is_frame, is_payload, direction, time, packet, key[0])
+
+
+def _is_silent(before: int, after: int) -> bool:
+    return NO_TIME not in (before, after) and after - before > SILENCE
+
+
+def _chosen(spans: list[_Span]) -> list[_Span]:
+    """Spans that do not overlap: the first that begins, then the next. Of equal ones, the answer to a request."""
+    chosen: list[_Span] = []
+    ordered = sorted(spans, key=lambda span: (span.start, -span.end, span.direction))
+    at = 0
+    for number, span in enumerate(ordered):
+        if span.start < at:
+            continue
+        other = ordered[number + 1] if number + 1 < len(ordered) else None
+        if other is not None and (other.start, other.end) == (span.start, span.end):
+            is_answer = bool(chosen) and chosen[-1].direction == REQUEST
+            span = next(each for each in (span, other) if each.direction == (RESPONSE if is_answer else REQUEST))
+        chosen.append(span)
+        at = span.end
+    return chosen

@@ -1,0 +1,258 @@
+"""Reads many frames of one link and direction at once: their parts, their message, and the verdict of the codecs."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from fieldspec.captures.bodies import BodyReader, FieldRows, blame
+from fieldspec.captures.checksums import are_right
+from fieldspec.captures.columns import Bytes, Mask, Numbers, number_at, numbers, runs
+from fieldspec.captures.decoders import Decoders, within
+from fieldspec.captures.verdicts import (
+    INCOMPLETE,
+    OK,
+    REFUSED,
+    UNKNOWN_CODE,
+    VERDICT_NUMBERS,
+    WRONG_CHECK,
+    WRONG_LENGTH,
+    WRONG_MARK,
+)
+from fieldspec.classes import dataclass
+from fieldspec.explain.row import unwrapped
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.escapes import EscapeError
+from fieldspec.layout.frame import PartLayout, original_parts
+from fieldspec.layout.subcodes import Subcode, subcode
+from fieldspec.model.link import ExceptionResponse
+
+NONE = -1
+
+
+@dataclass(frozen=True, slots=True)
+class Spans:
+    """Bytes in a buffer."""
+
+    buffer: Bytes
+    at: Numbers
+    length: Numbers
+
+
+@dataclass(slots=True)
+class ReadFrames:
+    """Frames of one link and direction, one row each.
+
+    Their parts are `length` bytes from `at` on in `buffer`, which is another one than that of the capture where the
+    link encodes or escapes them; `sent` are the parts before escapes are undone. `message` is a place in the messages
+    of the link, NONE for none; `body` and `body_size` are the bytes between header and trailer. `fields` are the
+    values of messages without registers.
+    """
+
+    buffer: Bytes
+    at: Numbers
+    length: Numbers
+    sent: Spans
+    verdict: npt.NDArray[np.int8]
+    unit_address: Numbers
+    code: Numbers
+    is_refused: Mask
+    message: Numbers
+    body: Numbers
+    body_size: Numbers
+    fields: list[FieldRows]
+
+
+class FrameReader:
+    """Reads the frames of a link in one direction. `message` is that of all frames without a code, or empty."""
+
+    def __init__(self, layout: DeviceLayout, link: str, direction: str, decoders: Decoders, message: str = "") -> None:
+        self.message = message
+        self.layout, self.link, self.direction, self.decoders = layout, layout.links[link], direction, decoders
+        self.shape = self.link.frame(direction)
+        self.messages = list(self.link.messages.values())
+        self.carried = self.link.carried(direction)
+        self.has_code = self.shape.role("code") is not None
+        self.is_bare = not (
+            self.shape.start or self.shape.end or self.link.link.encoding != "binary" or self.shape.escape
+        )
+        self.bodies: dict[tuple[int, bool], BodyReader] = {}
+        self.least = self.shape.header_size + self.shape.trailer_size
+
+    def read(
+        self, buffer: Bytes, at: Numbers, size: Numbers, asked: Numbers | None = None, judges_body: bool = True
+    ) -> ReadFrames:
+        """Reads frames of `size` bytes from `at` on.
+
+        `asked` are the messages of their requests, where these decide. Without `judges_body` only the parts are read,
+        as long as it is open which message a frame is.
+        """
+        verdict = np.zeros(len(at), np.int8)
+        parts = sent = Spans(buffer, at, size)
+        if not self.is_bare:
+            parts, sent = self._unwrapped(buffer, at, size, verdict)
+        buffer, at, size = parts.buffer, parts.at, parts.length
+        columns = [np.full(len(at), NONE) for _ in range(3)]
+        frames = ReadFrames(
+            buffer, at, size, sent, verdict, columns[0], columns[1], np.zeros(len(at), np.bool_), columns[2],
+            at + self.shape.header_size, np.maximum(size - self.least, 0), [],
+        )  # fmt: skip
+        for part in self.shape.header:
+            self._part(part, frames)
+        if not self.has_code and judges_body:
+            self._choose(frames, asked)
+        if self.has_code or judges_body:
+            self._read_bodies(frames)
+        for part in self.shape.trailer:
+            self._part(part, frames)
+        return frames
+
+    def _unwrapped(
+        self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+    ) -> tuple[Spans, Spans]:
+        """The parts of frames with delimiters, characters or escapes, one by one, and these parts as they are sent."""
+        originals, pieces = [], []
+        own = self.link.link
+        for row, (start, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
+            frame = buffer[start : start + length].tobytes()
+            parts = unwrapped(own, self.direction, frame)
+            if parts.start != self.shape.start:
+                verdict[row] = WRONG_MARK
+            data = parts.data
+            pieces.append(data)
+            try:
+                data = original_parts(self.shape, data) if len(data) >= self.least else data
+            except EscapeError:
+                verdict[row] = verdict[row] or WRONG_MARK
+            if not verdict[row] and (parts.reason or parts.end != self.shape.end):
+                verdict[row] = VERDICT_NUMBERS.get(parts.reason, WRONG_MARK) if parts.reason else WRONG_MARK
+            originals.append(data)
+        sent = _spans(pieces)
+        return (_spans(originals) if self.shape.escape is not None else sent), sent
+
+    def _part(self, part: PartLayout, frames: ReadFrames) -> None:
+        """Judges one part, and takes from it what the table has."""
+        at, length, verdict = frames.at, frames.length, frames.verdict
+        place = at + part.offset if part.offset >= 0 else at + length + part.offset
+        short = part.offset + part.size > length if part.offset >= 0 else self.least > length
+        blame(verdict, short, INCOMPLETE)
+        if part.role == "checksum":
+            rows = np.flatnonzero(verdict == OK)
+            if len(rows):
+                sent = frames.sent if not part.escaped else Spans(frames.buffer, at, length)
+                right = are_right(part, sent.buffer, sent.at[rows], sent.length[rows])
+                verdict[rows[~right]] = WRONG_CHECK
+            return
+        if part.reserved or part.value is None:
+            return
+        number = number_at(frames.buffer, place, part.size, part.order, part.value.type.signed)
+        if part.role == "length":
+            measured = length if part.escaped else frames.sent.length
+            blame(verdict, number * part.unit_size + part.base != measured, WRONG_LENGTH)
+        elif part.role == "code":
+            self._code(frames, number)
+        elif part.role == "unit_address":
+            frames.unit_address[:] = np.where(short, NONE, number)
+        elif part.constant is not None or part.value.enum or part.value.flags or not part.part.same_as:
+            self._own_value(part, frames, place)
+
+    def _own_value(self, part: PartLayout, frames: ReadFrames, place: Numbers) -> None:
+        """A part with a value of its own, which is a value of the table unless it is always the same."""
+        assert part.value is not None
+        rows = np.flatnonzero(frames.verdict == OK)
+        decoder = self.decoders.items[self.decoders.place(part.value, part.order, False)]
+        values = decoder.decode(frames.buffer, place[rows])
+        for number in REFUSED:
+            frames.verdict[rows[values.verdict == number]] = number
+        has_meaning = part.value.enum or part.value.flags or part.value.unit or part.value.scaled
+        if part.constant is None and has_meaning:
+            frames.fields.append(FieldRows(rows, part.name, part.value.unit, values))
+
+    def _code(self, frames: ReadFrames, code: Numbers) -> None:
+        """The message of each frame by its code, and by its subcode where several messages have the code."""
+        refusal = self.link.link.exception_response
+        if refusal is not None and self.direction == "response":
+            frames.is_refused[:] = self._refused(frames, code, refusal)
+            code = np.where(frames.is_refused, code & ~refusal.flag, code)
+        frames.code[:] = code
+        if refusal is not None and refusal.code is not None:
+            frames.code[frames.is_refused] = NONE  # it answers any request
+        places = {message.name: place for place, message in enumerate(self.messages)}
+        for is_refused, carried in ((False, self.direction), (True, "request")):
+            for number in {message.message.code for message in self.link.carried(carried).values()} - {None}:
+                assert number is not None
+                rows = np.flatnonzero((code == number) & (frames.is_refused == is_refused))
+                messages = self.link.messages_with_code(number, carried)
+                if len(messages) == 1:
+                    frames.message[rows] = places[messages[0].name]
+                elif not is_refused and (shared := subcode(messages, carried)) is not None:
+                    self._by_subcode(frames, rows, shared, places)
+        blame(frames.verdict, (frames.message == NONE) & ~frames.is_refused, UNKNOWN_CODE)
+
+    def _refused(self, frames: ReadFrames, code: Numbers, refusal: ExceptionResponse) -> Mask:
+        """Which frames are exception responses."""
+        if refusal.part:
+            part = next(part for part in self.shape.header if part.name == refusal.part)
+            signed = part.value is not None and part.value.type.signed
+            number = number_at(frames.buffer, frames.at + part.offset, part.size, part.order, signed)
+            return np.zeros(len(code), np.bool_) if refusal.normal is None else ~within(number, refusal.normal)
+        return np.not_equal(code & refusal.flag, 0) if refusal.code is None else np.equal(code, refusal.code)
+
+    def _by_subcode(self, frames: ReadFrames, rows: Numbers, shared: Subcode, places: dict[str, int]) -> None:
+        """The messages of frames with one code. Bodies too short for a subcode count as those of the first message."""
+        number = number_at(frames.buffer, frames.body[rows] + shared.offset, shared.size, shared.order)
+        short = frames.body_size[rows] < shared.end
+        for key, message in shared.messages.items():
+            frames.message[rows[~short & (number == key)]] = places[message.name]
+        frames.message[rows[short]] = places[next(iter(shared.messages.values())).name]
+
+    def _choose(self, frames: ReadFrames, asked: Numbers | None) -> None:
+        """The message of frames without a code: that of the request, or the only one with bodies of their size."""
+        if asked is not None:
+            frames.message[:] = asked
+        open_rows = frames.message == NONE
+        size = frames.body_size
+        fitting = np.zeros(len(size), np.int64)
+        for place, message in enumerate(self.messages):
+            if message.name in self.carried and self.message in ("", message.name):
+                record = message.data(self.direction)
+                fits = (size >= record.least) & (True if record.most is None else size <= record.most)
+                frames.message[open_rows & fits] = place
+                fitting += fits
+        frames.message[open_rows & (fitting != 1)] = NONE
+        blame(frames.verdict, frames.message == NONE, UNKNOWN_CODE)
+
+    def _read_bodies(self, frames: ReadFrames) -> None:
+        key = np.where(frames.verdict == OK, frames.message * 2 + frames.is_refused, -9)
+        for number, rows in runs(key.astype(np.int16)):
+            if number == -9:
+                continue
+            place, refused = number >> 1, bool(number & 1)
+            reader = self._body(place, refused)
+            if reader is None:
+                continue
+            verdict = frames.verdict[rows]
+            for own, fields in reader.read(frames.buffer, frames.body[rows], frames.body_size[rows], verdict):
+                name = "exception" if refused else self.messages[place].name
+                frames.fields.append(FieldRows(rows[own], f"{name}.{fields.path}", fields.unit, fields.values))
+            frames.verdict[rows] = verdict
+
+    def _body(self, place: int, refused: bool) -> BodyReader | None:
+        if (place, refused) not in self.bodies:
+            refusal = self.link.link.exception_response
+            if refused and refusal is not None:
+                reader = BodyReader(self.layout.records[refusal.record], self.decoders, True)
+            elif place >= 0:
+                message = self.messages[place]
+                emits = message.message.accesses is None
+                reader = BodyReader(message.data(self.direction), self.decoders, emits)
+            else:
+                return None
+            self.bodies[place, refused] = reader
+        return self.bodies[place, refused]
+
+
+def _spans(pieces: list[bytes]) -> Spans:
+    """Pieces one behind another."""
+    sizes = numbers([len(piece) for piece in pieces])
+    return Spans(np.frombuffer(b"".join(pieces) + b"\0", np.uint8), np.cumsum(sizes) - sizes, sizes)

@@ -1,0 +1,88 @@
+"""Pairs responses with the requests that they answer."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from fieldspec.captures.columns import Mask, Numbers, numbers
+from fieldspec.captures.payloads import REQUEST, RESPONSE
+from fieldspec.classes import dataclass
+
+NONE = -1
+MOST_OPEN = 4096
+"""The requests without an answer that are remembered for the next batch."""
+
+
+@dataclass(frozen=True, slots=True)
+class Exchanges:
+    """What pairing needs to know of frames, one row each, in the order of the capture.
+
+    `repeated` is the number that a response repeats from its request, NONE where the link has none. `message` is a
+    place in the messages of the link. `number` is the number of the frame in its source. The columns of requests that
+    ask for registers have the `address` and the `count`, others have NONE.
+    """
+
+    stream: Numbers
+    direction: Numbers
+    repeated: Numbers
+    unit_address: Numbers
+    code: Numbers
+    message: Numbers
+    number: Numbers
+    time: Numbers
+    address: Numbers
+    count: Numbers
+
+    def rows(self, rows: Numbers | Mask) -> Exchanges:
+        """Some of them."""
+        return Exchanges(*(column[rows] for column in self.columns()))
+
+    def columns(self) -> tuple[Numbers, ...]:
+        """All columns in their order."""
+        return (
+            self.stream, self.direction, self.repeated, self.unit_address, self.code, self.message, self.number,
+            self.time, self.address, self.count,
+        )  # fmt: skip
+
+
+NO_EXCHANGES = Exchanges(*(numbers([]) for _ in range(10)))
+
+
+def joined(left: Exchanges, right: Exchanges) -> Exchanges:
+    """The rows of both."""
+    return Exchanges(*(np.concatenate(pair) for pair in zip(left.columns(), right.columns(), strict=True)))
+
+
+def paired(exchanges: Exchanges) -> Numbers:
+    """For each response the row of its request; NONE for others, and for a response to none.
+
+    A response answers the frame before it on its line, among those with the same repeated number, if that is a request
+    to the same unit with the same code. A response without a code answers any.
+    """
+    result = np.full(len(exchanges.stream), NONE)
+    if not len(result):
+        return result
+    order = np.lexsort((np.arange(len(result)), exchanges.repeated, exchanges.stream))
+    before, after = order[:-1], order[1:]
+    fits = (exchanges.stream[before] == exchanges.stream[after]) & (
+        exchanges.repeated[before] == exchanges.repeated[after]
+    )
+    fits &= (exchanges.direction[before] == REQUEST) & (exchanges.direction[after] == RESPONSE)
+    fits &= exchanges.unit_address[before] == exchanges.unit_address[after]
+    code = exchanges.code
+    fits &= (code[before] == code[after]) | (code[after] == NONE) | (code[before] == NONE)
+    result[after[fits]] = before[fits]
+    return result
+
+
+def still_open(exchanges: Exchanges, requests: Numbers) -> Exchanges:
+    """The last requests that may still be answered: for each line and repeated number the last frame, if it is one."""
+    if not len(exchanges.stream):
+        return exchanges
+    order = np.lexsort((np.arange(len(requests)), exchanges.repeated, exchanges.stream))
+    stream, repeated = exchanges.stream[order], exchanges.repeated[order]
+    last = np.ones(len(order), np.bool_)
+    last[:-1] = (stream[1:] != stream[:-1]) | (repeated[1:] != repeated[:-1])
+    rows = np.sort(order[last])
+    rows = rows[exchanges.direction[rows] == REQUEST]
+    return exchanges.rows(rows[-MOST_OPEN:])
