@@ -188,7 +188,7 @@ class Driver:
         return f"second = (int){encode}({'&content, ' if members(record) else ''}again, sizeof again, &length);"
 
     def _value_case(self, kind: str, path: tuple[str, ...], shape: tuple[Value, str, bool, bool, int]) -> str:
-        value, _, _, _, size = shape
+        value, _, _, trigger, size = shape
         noun = "register" if kind == "register" else "parameter"
         decode = self.naming.function(noun, *path, "decode")  # type: ignore[arg-type]
         encode = self.naming.function(noun, *path, "encode")  # type: ignore[arg-type]
@@ -201,7 +201,7 @@ class Driver:
                 f"if (content != {_literal(value)}) {{ second = {REASONS.index('wrong_const')}; }} else ",
             )
         return (
-            f'if (strcmp(name, "{".".join((kind, *path))}") == 0) {{ {self._declared(value)}'
+            f'if (strcmp(name, "{".".join((kind, *path))}") == 0) {{ {self._declared(value.as_answer(trigger))}'
             f" if (size != {size}) {{ status = size < {size} ? 1 : 2; }} else {{"
             f" status = (int){decode}(data, {call}); if (status == 0) {{ {_show_value(value, 'content')}"
             f" length = {size}; {other}second = (int){encode}({argument}again); }} }} }}"
