@@ -86,7 +86,8 @@ def example_proven(layout: DeviceLayout, reference: DeviceCodec, example: Exampl
     if decoded.error != example.exception_response:
         kind = "an exception response" if decoded.error else "not an exception response"
         text = f"the frame is {kind}"
-        yield Diagnostic("meaning_matches_bytes", text, example.place["frame"], help="add or remove `error: true`")
+        help = "add or remove `exception_response: true`"
+        yield Diagnostic("meaning_matches_bytes", text, example.place["frame"], help=help)
         return
     try:
         expected = raw_values(layout, example)
