@@ -513,18 +513,25 @@ class ExplainedDevice {
   }
 
   indexedLink(link) {
-    const carried = {}, coded = {};
+    const [carried, coded, subcodes, delimiters] = [{}, {}, {}, {}];
     for (const direction of ["request", "response"]) {
       const messages = link.carried[direction].map((name) => [name, this.messages.get(name)]);
       carried[direction] = new Map(messages);
-      coded[direction] = new Map(messages.filter(([, { code }]) => code !== undefined).map(([, message]) => [message.code, message]).reverse());
+      coded[direction] = new Map();
+      for (const [, message] of messages) this.add(coded[direction], message.code, message);
+      subcodes[direction] = new Map(link.subcodes[direction].map((shared) => [
+        shared.code, { ...shared, named: new Map(shared.messages.map(([number, name]) => [number, this.messages.get(name)])) },
+      ]));
+      delimiters[direction] = link.delimiters[direction].map(bytesOfHex);
     }
     return {
       ...link,
       carriedMessages: carried,
       messagesByCode: coded,
-      request: indexedFrame(link.request, carried.request),
-      response: indexedFrame(link.response, carried.response),
+      subcodes,
+      delimiters,
+      request: indexedFrame(link.request),
+      response: indexedFrame(link.response),
     };
   }
 
@@ -565,17 +572,11 @@ function indexedRecord(record) {
   return indexed;
 }
 
-function indexedFrame(frame, messages) {
+function indexedFrame(frame) {
   const parts = [...frame.header, ...frame.trailer];
   const escape = frame.escape && { ...frame.escape, pattern: bytesOfHex(frame.escape.pattern ?? "") };
   return {
     ...frame,
-    start: bytesOfHex(frame.start ?? ""),
-    end: bytesOfHex(frame.end ?? ""),
-    shared: new Map(frame.subcodes.map((subcode) => [
-      subcode.code,
-      { ...subcode, byNumber: new Map(subcode.messages.map(([number, name]) => [number, messages.get(name)])) },
-    ])),
     escape,
     parts,
     checks: frame.checksums.map((name) => parts.find((part) => part.name === name)),
@@ -585,14 +586,34 @@ function indexedFrame(frame, messages) {
   };
 }
 
-/** The message with a code, and with a number in its data where several messages have the code; undefined without one. */
-function messageWith(link, direction, code, data) {
-  const shared = link[direction].shared.get(code);
-  if (!shared) return link.messagesByCode[direction].get(code);
-  const own = data.subarray(shared.offset, shared.offset + shared.size);
-  // Data that are too short count as those of the first message, which says what is missing.
-  if (own.length < shared.size) return shared.byNumber.values().next().value;
-  return shared.byNumber.get(Number(unsignedOf(own, shared.order)));
+/**
+ * The message with a code in one direction, and with some data where several have the code; undefined if there is none,
+ * and where the data, or their absence, leave open which one it is.
+ */
+function messageWithCode(link, direction, code, data) {
+  const messages = link.messagesByCode[direction].get(code) ?? [];
+  if (messages.length < 2) return messages[0];
+  const shared = link.subcodes[direction].get(code);
+  if (!shared || !data) return undefined;
+  // Data that are too short count as those of the first message.
+  if (data.length < shared.offset + shared.size) return shared.named.values().next().value;
+  return shared.named.get(Number(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
+}
+
+/** `08`, or `08 with 0001 at byte 2` for a message that shares its code. */
+function codeText(link, direction, message) {
+  if (message.code === undefined) return "no code";
+  const digits = (number, size) => number.toString(16).toUpperCase().padStart(2 * size, "0");
+  const shared = link.subcodes[direction].get(message.code);
+  if (!shared) return digits(message.code, 1);
+  const [number] = shared.messages.find(([, name]) => name === message.name);
+  return `${digits(message.code, 1)} with ${digits(number, shared.size)} at byte ${link[direction].headerSize + shared.offset}`;
+}
+
+/** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */
+function isException({ code: own, flag, part, normal }, code, number) {
+  if (part) return !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
+  return own === undefined ? Boolean(code & flag) : code === own;
 }
 
 /** The member of an enum with a value. */
@@ -888,13 +909,13 @@ function surplusRow(spot, at, raw) {
 
 /** The row of the start delimiter, if the link has one. */
 function startRows(parts) {
-  return markRows(parts, "start", 0, parts.start, parts.marks.start);
+  return markRows(parts, "start", 0, parts.start, parts.marks[0]);
 }
 
 /** The rows of surplus characters, and of the end delimiter, if the link has one. */
 function endRows(parts) {
   const at = parts.frame.length - parts.end.length;
-  const rows = markRows(parts, "end", at, parts.end, parts.marks.end);
+  const rows = markRows(parts, "end", at, parts.end, parts.marks[1]);
   if (!parts.surplus.length) return rows;
   const text = parts.reason === "not_hex" ? "not pairs of hexadecimal characters" : "1 character too many";
   const surplus = {
@@ -958,15 +979,15 @@ function rowData(row) {
 const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
 
 /**
- * A frame of a link without its delimiters and its encoding. `start` and `end` are the bytes in the places of the
- * delimiters, `data` the bytes of the parts, and `surplus` what is left between them and the end. The rest of the frame
+ * A frame of a link without its delimiters, which are `marks`, and its encoding. `start` and `end` are the bytes in the
+ * places of the delimiters, `data` the bytes of the parts, and `surplus` what is left between them and the end. The rest of the frame
  * cannot be read if the reason is `not_hex`; `whole` is then false.
  */
 function unwrapped(link, direction, frame) {
-  const marks = link[direction];
-  const start = markOf(frame, marks.start, link.encoding);
+  const marks = link.delimiters[direction];
+  const start = markOf(frame, marks[0], link.encoding);
   const behind = frame.subarray(start.length);
-  const end = markOf(behind.toReversed(), marks.end.toReversed(), link.encoding).toReversed();
+  const end = markOf(behind.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
   const inner = frame.subarray(start.length, frame.length - end.length);
   if (link.encoding === "binary") {
     return { link, marks, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
@@ -1739,41 +1760,37 @@ class ExplainedFrame {
   /** The message that a code names. An exception response marks the code. */
   codeValue(part, read) {
     let code = Number(read.number);
-    const { exception } = this.link;
-    if (exception && this.direction === "response" && this.isMarked(exception, code)) {
+    const { link, direction } = this;
+    const { exception } = link;
+    if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {
       this.error = true;
       code &= ~exception.flag;
       this.values.set(part.name, code);
     }
-    const carried = this.error ? "request" : this.direction;
-    if (this.error && this.link.request.shared.has(code)) {
-      // An exception response carries no subcode; only the request tells which message it answers.
-      this.message = [...this.link.request.shared.get(code).byNumber.values()].find(({ name }) => name === this.named);
-    } else {
-      const { headerSize, trailerSize } = this.shape;
-      const end = Math.max(headerSize, this.data.length - trailerSize);
-      this.message = messageWith(this.link, carried, code, this.data.subarray(headerSize, end));
-    }
+    const carried = this.error ? "request" : direction;
+    const end = this.data.length - this.shape.trailerSize;
+    const body = this.error ? null : this.data.subarray(this.shape.headerSize, Math.max(this.shape.headerSize, end));
+    // An exception response carries no subcode; only the request tells which message it answers.
+    const shared = this.error ? link.messagesByCode[carried].get(code) ?? [] : [];
+    this.message = messageWithCode(link, carried, code, body) ?? shared.find(({ name }) => name === this.named);
     if (!this.message) {
       const digits = code.toString(16).padStart(2, "0");
       if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
-      const codes = [...this.sent.values()].filter((message) => message.code !== undefined);
-      return judged(read, false, `one of ${codes.map((message) => codeText(this.shape, message)).join(", ")}`, "unknown_code");
+      const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
+      return judged(read, false, `one of ${known.join(", ")}`, "unknown_code");
     }
     const { name, label, title = "", notes = [], path } = this.message;
     const text = this.error ? `${title || label || name}, refused` : title;
     const meaning = { ...read, meanings: [meaningOf(name, label, text)], notes, facts: [path] };
     const expected = this.sent.get(this.named);
     if (!expected || expected === this.message || this.error) return meaning;
-    return judged(meaning, false, codeText(this.shape, expected), "unknown_code");
+    return judged(meaning, false, codeText(link, direction, expected), "unknown_code");
   }
 
-  /** Whether a response is an exception response: by a bit in its code, by its code, or by another part. */
-  isMarked({ flag, code, part, normal }, own) {
-    if (part === undefined) return code === undefined ? (own & flag) !== 0 : own === code;
-    const { offset, size, order = "big", value } = this.shape.header.find(({ name }) => name === part);
-    const raw = this.data.subarray(offset, offset + size);
-    return !isWithin(normal, Number(wholeOf(raw, order, Boolean(value.signed))));
+  /** The number of a part before the body, as far as the bytes reach. */
+  partNumber(name) {
+    const { offset, size, order, value } = this.shape.header.find((part) => part.name === name);
+    return wholeOf(this.data.subarray(offset, offset + size), order === "little" ? "little" : "big", value.signed);
   }
 
   addressValue(read) {
@@ -1838,16 +1855,6 @@ class ExplainedFrame {
     }
     return rows;
   }
-}
-
-/** `08`, or `08 with 0001 at byte 2` for a message that shares its code. */
-function codeText({ shared, headerSize }, message) {
-  const text = (number, digits) => number.toString(16).toUpperCase().padStart(digits, "0");
-  const code = text(message.code, 2);
-  const subcode = shared.get(message.code);
-  if (!subcode) return code;
-  const [number] = [...subcode.byNumber].find(([, other]) => other === message);
-  return `${code} with ${text(number, 2 * subcode.size)} at byte ${headerSize + subcode.offset}`;
 }
 
 /** The least and the greatest size of a message's frames without delimiters, in bytes; Infinity is unbounded. */
@@ -2258,13 +2265,13 @@ function bytesOfText(text) {
  */
 function inCharacters(text, links) {
   const inner = unquoted(text).trimStart();
-  const marks = [...links].flatMap(({ encoding, request, response }) => [request, response].map((shape) => ({ encoding, ...shape })));
-  for (const { encoding, start, end: endMark } of marks) {
+  const delimiters = links.flatMap((link) => Object.values(link.delimiters).map((marks) => [link, ...marks]));
+  for (const [link, start, close] of delimiters) {
     const mark = String.fromCharCode(...start);
-    if (encoding !== "hex_ascii" || !/^[\x20-\x7e\xa1-\xff]+$/.test(mark) || !inner.startsWith(mark)) continue;
+    if (link.encoding !== "hex_ascii" || !/^[\x20-\x7e\xa1-\xff]+$/.test(mark) || !inner.startsWith(mark)) continue;
     const [body, end] = ended(inner);
     const bytes = Uint8Array.from(body.replace(/\s+/gu, ""), (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
-    return withEnd(bytes, Uint8Array.from(end, (char) => char.charCodeAt(0)), endMark);
+    return withEnd(bytes, Uint8Array.from(end, (char) => char.charCodeAt(0)), close);
   }
   return null;
 }
@@ -2483,8 +2490,17 @@ function entryOf(device, value, raw, inDigits = false) {
     const digits = BigInt.asUintN(8 * value.size, BigInt(raw)).toString(16).toUpperCase();
     return `0x${digits.padStart(2 * value.size, "0")}`;
   }
-  // A share of a power of two is hardly ever exact in its unit.
-  return (value.scale?.includes("/") ? "" : inUnit(value, raw)) || String(raw);
+  return quantityText(value, raw) || String(raw);
+}
+
+/** The quantity of a raw value, if it leads back to the raw value: a rounded one may not. */
+function quantityText(value, raw) {
+  const text = inUnit(value, raw);
+  const [, quantity] = QUANTITY.exec(text) ?? [];
+  if (quantity === undefined || !value.unit) return "";
+  const exact = exactCount(value, quantity);
+  const isCount = value.isShare || exact[0] % exact[1] === 0n;
+  return isCount && nearestCount(exact) === BigInt(raw) ? text : "";
 }
 
 /** The raw value of an entered text. Throws CodecError, which calls the value `name`. */
@@ -2537,7 +2553,7 @@ function countEntry(device, name, value, text) {
 
 function quantityEntry(name, value, text, quantity) {
   const exact = exactCount(value, quantity);
-  if (!value.scale?.includes("/") && exact[0] % exact[1] !== 0n) {
+  if (!value.isShare && exact[0] % exact[1] !== 0n) {
     throw new CodecError("wrong_type", `${name}: \`${text}\` is no whole number of counts of ${value.scale ?? 1} ${value.unit}`);
   }
   const count = narrowed(nearestCount(exact));
@@ -2698,7 +2714,7 @@ function encodeFrame(device, { link: linkName, direction, message: messageName, 
   if (!message) throw new CodecError("unknown_code", `${messageName} is not sent on ${linkName}`);
   const record = error ? device.records.get(link.exception.record) : message[direction];
   const body = encodeRecord(device, record, values);
-  const numbers = new Map(shape.parts.map((part) => [part.name, partNumber(link, part, values, message, error, direction)]));
+  const numbers = new Map(shape.parts.map((part) => [part.name, partNumber(link, direction, part, values, message, error)]));
   const parts = (series) => series.map((part) => partBytes(part, numbers.get(part.name)));
   const original = () => joinedBytes([...parts(shape.header), body, ...parts(shape.trailer)]);
   const sent = () => sentBytes(shape, original());
@@ -2714,7 +2730,8 @@ function encodeFrame(device, { link: linkName, direction, message: messageName, 
   }
   const inner = sent();
   const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;
-  return joinedBytes([shape.start, encoded, shape.end]);
+  const [start, end] = link.delimiters[direction];
+  return joinedBytes([start, encoded, end]);
 }
 
 function charactersOf(bytes) {
@@ -2733,7 +2750,7 @@ function partBytes(part, number) {
   return number instanceof Uint8Array ? number : bytesOfNumber(number, part.size, part.order ?? "big");
 }
 
-function partNumber(link, part, values, message, error, direction) {
+function partNumber(link, direction, part, values, message, error) {
   if (part.role === "length" || part.role === "checksum") return part.role === "length" ? 0 : new Uint8Array(part.size);
   if (part.constant !== undefined) return part.constant;
   if (part.role === "code") return error ? link.exception.code ?? message.code | link.exception.flag : message.code;
@@ -2741,9 +2758,11 @@ function partNumber(link, part, values, message, error, direction) {
   if (number === undefined) throw new CodecError("missing_value", `${part.name} is missing`);
   const addresses = part.role === "unit_address" ? link.addresses : undefined;
   if (addresses?.ranges && number == addresses.broadcast) return number;
-  const isMark = direction === "response" && link.exception?.part === part.name;
-  const own = isMark ? link.exception[error ? "marks" : "permitted"] : part.value.ranges;
-  return inRange(part.name, { ...part.value, ranges: addresses?.ranges ?? own, writeRanges: undefined }, number);
+  const { exception } = link;
+  if (exception?.part === part.name && direction === "response" && isWithin(exception.normal, number) === error) {
+    throw new CodecError("out_of_range", `${part.name} is ${number}, as in ${error ? "a response" : "an exception response"}`);
+  }
+  return inRange(part.name, { ...part.value, ranges: addresses?.ranges ?? part.value.ranges, writeRanges: undefined }, number);
 }
 
 /** The options of frames by the names that a device uses. Throws RangeError for names that it does not have. */
@@ -2968,11 +2987,11 @@ class FrameTable {
     this.bytes.replaceChildren(...Array.from(frame, (byte, at) => {
       const row = rows[rowAt.get(at)];
       const isFirst = row?.offset === at;
-      const style = ["byte", row?.kind ?? "", isFirst ? "first" : "", row?.reason && row.reason !== "out_of_range" ? "fault" : ""];
+      const style = [isFirst ? "first" : "", row?.reason && row.reason !== "out_of_range" ? "fault" : ""];
       return element("li", {
         className: style.filter(Boolean).join(" "),
         textContent: isText ? characterOf(byte) : hexOf([byte]),
-        dataset: { from: at, to: at + 1, row: rowAt.get(at) ?? "" },
+        dataset: { from: at, to: at + 1, row: rowAt.get(at) ?? "", kind: row?.kind ?? "" },
         title: row?.path ?? "",
       });
     }));
@@ -2990,20 +3009,20 @@ class FrameTable {
     const { device } = this.lab;
     const isWrong = row.verdict.startsWith("wrong");
     const isDoubtful = row.kind === "register" || row.reason === "out_of_range";
-    const name = row.path || (row.kind === "register" ? "" : row.kind === "unexplained" ? "surplus" : "");
+    const name = row.path || (row.kind === "unexplained" && !row.doc ? "surplus" : "");
     const labels = [row.printedName && element("code", { textContent: row.printedName }), " ", labelText(device, row.label)];
     const meanings = row.meanings.map((meaning) => element("li", {}, ...this.meaning(meaning)));
     const sent = row.characters && row.characters !== hexOf(row.raw) ? `${visibleCharacters(row.characters)} ` : "";
     const cells = [
       element("td", { className: "number" }, element("code", { textContent: first })),
       element("td", { className: "bytes" }, sent && element("span", { className: "quiet", textContent: sent }), element("code", { textContent: hexOf(row.raw, " ") })),
-      element("th", { scope: "row" }, this.factLink(row.fact, element("code", { textContent: name })), row.doc && !row.path ? row.doc : ""),
+      element("th", { scope: "row" }, this.factLink(row.fact, name && element("code", { textContent: name })), row.path ? "" : row.doc),
       element("td", {}, ...labels.filter(Boolean)),
       element("td", { className: "number", textContent: rawText(row) }),
       element("td", { className: "number", textContent: row.value }),
       element("td", { className: "wide" }, ...(meanings.length > 1 ? [element("ul", {}, ...meanings)] : meanings.flatMap((item) => [...item.childNodes]))),
       element("td", { className: isWrong ? "wrong" : "right", textContent: isWrong && isDoubtful ? row.verdict.replace("wrong", "doubtful") : row.verdict }),
-      element("td", { className: "source" }, row.source, ...row.errata.flatMap((id) => [" ", this.erratumLink(id)])),
+      element("td", { className: "source" }, row.source, ...row.errata.flatMap((id, at) => [at || row.source ? " " : "", this.erratumLink(id)])),
     ];
     const dataset = { row: number, from: row.offset, to: row.offset + row.length };
     return element("tr", { tabIndex: number ? -1 : 0, dataset, className: isWrong ? "fault" : "" }, ...cells);
@@ -3228,6 +3247,8 @@ class LogList {
 
 // The form of a message: a frame is made of what is entered, with its lengths and checksums.
 
+const messageOption = ({ name, title, label }) => option(name, [name, title || label].filter(Boolean).join(": "));
+
 class MessageForm {
   constructor(lab) {
     this.lab = lab;
@@ -3263,7 +3284,7 @@ class MessageForm {
     if (id !== "build-message") {
       const before = message.value;
       const names = [...link.carriedMessages[direction.value].values()];
-      message.replaceChildren(...names.map(({ name, title, label }) => option(name, [name, title || label].filter(Boolean).join(": "))));
+      message.replaceChildren(...names.map(messageOption));
       if (link.carriedMessages[direction.value].has(before)) message.value = before;
       byId("build-message-label").textContent = titled(link.messageName);
     }
@@ -3283,13 +3304,17 @@ class MessageForm {
     const { link, direction, message, error, values } = explanation;
     const own = device.links.get(link);
     const isKnown = own.carriedMessages[error ? "request" : direction].has(message);
-    byId("build-values").hidden = !isKnown;
-    if (!isKnown) return;
+    if (!isKnown) {
+      this.choice = null;
+      this.fields.replaceChildren();
+      this.message("Nothing says which message this is, so there are no fields to edit. Choose one to build it.");
+      return;
+    }
     byId("build-link").value = link;
     byId("build-direction").replaceChildren(...DIRECTIONS.map((way) => option(way, own.directionNames[way])));
     byId("build-direction").value = direction;
     const names = [...own.carriedMessages[error ? "request" : direction].values()];
-    byId("build-message").replaceChildren(...names.map(({ name, title, label }) => option(name, [name, title || label].filter(Boolean).join(": "))));
+    byId("build-message").replaceChildren(...names.map(messageOption));
     byId("build-message").value = message;
     byId("build-message-label").textContent = titled(own.messageName);
     this.choice = { link, direction, message, error };
@@ -3405,7 +3430,6 @@ class MessageForm {
   }
 
   draw() {
-    byId("build-values").hidden = false;
     const focused = document.activeElement?.dataset?.path;
     this.fields.replaceChildren(...this.allLeaves().map((leaf, number) => this.leaf(leaf, number)));
     if (focused) [...this.fields.querySelectorAll("[data-path]")].find(({ dataset }) => dataset.path === focused)?.focus();
@@ -3459,7 +3483,7 @@ class MessageForm {
       const box = element("input", { type: "checkbox", checked: Boolean(raw & bitMask(bit)), dataset: { path, bit: bit.first } });
       return element("label", {}, box, ` ${bit.first} `, element("code", { textContent: bit.name }));
     });
-    return element("details", { open: this.openBits?.has(path), ontoggle: null }, element("summary", { textContent: "Bits" }), element("div", { className: "bit-boxes" }, ...boxes));
+    return element("details", {}, element("summary", { textContent: "Bits" }), element("div", { className: "bit-boxes" }, ...boxes));
   }
 
   // ---- what is entered ----

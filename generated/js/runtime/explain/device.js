@@ -35,18 +35,25 @@ export class ExplainedDevice {
   }
 
   indexedLink(link) {
-    const carried = {}, coded = {};
+    const [carried, coded, subcodes, delimiters] = [{}, {}, {}, {}];
     for (const direction of ["request", "response"]) {
       const messages = link.carried[direction].map((name) => [name, this.messages.get(name)]);
       carried[direction] = new Map(messages);
-      coded[direction] = new Map(messages.filter(([, { code }]) => code !== undefined).map(([, message]) => [message.code, message]).reverse());
+      coded[direction] = new Map();
+      for (const [, message] of messages) this.add(coded[direction], message.code, message);
+      subcodes[direction] = new Map(link.subcodes[direction].map((shared) => [
+        shared.code, { ...shared, named: new Map(shared.messages.map(([number, name]) => [number, this.messages.get(name)])) },
+      ]));
+      delimiters[direction] = link.delimiters[direction].map(bytesOfHex);
     }
     return {
       ...link,
       carriedMessages: carried,
       messagesByCode: coded,
-      request: indexedFrame(link.request, carried.request),
-      response: indexedFrame(link.response, carried.response),
+      subcodes,
+      delimiters,
+      request: indexedFrame(link.request),
+      response: indexedFrame(link.response),
     };
   }
 
@@ -87,17 +94,11 @@ function indexedRecord(record) {
   return indexed;
 }
 
-function indexedFrame(frame, messages) {
+function indexedFrame(frame) {
   const parts = [...frame.header, ...frame.trailer];
   const escape = frame.escape && { ...frame.escape, pattern: bytesOfHex(frame.escape.pattern ?? "") };
   return {
     ...frame,
-    start: bytesOfHex(frame.start ?? ""),
-    end: bytesOfHex(frame.end ?? ""),
-    shared: new Map(frame.subcodes.map((subcode) => [
-      subcode.code,
-      { ...subcode, byNumber: new Map(subcode.messages.map(([number, name]) => [number, messages.get(name)])) },
-    ])),
     escape,
     parts,
     checks: frame.checksums.map((name) => parts.find((part) => part.name === name)),
@@ -107,14 +108,34 @@ function indexedFrame(frame, messages) {
   };
 }
 
-/** The message with a code, and with a number in its data where several messages have the code; undefined without one. */
-export function messageWith(link, direction, code, data) {
-  const shared = link[direction].shared.get(code);
-  if (!shared) return link.messagesByCode[direction].get(code);
-  const own = data.subarray(shared.offset, shared.offset + shared.size);
-  // Data that are too short count as those of the first message, which says what is missing.
-  if (own.length < shared.size) return shared.byNumber.values().next().value;
-  return shared.byNumber.get(Number(unsignedOf(own, shared.order)));
+/**
+ * The message with a code in one direction, and with some data where several have the code; undefined if there is none,
+ * and where the data, or their absence, leave open which one it is.
+ */
+export function messageWithCode(link, direction, code, data) {
+  const messages = link.messagesByCode[direction].get(code) ?? [];
+  if (messages.length < 2) return messages[0];
+  const shared = link.subcodes[direction].get(code);
+  if (!shared || !data) return undefined;
+  // Data that are too short count as those of the first message.
+  if (data.length < shared.offset + shared.size) return shared.named.values().next().value;
+  return shared.named.get(Number(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
+}
+
+/** `08`, or `08 with 0001 at byte 2` for a message that shares its code. */
+export function codeText(link, direction, message) {
+  if (message.code === undefined) return "no code";
+  const digits = (number, size) => number.toString(16).toUpperCase().padStart(2 * size, "0");
+  const shared = link.subcodes[direction].get(message.code);
+  if (!shared) return digits(message.code, 1);
+  const [number] = shared.messages.find(([, name]) => name === message.name);
+  return `${digits(message.code, 1)} with ${digits(number, shared.size)} at byte ${link[direction].headerSize + shared.offset}`;
+}
+
+/** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */
+export function isException({ code: own, flag, part, normal }, code, number) {
+  if (part) return !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
+  return own === undefined ? Boolean(code & flag) : code === own;
 }
 
 /** The member of an enum with a value. */

@@ -136,7 +136,7 @@ export function encodeFrame(device, { link: linkName, direction, message: messag
   if (!message) throw new CodecError("unknown_code", `${messageName} is not sent on ${linkName}`);
   const record = error ? device.records.get(link.exception.record) : message[direction];
   const body = encodeRecord(device, record, values);
-  const numbers = new Map(shape.parts.map((part) => [part.name, partNumber(link, part, values, message, error, direction)]));
+  const numbers = new Map(shape.parts.map((part) => [part.name, partNumber(link, direction, part, values, message, error)]));
   const parts = (series) => series.map((part) => partBytes(part, numbers.get(part.name)));
   const original = () => joinedBytes([...parts(shape.header), body, ...parts(shape.trailer)]);
   const sent = () => sentBytes(shape, original());
@@ -152,7 +152,8 @@ export function encodeFrame(device, { link: linkName, direction, message: messag
   }
   const inner = sent();
   const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;
-  return joinedBytes([shape.start, encoded, shape.end]);
+  const [start, end] = link.delimiters[direction];
+  return joinedBytes([start, encoded, end]);
 }
 
 function charactersOf(bytes) {
@@ -171,7 +172,7 @@ function partBytes(part, number) {
   return number instanceof Uint8Array ? number : bytesOfNumber(number, part.size, part.order ?? "big");
 }
 
-function partNumber(link, part, values, message, error, direction) {
+function partNumber(link, direction, part, values, message, error) {
   if (part.role === "length" || part.role === "checksum") return part.role === "length" ? 0 : new Uint8Array(part.size);
   if (part.constant !== undefined) return part.constant;
   if (part.role === "code") return error ? link.exception.code ?? message.code | link.exception.flag : message.code;
@@ -179,7 +180,9 @@ function partNumber(link, part, values, message, error, direction) {
   if (number === undefined) throw new CodecError("missing_value", `${part.name} is missing`);
   const addresses = part.role === "unit_address" ? link.addresses : undefined;
   if (addresses?.ranges && number == addresses.broadcast) return number;
-  const isMark = direction === "response" && link.exception?.part === part.name;
-  const own = isMark ? link.exception[error ? "marks" : "permitted"] : part.value.ranges;
-  return inRange(part.name, { ...part.value, ranges: addresses?.ranges ?? own, writeRanges: undefined }, number);
+  const { exception } = link;
+  if (exception?.part === part.name && direction === "response" && isWithin(exception.normal, number) === error) {
+    throw new CodecError("out_of_range", `${part.name} is ${number}, as in ${error ? "a response" : "an exception response"}`);
+  }
+  return inRange(part.name, { ...part.value, ranges: addresses?.ranges ?? part.value.ranges, writeRanges: undefined }, number);
 }

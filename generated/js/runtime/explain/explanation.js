@@ -1,9 +1,9 @@
+import { codeText, isException, messageWithCode } from "./device.js";
 import { hexOf, intervalsText, isWithin, latinOf, portableValue, sameBytes } from "./texts.js";
 import { decoded, decodeValue, judged, meaningOf, repeatedValue, wholeOf } from "./values.js";
 import { endRows, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from "./rows.js";
 import { checksumOf, EscapeError, lengthNumber, mostEscaped, originalPlaces, partOffset, unwrapped } from "./frames.js";
 import { accessedSpan, registerRows } from "./registers.js";
-import { messageWith } from "./device.js";
 import { ExplainedBody } from "./body.js";
 
 const NOTHING = new Map();
@@ -185,41 +185,37 @@ class ExplainedFrame {
   /** The message that a code names. An exception response marks the code. */
   codeValue(part, read) {
     let code = Number(read.number);
-    const { exception } = this.link;
-    if (exception && this.direction === "response" && this.isMarked(exception, code)) {
+    const { link, direction } = this;
+    const { exception } = link;
+    if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {
       this.error = true;
       code &= ~exception.flag;
       this.values.set(part.name, code);
     }
-    const carried = this.error ? "request" : this.direction;
-    if (this.error && this.link.request.shared.has(code)) {
-      // An exception response carries no subcode; only the request tells which message it answers.
-      this.message = [...this.link.request.shared.get(code).byNumber.values()].find(({ name }) => name === this.named);
-    } else {
-      const { headerSize, trailerSize } = this.shape;
-      const end = Math.max(headerSize, this.data.length - trailerSize);
-      this.message = messageWith(this.link, carried, code, this.data.subarray(headerSize, end));
-    }
+    const carried = this.error ? "request" : direction;
+    const end = this.data.length - this.shape.trailerSize;
+    const body = this.error ? null : this.data.subarray(this.shape.headerSize, Math.max(this.shape.headerSize, end));
+    // An exception response carries no subcode; only the request tells which message it answers.
+    const shared = this.error ? link.messagesByCode[carried].get(code) ?? [] : [];
+    this.message = messageWithCode(link, carried, code, body) ?? shared.find(({ name }) => name === this.named);
     if (!this.message) {
       const digits = code.toString(16).padStart(2, "0");
       if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
-      const codes = [...this.sent.values()].filter((message) => message.code !== undefined);
-      return judged(read, false, `one of ${codes.map((message) => codeText(this.shape, message)).join(", ")}`, "unknown_code");
+      const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
+      return judged(read, false, `one of ${known.join(", ")}`, "unknown_code");
     }
     const { name, label, title = "", notes = [], path } = this.message;
     const text = this.error ? `${title || label || name}, refused` : title;
     const meaning = { ...read, meanings: [meaningOf(name, label, text)], notes, facts: [path] };
     const expected = this.sent.get(this.named);
     if (!expected || expected === this.message || this.error) return meaning;
-    return judged(meaning, false, codeText(this.shape, expected), "unknown_code");
+    return judged(meaning, false, codeText(link, direction, expected), "unknown_code");
   }
 
-  /** Whether a response is an exception response: by a bit in its code, by its code, or by another part. */
-  isMarked({ flag, code, part, normal }, own) {
-    if (part === undefined) return code === undefined ? (own & flag) !== 0 : own === code;
-    const { offset, size, order = "big", value } = this.shape.header.find(({ name }) => name === part);
-    const raw = this.data.subarray(offset, offset + size);
-    return !isWithin(normal, Number(wholeOf(raw, order, Boolean(value.signed))));
+  /** The number of a part before the body, as far as the bytes reach. */
+  partNumber(name) {
+    const { offset, size, order, value } = this.shape.header.find((part) => part.name === name);
+    return wholeOf(this.data.subarray(offset, offset + size), order === "little" ? "little" : "big", value.signed);
   }
 
   addressValue(read) {
@@ -284,16 +280,6 @@ class ExplainedFrame {
     }
     return rows;
   }
-}
-
-/** `08`, or `08 with 0001 at byte 2` for a message that shares its code. */
-function codeText({ shared, headerSize }, message) {
-  const text = (number, digits) => number.toString(16).toUpperCase().padStart(digits, "0");
-  const code = text(message.code, 2);
-  const subcode = shared.get(message.code);
-  if (!subcode) return code;
-  const [number] = [...subcode.byNumber].find(([, other]) => other === message);
-  return `${code} with ${text(number, 2 * subcode.size)} at byte ${headerSize + subcode.offset}`;
 }
 
 /** The least and the greatest size of a message's frames without delimiters, in bytes; Infinity is unbounded. */

@@ -5,15 +5,15 @@ import { bytesOfHex, latinOf } from "./texts.js";
 const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
 
 /**
- * A frame of a link without its delimiters and its encoding. `start` and `end` are the bytes in the places of the
- * delimiters, `data` the bytes of the parts, and `surplus` what is left between them and the end. The rest of the frame
+ * A frame of a link without its delimiters, which are `marks`, and its encoding. `start` and `end` are the bytes in the
+ * places of the delimiters, `data` the bytes of the parts, and `surplus` what is left between them and the end. The rest of the frame
  * cannot be read if the reason is `not_hex`; `whole` is then false.
  */
 export function unwrapped(link, direction, frame) {
-  const marks = link[direction];
-  const start = markOf(frame, marks.start, link.encoding);
+  const marks = link.delimiters[direction];
+  const start = markOf(frame, marks[0], link.encoding);
   const behind = frame.subarray(start.length);
-  const end = markOf(behind.toReversed(), marks.end.toReversed(), link.encoding).toReversed();
+  const end = markOf(behind.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
   const inner = frame.subarray(start.length, frame.length - end.length);
   if (link.encoding === "binary") {
     return { link, marks, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };

@@ -81,13 +81,13 @@ export function bytesOfText(text) {
  */
 function inCharacters(text, links) {
   const inner = unquoted(text).trimStart();
-  const marks = [...links].flatMap(({ encoding, request, response }) => [request, response].map((shape) => ({ encoding, ...shape })));
-  for (const { encoding, start, end: endMark } of marks) {
+  const delimiters = links.flatMap((link) => Object.values(link.delimiters).map((marks) => [link, ...marks]));
+  for (const [link, start, close] of delimiters) {
     const mark = String.fromCharCode(...start);
-    if (encoding !== "hex_ascii" || !/^[\x20-\x7e\xa1-\xff]+$/.test(mark) || !inner.startsWith(mark)) continue;
+    if (link.encoding !== "hex_ascii" || !/^[\x20-\x7e\xa1-\xff]+$/.test(mark) || !inner.startsWith(mark)) continue;
     const [body, end] = ended(inner);
     const bytes = Uint8Array.from(body.replace(/\s+/gu, ""), (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
-    return withEnd(bytes, Uint8Array.from(end, (char) => char.charCodeAt(0)), endMark);
+    return withEnd(bytes, Uint8Array.from(end, (char) => char.charCodeAt(0)), close);
   }
   return null;
 }

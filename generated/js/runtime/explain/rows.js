@@ -70,13 +70,13 @@ export function surplusRow(spot, at, raw) {
 
 /** The row of the start delimiter, if the link has one. */
 export function startRows(parts) {
-  return markRows(parts, "start", 0, parts.start, parts.marks.start);
+  return markRows(parts, "start", 0, parts.start, parts.marks[0]);
 }
 
 /** The rows of surplus characters, and of the end delimiter, if the link has one. */
 export function endRows(parts) {
   const at = parts.frame.length - parts.end.length;
-  const rows = markRows(parts, "end", at, parts.end, parts.marks.end);
+  const rows = markRows(parts, "end", at, parts.end, parts.marks[1]);
   if (!parts.surplus.length) return rows;
   const text = parts.reason === "not_hex" ? "not pairs of hexadecimal characters" : "1 character too many";
   const surplus = {
