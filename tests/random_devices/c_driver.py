@@ -195,12 +195,12 @@ class Driver:
         array = value.type.kind in (Kind.TEXT, Kind.BYTES)
         call = "content" if array else "&content"
         argument, other = "content, ", ""
-        kind_of_answer, written_kind = (
+        decoded_type, encoded_type = (
             accessed_type(self.naming, self.layout.device, content) for content in (value.as_answer(trigger), value)
         )
-        if kind_of_answer != written_kind:
+        if decoded_type != encoded_type:
             # An answer that is no number of the type is no member either.
-            other = f"if (({written_kind})content != content) {{ second = {REASONS.index('unknown_value')}; }} else "
+            other = f"if (({encoded_type})content != content) {{ second = {REASONS.index('unknown_value')}; }} else "
         if value.const is not None:
             argument, other = (
                 "",
