@@ -31,7 +31,7 @@ from python_package import (
 )
 from random_values import values_of
 
-EXAMPLE_COUNT = 150
+EXAMPLE_COUNT = 50
 LAYOUTS = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts()}
 EXAMPLES = [
     pytest.param(layout, example, id=f"{name}-{example.id}")
