@@ -122,7 +122,7 @@ def _disagreements(judge: Judge, asked: list[Query], expected: list[Answer], ans
             continue
         if judge.name == "explainer" and wanted.reason and wanted.reason in (answer.reason or "").split():
             continue
-        if judge.name == "javascript" and query.values is not None and _is_said_otherwise(wanted, answer):
+        if judge.name == "javascript" and query.values is not None and _may_differ(wanted, answer):
             continue
         if not wanted.is_stable and judge.drops_bits:
             answer.again = None
@@ -135,7 +135,7 @@ def _disagreements(judge: Judge, asked: list[Query], expected: list[Answer], ans
     return disagreements
 
 
-def _is_said_otherwise(wanted: Answer, answer: Answer) -> bool:
+def _may_differ(wanted: Answer, answer: Answer) -> bool:
     """Whether JavaScript may answer otherwise where values are encoded.
 
     It counts the bytes before it writes them, so that of two mistakes it names the length of a list first. Its objects
