@@ -221,7 +221,7 @@ def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: by
     reference = reference_of(layout).links[link]
     shape = layout.links[link].frame(direction)
     try:
-        data = bytearray(reference.parts(frame))
+        data = bytearray(reference.parts(frame, direction))
     except CodecError:
         return frame
     length, check = shape.role("length"), shape.checksum
