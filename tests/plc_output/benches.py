@@ -4,86 +4,89 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from compiled import Block, Compiled
-from st_syntax import parsed
+from st_syntax import Unit, parsed
 from standard_text import anonymous, named, needed, without_comments
 from test_scl_execution import siemens_text
 
 from fieldspec.backends.iec.backend import source, text
 from fieldspec.backends.scl.project import project
+from fieldspec.plc.dialects import Spelling
 from fieldspec.plc.routines.expressions import TIME, ArrayType, Elementary, EnumType, StructType, Type
 from fieldspec.plc.routines.printer import type_text
 from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.routines.world import World
 from layouts import newest
 
 ENDS = ("Done", "CommandAborted", "Error", "Busy")
 
 
 class Bench:
-    """Some blocks of a device, called in their order. `ports` are the structs and arrays that they are lent."""
+    """Some blocks of a device, called in their order. `ports` are the structs and arrays that they are lent.
 
-    def __init__(self, root: Path, device: str, names: Sequence[str], folder: Path, dialect: str = "iec") -> None:
-        layout = newest(root, device)
-        if dialect == "iec":
-            iec_source = source(layout)
-            self.world, routines, spelling = iec_source.declared.world, iec_source.routines, iec_source.spelling
-            content = text(iec_source)
-        else:
-            tia = project(layout)
-            self.world, routines, spelling = tia.declared.world, tia.routines, tia.declared.dialect.spelling
-            content = without_comments(siemens_text(device)).replace("TON_TIME", "TON")
-            content = re.sub(r"^TYPE \w+CodeText :.*?^END_TYPE$", "", content, flags=re.MULTILINE | re.DOTALL)
-            # SCL takes a reserved word in quotes for a name.
-            content = re.sub(r"\bon\b", "onMember", content)
+    Blocks share what has one name and one type. `lent` has the variable for each parameter of each block. A `program`
+    has more blocks than are called, so that several benches have one program, which is compiled once.
+    """
+
+    def __init__(
+        self,
+        root: Path,
+        device: str,
+        names: Sequence[str],
+        folder: Path,
+        dialect: str = "iec",
+        program: Sequence[str] = (),
+    ) -> None:
+        self.world, routines, spelling, content = _generated(root, device, dialect)
         by_name = {routine.name: routine for routine in routines}
         prefix = f"FB_{self.world.names.device}_"
-        self.blocks: dict[str, Routine] = {name: by_name[prefix + name] for name in names}
-        shared = {
-            declared.variable.name: declared.variable.type
-            for block in self.blocks.values()
-            for declared in block.of_role("in_out")
-        }
+        blocks: dict[str, Routine] = {name: by_name[prefix + name] for name in program or names}
+        self.blocks = {name: blocks[name] for name in names}
+        shared = _lent(blocks)
+        self.lent = {key: name for name, (_, keys) in shared.items() for key in keys}
         self.inputs = {
             (name, declared.variable.name): _kind(declared.variable.type)
-            for name, block in self.blocks.items()
+            for name, block in blocks.items()
             for declared in block.of_role("input")
             if declared.variable.type != TIME
         }
         self.outputs = {
             (name, declared.variable.name): _kind(declared.variable.type)
-            for name, block in self.blocks.items()
+            for name, block in blocks.items()
             for declared in block.of_role("output")
         }
         lines = ["PROGRAM PRG_Bench", "VAR"]
         calls = []
-        for number, block in enumerate(self.blocks.values()):
-            lines.append(f"b{number} : {block.name};")
+        for number, (name, block) in enumerate(blocks.items()):
+            lines += [f"b{number} : {block.name};", f"b{number}_called : BOOL;"]
             arguments = []
             for declared in block.of_role("input"):
                 if declared.variable.type != TIME:
                     variable = f"b{number}_{declared.variable.name}"
                     lines.append(f"{variable} : {_unquoted(type_text(declared.variable.type, spelling))};")
                     arguments.append(f"{declared.variable.name} := {variable}")
-            arguments += [f"{item.variable.name} := {item.variable.name}" for item in block.of_role("in_out")]
-            calls.append(f"b{number}({', '.join(arguments)});")
-        lines += [f"{name} : {_unquoted(type_text(kind, spelling))};" for name, kind in shared.items()]
+            arguments += [
+                f"{item.variable.name} := {self.lent[name, item.variable.name]}" for item in block.of_role("in_out")
+            ]
+            calls.append(f"IF b{number}_called THEN b{number}({', '.join(arguments)}); END_IF;")
+        lines += [f"{name} : {_unquoted(type_text(kind, spelling))};" for name, (kind, _) in shared.items()]
         program = "\n".join([*lines, "END_VAR", *calls, "END_PROGRAM", ""])
-        content = needed(content, [block.name for block in self.blocks.values()])
+        content = needed(content, [block.name for block in blocks.values()])
         # Nothing is called but the program, so the types are all that the process is asked for.
-        types = needed(content, ())
-        unit = parsed(anonymous(types) if dialect == "iec" else types)
+        unit = _types(content, dialect)
         whole = content + program if dialect == "iec" else named(content + program)
-        numbers = {name: number for number, name in enumerate(self.blocks)}
-        lent = tuple((name, _kind(kind)) for name, kind in shared.items())
+        numbers = {name: number for number, name in enumerate(blocks)}
+        called = tuple((f"b{number}_called", "bool") for number in numbers.values())
+        lent = tuple((name, _kind(kind)) for name, (kind, _) in shared.items())
+        self._called = [name in self.blocks for name in blocks]
         self._lent = [name for name, _ in lent]
-        block = Block(
-            "PRG_Bench",
-            (*((f"b{numbers[name]}_{variable}", kind) for (name, variable), kind in self.inputs.items()), *lent),
-            (*((f"b{numbers[name]}.{variable}", kind) for (name, variable), kind in self.outputs.items()), *lent),
-        )
+        inputs = ((f"b{numbers[name]}_{variable}", kind) for (name, variable), kind in self.inputs.items())
+        outputs = ((f"b{numbers[name]}.{variable}", kind) for (name, variable), kind in self.outputs.items())
+        block = Block("PRG_Bench", (*inputs, *called, *lent), (*outputs, *lent))
         self.program = Compiled(whole, folder, block, unit)
         self._kinds = dict(lent)
         self.now: dict[tuple[str, str], Any] = {}
@@ -105,7 +108,8 @@ class Bench:
 
     def scan(self, milliseconds: int = 10) -> None:
         """Calls all blocks once."""
-        values = self.program.scan(milliseconds, [*self.now.values(), *(self.ports[name] for name in self._lent)])
+        ports = [self.ports[name] for name in self._lent]
+        values = self.program.scan(milliseconds, [*self.now.values(), *self._called, *ports])
         self.out = dict(zip(self.outputs, values, strict=False))
         self.ports = dict(zip(self._lent, values[len(self.outputs) :], strict=True))
 
@@ -118,6 +122,48 @@ class Bench:
     def port(self, port: str, name: str) -> str:
         """The name of a member of a port, in the language of the test, as it is in `ports`."""
         return self.world.names.members[port][name].lower().strip('"')
+
+
+@cache
+def _generated(root: Path, device: str, dialect: str) -> tuple[World, Sequence[Routine], Spelling, str]:
+    """What is generated for a device."""
+    layout = newest(root, device)
+    if dialect == "iec":
+        iec_source = source(layout)
+        return iec_source.declared.world, iec_source.routines, iec_source.spelling, text(iec_source)
+    tia = project(layout)
+    content = without_comments(siemens_text(device)).replace("TON_TIME", "TON")
+    content = re.sub(r"^TYPE \w+CodeText :.*?^END_TYPE$", "", content, flags=re.MULTILINE | re.DOTALL)
+    # SCL takes a reserved word in quotes for a name.
+    content = re.sub(r"\bon\b", "onMember", content)
+    return tia.declared.world, tia.routines, tia.declared.dialect.spelling, content
+
+
+@cache
+def _types(content: str, dialect: str) -> Unit:
+    types = needed(content, ())
+    return parsed(anonymous(types) if dialect == "iec" else types)
+
+
+@cache
+def block_names(root: Path, device: str) -> list[str]:
+    """The blocks of a device, without the words before their names."""
+    world, routines, _, _ = _generated(root, device, "iec")
+    prefix = f"FB_{world.names.device}_"
+    return [routine.name.removeprefix(prefix) for routine in routines if routine.name.startswith(prefix)]
+
+
+def _lent(blocks: dict[str, Routine]) -> dict[str, tuple[Type, list[tuple[str, str]]]]:
+    """The variables that blocks are lent, with their types and the parameters that they stand for."""
+    variables: dict[tuple[str, Type], str] = {}
+    result: dict[str, tuple[Type, list[tuple[str, str]]]] = {}
+    for block, routine in blocks.items():
+        for declared in routine.of_role("in_out"):
+            name, kind = declared.variable.name, declared.variable.type
+            others = sum(other == name for other, _ in variables)
+            variable = variables.setdefault((name, kind), f"{name}{others or ''}")
+            result.setdefault(variable, (kind, []))[1].append((block, name))
+    return result
 
 
 def _unquoted(text: str) -> str:

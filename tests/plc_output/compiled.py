@@ -14,6 +14,7 @@ import struct
 import subprocess
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -77,6 +78,7 @@ class Compiled(Machine):
     ) -> None:
         super().__init__(parsed(anonymous(text)) if unit is None else unit)
         self.block = block
+        self._forms: dict[Any, str] = {}
         self.numbers = {name: number for number, name in enumerate(self.unit.functions)}
         self._process = subprocess.Popen(
             [str(self._program(text, folder))],
@@ -121,8 +123,12 @@ class Compiled(Machine):
         flat: list[Any] = [number]
         form = "<I"
         for kind, value in into:
-            form += self.form(kind)
-            self._flatten(kind, value, flat)
+            if kind in FORMATS:
+                form += FORMATS[kind]
+                flat.append(value)
+            else:
+                form += self.form(kind)
+                self._flatten(kind, value, flat)
         answer = struct.Struct("<" + "".join(map(self.form, out)))
         assert self._process.stdin is not None
         assert self._process.stdout is not None
@@ -136,13 +142,17 @@ class Compiled(Machine):
             assert self._process.stderr is not None
             raise AssertionError(self._process.stderr.read().decode()[-4000:])
         values = iter(answer.unpack(got))
-        return [self._raised(kind, values) for kind in out]
+        return [next(values) if kind in FORMATS else self._raised(kind, values) for kind in out]
 
     def form(self, kind: Any) -> str:
         """How a type is written for `struct`, element by element."""
         if kind in FORMATS:
             return FORMATS[kind]
-        kind = self.kind(kind)
+        if kind not in self._forms:
+            self._forms[kind] = self._form(self.kind(kind))
+        return self._forms[kind]
+
+    def _form(self, kind: Any) -> str:
         if isinstance(kind, tuple):
             return self.form(kind[3]) * (kind[2] - kind[1] + 1)
         if kind in self.unit.structs:
@@ -151,7 +161,9 @@ class Compiled(Machine):
 
     def _flatten(self, kind: Any, value: Any, out: list[Any]) -> None:
         kind = self.kind(kind)
-        if isinstance(kind, tuple):
+        if isinstance(kind, tuple) and kind[3] in FORMATS:
+            out.extend(value)
+        elif isinstance(kind, tuple):
             for item in value:
                 self._flatten(kind[3], item, out)
         elif kind in self.unit.structs:
@@ -162,6 +174,8 @@ class Compiled(Machine):
 
     def _raised(self, kind: Any, values: Iterator[Any]) -> Any:
         kind = self.kind(kind)
+        if isinstance(kind, tuple) and kind[3] in FORMATS:
+            return list(islice(values, kind[2] - kind[1] + 1))
         if isinstance(kind, tuple):
             return [self._raised(kind[3], values) for _ in range(kind[1], kind[2] + 1)]
         if kind in self.unit.structs:

@@ -118,15 +118,18 @@ class Proof:
 
     def build(self, link: LinkLayout, message: MessageLayout, values: dict[str, Any]) -> tuple[str, bytes]:
         """The status and the request that a generated function builds."""
+        frame = self.fresh(self.world.frame)
+        name = self.world.routine("build", *link_words(self.world, link), message.name)
+        status, outputs = self.positional(name, *self.asked(link, message, values), frame)
+        return status, bytes(frame[: outputs[-1]])
+
+    def asked(self, link: LinkLayout, message: MessageLayout, values: dict[str, Any]) -> list[Any]:
+        """The values of a request as arguments in the order of their declaration, lists and structs at the end."""
         arguments: list[Any] = []
         for part in head_members(link.request):
             assert part.value is not None
             arguments.append(self.into(part.value, self.world.type_of(part.value), values[part.name]))
-        arguments += self._body_in(message, message.request, values)
-        frame = self.fresh(self.world.frame)
-        name = self.world.routine("build", *link_words(self.world, link), message.name)
-        status, outputs = self.positional(name, *arguments, frame)
-        return status, bytes(frame[: outputs[-1]])
+        return arguments + self._body_in(message, message.request, values)
 
     def _body_in(self, message: MessageLayout, record: RecordLayout, values: dict[str, Any]) -> list[Any]:
         arguments: list[Any] = []

@@ -96,8 +96,8 @@ class ProcessData:
         self.key = axis_key(layout)
         struct = bench.world.names.structs[self.key]
         self.variable = next(
-            declared.variable.name
-            for block in bench.blocks.values()
+            bench.lent[name, declared.variable.name]
+            for name, block in bench.blocks.items()
             for declared in block.of_role("in_out")
             if getattr(declared.variable.type, "name", "") == struct
         )

@@ -13,7 +13,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from benches import Bench
+from benches import Bench, block_names
 from devices import Esc11, Tc100, Telegram111, Transport
 from loaded import programs
 
@@ -138,7 +138,7 @@ class Esc11Rig(Rig):
     blocks = ("ServoOn", "ServoOff", *starting, "Stop", "ResetAlarm", "ReadPosition")
 
     def __init__(self, folder: Path, dialect: str = "iec") -> None:
-        super().__init__(Bench(SPECS, "esc11", self.blocks, folder, dialect))
+        super().__init__(Bench(SPECS, "esc11", self.blocks, folder, dialect, block_names(SPECS, "esc11")))
         self.device = Esc11()
         variable = next(name for name in self.bench.ports if name.lower().endswith("frames"))
         self.transport = Transport(self.bench, FRAMES, variable, delay=1)
@@ -166,16 +166,13 @@ class HiwinRig(Rig):
     )
 
     def __init__(self, folder: Path, dialect: str = "iec") -> None:
-        super().__init__(Bench(SPECS, "hiwin-e", self.blocks, folder, dialect))
+        super().__init__(Bench(SPECS, "hiwin-e", self.blocks, folder, dialect, block_names(SPECS, "hiwin-e")))
         self.device = Telegram111()
         self.lost = False
-        self.axis = next(iter(self.bench.ports))
+        self.axis = self.bench.lent["Telegram111ServoOn", "stAxis"]
         for block, name in self.bench.inputs:
             if name.startswith("lr"):
                 self.bench.set(block, **{name: 50.0})
-
-    def restart(self) -> None:
-        super().restart()
 
     def _of(self, name: str) -> str:
         return self.bench.port(Telegram111.KEY, name)
@@ -289,7 +286,7 @@ def test_a_servo_that_goes_off_is_an_error(axis: Axis) -> None:
     rig.device.power_cycle()
     if isinstance(rig.device, Telegram111):
         rig.device.obey(0)
-        rig.bench.ports["stAxis"]["strequest"]["wcontrolword1"] = 0
+        rig.bench.ports[rig.axis]["strequest"]["wcontrolword1"] = 0
     rig.run(60)
     assert rig.ended(axis.block("Home")) == f"Error {NUMBER['servo']}"
     assert len(axis.starts) == 1

@@ -13,7 +13,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from benches import Bench
+from benches import Bench, block_names
 from devices import Transport
 from loaded import programs
 from simulated import ProcessData, Simulated
@@ -108,14 +108,14 @@ class TelegramRig(HiwinRig):
     }
 
     def __init__(self, folder: Path) -> None:
-        Rig.__init__(self, Bench(SPECS, "hiwin-e", self.blocks, folder))
+        Rig.__init__(self, Bench(SPECS, "hiwin-e", self.blocks, folder, program=block_names(SPECS, "hiwin-e")))
         self.device = Simulated("hiwin-e", "cyclic", self.message)
         self.process_data = ProcessData(self.bench, self.device, self.message)
         for block, name in self.bench.inputs:
             if name.startswith("lr"):
                 self.bench.set(block, **{name: 50.0})
-        for block in ("MoveAbsoluteTelegram111", "MoveRelativeTelegram111"):
-            if block in self.bench.blocks:
+        for block in self.blocks:
+            if block.startswith(("MoveAbsolute", "MoveRelative")):
                 self.bench.set(block, lrSpeed=6000000.0)
 
     def serve(self) -> None:
@@ -125,15 +125,50 @@ class TelegramRig(HiwinRig):
     lost = False
 
 
-class VelocityRig(TelegramRig):
-    """A HIWIN E on telegram 102."""
+class Telegram9Rig(TelegramRig):
+    """A HIWIN E on telegram 9."""
 
-    message = "telegram_102"
-    starting: ClassVar[dict[str, Sequence[str]]] = {"Telegram102MoveVelocityWithTorqueReduction": ["endless"]}
+    message = "telegram_9"
+    starting: ClassVar[dict[str, Sequence[str]]] = {
+        "MoveAbsoluteTelegram9": ["absolute"],
+        "MoveRelativeTelegram9": ["relative"],
+        "Telegram9Home": ["home"],
+        "Telegram9JogPositive": ["endless"],
+        "Telegram9JogNegative": ["endless"],
+    }
     blocks = (
-        *("Telegram102ServoOn", "Telegram102ServoOff", "Telegram102MoveVelocityWithTorqueReduction"),
-        *("Telegram102ReduceTorque", "Telegram102QuickStop", "Telegram102ResetAlarm"),
+        *("Telegram9ServoOn", "Telegram9ServoOff", *starting, "Telegram9Stop", "Telegram9QuickStop"),
+        *("Telegram9ResetAlarm", "Telegram9ReadPosition"),
     )
+
+
+class SpeedRig(TelegramRig):
+    """A HIWIN E on a telegram with a speed; `move` is the block that commands it."""
+
+    move = ""
+
+
+def speed_rig(number: int, with_torque: bool) -> type[SpeedRig]:
+    """The rig of a telegram, whose blocks have its number."""
+    form = f"Telegram{number}"
+    move = f"{form}MoveVelocity{'WithTorqueReduction' if with_torque else ''}"
+    blocks = [f"{form}ServoOn", f"{form}ServoOff", move, f"{form}QuickStop", f"{form}ResetAlarm"]
+    more = [f"{form}ReduceTorque"] if with_torque else []
+    values = {
+        "message": f"telegram_{number}",
+        "move": move,
+        "starting": {move: ["endless"]},
+        "blocks": (*blocks[:3], *more, *blocks[3:]),
+    }
+    return type(f"{form}Rig", (SpeedRig,), values)
+
+
+SPEEDS = {
+    "telegram 3": speed_rig(3, with_torque=False),
+    "telegram 5": speed_rig(5, with_torque=False),
+    "telegram 102": speed_rig(102, with_torque=True),
+    "telegram 105": speed_rig(105, with_torque=True),
+}
 
 
 def connect(rig: Any, device: str, link: str) -> None:
@@ -150,6 +185,7 @@ RIGS: dict[str, Callable[[Path], Any]] = {
     "ck10": Ck10Rig,
     "tc100": Tc100SimulatedRig,
     "esc11": Esc11SimulatedRig,
+    "telegram 9": Telegram9Rig,
     "telegram 111": TelegramRig,
 }
 
@@ -174,6 +210,7 @@ def moved(rig: Any, block: str, **inputs: Any) -> float:
         ("ck10", "{}", {"diPositionCounts": 2000}, {"diDistanceCounts": -500}),
         ("tc100", "{}", {"diPositionCounts": 2000}, {"diDistanceCounts": -500}),
         ("esc11", "{}", {"lrPosition": 5.0}, {"lrDistance": -1.25}),
+        ("telegram 9", "Telegram9{}", {"diPosition": 2000}, {"diDistance": -500}),
         ("telegram 111", "Telegram111{}", {"diPosition": 2000}, {"diDistance": -500}),
     ],
 )
@@ -237,89 +274,10 @@ def test_points_that_are_written_are_read_back_saved_and_run(folder: Path) -> No
     assert rig.done("ReadPoints", iFirst=127, iLast=128) == f"Error {NUMBER['request']}"
 
 
-MOVE = "Telegram102MoveVelocityWithTorqueReduction"
-
-
-@pytest.fixture
-def speed(folder: Path) -> VelocityRig:
-    """A drive on telegram 102 with its servo on, whose reference speed is 3000/min."""
-    rig = VelocityRig(folder)
-    rig.run(3)
-    assert rig.done("Telegram102ServoOn") == "Done"
-    rig.bench.set(MOVE, lrSpeed=10.0, lrTorqueReduction=25.0)
-    return rig
-
-
-def commanded(rig: VelocityRig) -> tuple[float, float]:
-    """The speed and the reduction of torque that the drive is sent, in percent."""
-    request, data = rig.process_data.of("request"), rig.process_data
-    counts = [request[data.member(data.request, name)] for name in ("speed_setpoint_b", "torque_reduction")]
-    return counts[0] * 100 / 2**30, counts[1] * 100 / 2**14
-
-
-def test_a_drive_follows_the_speed_while_it_is_asked_to(speed: VelocityRig) -> None:
-    speed.run(3, MOVE, Execute=True)
-    assert not speed.bench.out[MOVE, "InVelocity"], "the drive has not begun to turn"
-    speed.run(40)
-    assert (commanded(speed), speed.bench.out[MOVE, "InVelocity"]) == (pytest.approx((10.0, 25.0)), True)
-    assert speed.device.engine.axis.speed(speed.device.unit.now) == pytest.approx(0.1 * 3000 / 60 * 10000)
-    speed.run(1, MOVE, lrSpeed=-20.0)
-    assert (commanded(speed)[0], speed.bench.out[MOVE, "InVelocity"]) == (pytest.approx(-20.0), False)
-    assert speed.run(40).bench.out[MOVE, "InVelocity"]
-    speed.run(3, MOVE, Execute=False)
-    assert (commanded(speed), speed.bench.ended(MOVE)) == ((0.0, 25.0), "")
-    assert not speed.run(40).device.motion.moving
-
-
-@pytest.mark.parametrize("end", ["alarm", "lost", "servo", "abort", "quick stop", "servo off", "refused"])
-def test_whatever_ends_a_speed_takes_its_command_away(speed: VelocityRig, end: str) -> None:
-    speed.run(40, MOVE, Execute=True)
-    result = "CommandAborted"
-    if end == "alarm":
-        speed.device.alarm(1)
-        result = f"Error {NUMBER['alarm']}"
-    elif end == "lost":
-        speed.lost = True
-        result = f"Error {NUMBER['transport']}"
-    elif end == "servo":
-        speed.device.power_cycle()
-        result = f"Error {NUMBER['servo']}"
-    elif end == "abort":
-        speed.bench.set(MOVE, Abort=True)
-    elif end == "quick stop":
-        speed.bench.set("Telegram102QuickStop", Execute=True)
-    elif end == "servo off":
-        speed.bench.set("Telegram102ServoOff", Execute=True)
-    else:
-        speed.bench.set(MOVE, lrTorqueReduction=120.0)
-        result = f"Error {NUMBER['request']}"
-    speed.run(4)
-    assert (commanded(speed)[0], speed.ended(MOVE)) == (0.0, result)
-    assert not speed.bench.out[MOVE, "InVelocity"]
-    assert bool(speed.bench.out[MOVE, "eStatus"]) == (end == "refused")
-    speed.lost = False
-    starts = len(speed.device.motion.starts)
-    speed.run(60)
-    assert (speed.device.motion.moving, len(speed.device.motion.starts)) == (False, starts)
-
-
-def test_a_speed_that_is_withdrawn_at_once_is_never_commanded(speed: VelocityRig) -> None:
-    speed.run(1, MOVE, Execute=True)
-    for _ in range(5):
-        speed.run(1, MOVE, Execute=False)
-        assert commanded(speed) == (0.0, 0.0)
-    assert speed.device.motion.starts == []
-
-
-def test_a_torque_is_reduced_without_a_motion(speed: VelocityRig) -> None:
-    assert speed.done("Telegram102ReduceTorque", lrTorqueReduction=40.0) == "Done"
-    assert (commanded(speed)[1], speed.device.motion.moving) == (pytest.approx(40.0, abs=0.01), False)
-
-
-@pytest.mark.parametrize("name", ["ck10", "tc100", "esc11", "telegram 111", "telegram 102"])
+@pytest.mark.parametrize("name", [*RIGS, *SPEEDS])
 def test_nothing_starts_without_an_edge_whatever_happens_to_a_simulated_device(name: str, folder: Path) -> None:
-    rig = {**RIGS, "telegram 102": VelocityRig}[name](folder)
-    dice, ended = random.Random(11), 0
+    rig = {**RIGS, **SPEEDS}[name](folder)
+    dice, ended = random.Random(12), 0
     blocks = [block for block in rig.bench.blocks if (block, "Execute") in rig.bench.inputs]
     for _ in range(STEPS):
         chance = dice.random()
