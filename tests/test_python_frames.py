@@ -31,7 +31,7 @@ from python_package import (
 )
 from random_values import values_of
 
-EXAMPLE_COUNT = 150
+EXAMPLE_COUNT = 50
 LAYOUTS = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts()}
 EXAMPLES = [
     pytest.param(layout, example, id=f"{name}-{example.id}")
@@ -221,7 +221,7 @@ def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: by
     reference = reference_of(layout).links[link]
     shape = layout.links[link].frame(direction)
     try:
-        data = bytearray(reference.parts(frame))
+        data = bytearray(reference.parts(frame, direction))
     except CodecError:
         return frame
     length, check = shape.role("length"), shape.checksum
