@@ -10,6 +10,7 @@ import pytest
 
 from captures.conversations import USER_0, pcap, rtu
 from captures.test_decode_in_bulk import run
+from layouts import SPECS
 
 NOTE = 'model: W\nfirmware: "1"\nserial_number: redacted\n'
 DEVICE = "wattmeter@1"
@@ -145,6 +146,24 @@ def test_the_report_is_a_page_that_escapes_notes(tmp_path: Path) -> None:
     assert code == 0
     assert "</script><b>" not in text
     assert "&lt;/script&gt;&lt;b&gt;" in text
+
+
+def test_a_unit_with_the_firmware_of_another_version_is_listed_and_does_not_count(tmp_path: Path) -> None:
+    note = 'model: E1\nfirmware: "2.8.16"\nserial_number: redacted\n'
+    unit(tmp_path, "a", {"dump.csv": b"address,value\n1,1\n"}, note)
+    text = run("audit", "hiwin-e@2.14.4", "--evidence", str(tmp_path), "--format", "json", specs=SPECS)[1]
+    tables = json.loads(text)["sections"]["evidence"]["tables"]
+    assert [row["remark"] for row in tables["evidence_units"]] == ["not counted: audit hiwin-e@2.8.16"]
+    assert {row["state"] for row in tables["evidence"]} == {"never seen"}
+
+
+def test_fields_of_messages_are_facts(tmp_path: Path) -> None:
+    log = b"TX 01 01 11 70 FF FF FE 7F\nTX 01 01 11 6F FF FF FE 7F\n"
+    unit(tmp_path, "a", {"line.log": log}, "model: C\nfirmware: unknown\nserial_number: redacted\n")
+    text = run("audit", "counter", "--evidence", str(tmp_path), "--format", "json")[1]
+    rows = json.loads(text)["sections"]["evidence"]["tables"]["evidence"]
+    values = {row["fact"].rsplit("/", 1)[-1]: row["state"] for row in rows if row["aspect"] == "value" and row["count"]}
+    assert values == {"channel": "observed", "limit": "proves nothing"}
 
 
 @pytest.mark.parametrize(

@@ -39,7 +39,7 @@ class Observables:
         self.layout = layout
         self.registers: dict[tuple[str, str], Observable] = {}
         for space, each in all_occupants(layout):
-            if not each.reserved:
+            if not each.reserved and not getattr(each.fact, "reserved", False):
                 same_as = getattr(each.fact, "same_as", "")
                 self.registers[space, each.path] = Observable(
                     each.path, each.fact, each.value, each.access, space, each.address, same_as
