@@ -76,6 +76,34 @@ def test_values_that_change_in_step_do_not_tell_which_is_which(tmp_path: Path) -
     assert "in step with export_share" in rows["registers/firmware"]["remark"]
 
 
+def test_values_that_change_at_different_moments_show_which_is_which(tmp_path: Path) -> None:
+    answers = [(0x4216, 1), (0x4220, 1), (0x4220, 2)]
+    unit(tmp_path, "a", capture(*(frame for share, number in answers for frame in read(0x0C, share, 0, number))))
+    _, tables = report(tmp_path)
+    assert states(tables, "registers/export_share")["value"] == "observed"
+    assert states(tables, "registers/firmware")["value"] == "observed"
+
+
+@pytest.mark.parametrize(
+    ("answer", "state"),
+    [
+        (rtu(1, 16, *words(0, 2)), "observed"),
+        (rtu(1, 0x90, 2), "consistent"),
+    ],
+)
+def test_a_write_counts_once_it_is_accepted(tmp_path: Path, answer: bytes, state: str) -> None:
+    ask, values = rtu(1, 3, *words(0, 2)), rtu(1, 3, 4, *words(0x3F80, 0))
+    write = rtu(1, 16, *words(0, 2), 4, *words(0x3F80, 0))
+    unit(tmp_path, "a", capture(ask, values, write, answer))
+    assert states(report(tmp_path)[1], "registers/ratio")["access"] == state
+
+
+def test_refusals_of_other_units_on_the_line_do_not_count(tmp_path: Path) -> None:
+    refused = [rtu(2, 4, *words(0x0E, 1)), rtu(2, 0x84, 2)]
+    unit(tmp_path, "a", capture(*refused, *read(0x0C, 0x4216, 0)), NOTE + "unit_address: 1\n")
+    assert report(tmp_path)[1]["disagreements"] == []
+
+
 def test_another_unit_tells_apart_what_changes_in_step_in_one(tmp_path: Path) -> None:
     unit(tmp_path, "a", {f"{number}.csv": dump(number) for number in (1, 2)})
     unit(tmp_path, "b", capture(*read(0x0C, 0x4216, 0, 1), *read(0x0C, 0x4216, 0, 2)))
@@ -158,7 +186,7 @@ def test_a_unit_with_the_firmware_of_another_version_is_listed_and_does_not_coun
 
 
 def test_fields_of_messages_are_facts(tmp_path: Path) -> None:
-    log = b"TX 01 01 11 70 FF FF FE 7F\nTX 01 01 11 6F FF FF FE 7F\n"
+    log = b"TX 01 01 11 70 FF FF FE 7F\nTX 01 01 11 6F FF FF FE 7E\n"
     unit(tmp_path, "a", {"line.log": log}, "model: C\nfirmware: unknown\nserial_number: redacted\n")
     text = run("audit", "counter", "--evidence", str(tmp_path), "--format", "json")[1]
     rows = json.loads(text)["sections"]["evidence"]["tables"]["evidence"]
