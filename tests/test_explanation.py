@@ -341,9 +341,11 @@ def test_errata_are_named_at_the_fact_that_they_concern() -> None:
 def test_every_example_is_recognised(layout: DeviceLayout, example: Example) -> None:
     explanations = recognised(layout, example.frame)
     link, message = layout.links[example.link], example.message
-    # An exception response carries no subcode: of messages with one code, only the request tells which one it answers.
-    if example.exception_response and link.messages[message].message.code in link.subcodes("request"):
-        message = ""
+    # Only the request tells what an exception response answers that has a code of its own, or one that messages share.
+    exception = link.link.exception_response
+    if example.exception_response and exception is not None and message:
+        is_shared = link.messages[message].message.code in link.subcodes("request")
+        message = "" if is_shared or exception.code is not None else message
     assert (example.link, example.direction, message, example.exception_response) in explanations
 
 

@@ -199,7 +199,7 @@ def decoded_by_codec(layout: DeviceLayout, link: str, direction: str, message: s
     if refusal is not None and hasattr(decoded, "exception"):
         return True, decoded.code, head, raws(decoded.exception, layout.records[refusal.record])
     content = decoded.message
-    records = (message_layout.data(direction) for message_layout in layout.messages.values())
+    records = (body for message_layout in layout.messages.values() for body in message_layout.bodies)
     record = next(record for record in records if record_class(module_of(layout), record) is type(content))
     return False, type(content).CODE if coded else None, head, raws(content, record)
 

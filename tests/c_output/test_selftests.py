@@ -24,13 +24,13 @@ VERSIONS = [versions for root in (SPECS, TEST_SPECS) for versions in layouts(roo
 VERSIONS.append([layout_at(KNOT, version) for version in KNOT.versions()])
 TEXTS = {path: text for versions in VERSIONS for path, text in files(versions).items()}
 HEADERS = sorted(path for path in TEXTS if path.endswith(".h") and path.replace(".h", "_selftest.c") in TEXTS)
-MADE_UP = tuple(stem(device, "") for device in layouts(TEST_SPECS) if device != "widget")
+TEST_DEVICES = tuple(stem(device, "") for device in layouts(TEST_SPECS) if device != "widget")
 NEWEST = {stem(versions[-1].device.id, versions[-1].device.version) + ".h" for versions in VERSIONS}
 
 
 def compilers_of(header: str) -> Iterable[str]:
     """All compilers for the newest version of a real device and for the device with everything, some for the others."""
-    if header in NEWEST and not header.startswith(MADE_UP):
+    if header in NEWEST and not header.startswith(TEST_DEVICES):
         return COMPILERS
     return ("sanitized", "tcc") if header in NEWEST else ("g++",)
 
