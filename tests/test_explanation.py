@@ -25,9 +25,7 @@ EXAMPLES = [
     for layout in LAYOUTS
     for example in layout.device.examples.values()
 ]
-WIDGET = newest(TEST_SPECS, "widget")
-GIZMO = newest(TEST_SPECS, "gizmo")
-GLIDER = newest(TEST_SPECS, "glider-x")
+WIDGET, GIZMO, GLIDER = (newest(TEST_SPECS, device) for device in ("widget", "gizmo", "glider-x"))
 
 
 def of_example(layout: DeviceLayout, example: Example, frame: bytes | None = None) -> Explanation:
@@ -342,10 +340,9 @@ def test_every_example_is_recognised(layout: DeviceLayout, example: Example) -> 
     explanations = recognised(layout, example.frame)
     link, message = layout.links[example.link], example.message
     # Only the request tells what an exception response answers that has a code of its own, or one that messages share.
-    exception = link.link.exception_response
-    if example.exception_response and exception is not None and message:
-        is_shared = link.messages[message].message.code in link.subcodes("request")
-        message = "" if is_shared or exception.code is not None else message
+    if example.exception_response and message and (mark := link.link.exception_response):
+        shared = link.subcodes("request")
+        message = "" if mark.code is not None or link.messages[message].message.code in shared else message
     assert (example.link, example.direction, message, example.exception_response) in explanations
 
 
