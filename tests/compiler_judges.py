@@ -90,6 +90,7 @@ JUDGES = {
             "random_devices",
         ),
     ),
+    "backends/queries": Judges("queries", ("queries_output",)),
     "backends/scl": Judges("scl", ("plc_output/test_scl_execution.py",)),
     "backends/st": Judges("st", ("plc_output/test_judges.py",)),
     "backends/twincat": Judges("twincat", ("plc_output/test_judges.py",)),

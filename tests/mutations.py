@@ -235,6 +235,11 @@ def top(section: str, *keys: str) -> Callable[[Mapping], list[tuple[Way, Mapping
     return lambda tree: [(way, node) for way, node in of(tree, section, keys=keys) if len(way) == 2]
 
 
+def delimited(tree: Mapping) -> list[tuple[Way, Mapping]]:
+    """The links with the same delimiters in both directions."""
+    return [(way, node) for way, node in top("links")(tree) if "delimiters" not in node.values]
+
+
 def inner(section: str, step: str, *keys: str) -> Callable[[Mapping], list[tuple[Way, Mapping]]]:
     """The mappings of a section that stand under a key, or in the list under it."""
     return lambda tree: [(way, node) for way, node in of(tree, section, keys=keys) if step in way[-2:]]
@@ -281,8 +286,8 @@ MUTATIONS: tuple[tuple[str, Mutation], ...] = (
     ("byte_order_changed", turned("word_order")),
     ("check_changed", setting(parts("checksum", "algorithm"), "algorithm", other_word(ALGORITHMS, "algorithm"))),
     ("framing_changed", setting(top("links", "encoding"), "encoding", other_word(("binary", "hex_ascii"), "encoding"))),
-    ("framing_changed", setting(top("links"), "start", lambda node, chance: f"{chance.randint(16, 99)}")),
-    ("framing_changed", setting(top("links"), "end", lambda node, chance: f"{chance.randint(16, 99)}")),
+    ("framing_changed", setting(delimited, "start", lambda node, chance: f"{chance.randint(16, 99)}")),
+    ("framing_changed", setting(delimited, "end", lambda node, chance: f"{chance.randint(16, 99)}")),
     (
         "error_reply_changed",
         setting(inner("links", "exception_response", "flag"), "flag", lambda node, chance: chance.choice((1, 2, 4))),

@@ -3,7 +3,8 @@
 A case is a folder `cases/<rule>/failing*` or `cases/<rule>/passing*`. Its `*.yaml` are the files of one device, or, in
 folders, those of several devices and protocols. `expected.txt` holds the findings of a failing case. `limits.json`
 sets limits of the compiler to other values, where the real ones would ask for a large file. Of rules of audits, a case
-also has `manual.txt`, the text of which an index stands beside the spec, or `dump.csv`, what the device held.
+also has `manual.txt`, the text of which an index stands beside the spec, `dump.csv`, what the device held, or
+`evidence`, a folder with units and perhaps a baseline.
 """
 
 from __future__ import annotations
@@ -19,8 +20,10 @@ from fieldspec.audit.register_dump import compared, judged
 from fieldspec.audit.review import sign_off
 from fieldspec.audit.section import Subject
 from fieldspec.backends import OUTPUTS
+from fieldspec.commands.evidence_audit import folder_report
 from fieldspec.commands.spec_files import files as specs
 from fieldspec.diagnostics import Diagnostic, in_order
+from fieldspec.evidence.report import baseline
 from fieldspec.facts import rows
 from fieldspec.lists.dump import dump
 from fieldspec.lists.text_sheet import text_sheet
@@ -42,6 +45,10 @@ def audited(folder: Path, spec: DeviceSpec) -> list[Diagnostic]:
     """The findings of an audit: from the manual and the reviews, or from a dump where the case has one."""
     versions = layouts(spec)
     path, manual = folder / "dump.csv", folder / "manual.txt"
+    if (folder / "evidence").is_dir():
+        recorded = folder / "baseline.json"
+        old = baseline(recorded.name, recorded.read_text("utf-8")) if recorded.exists() else None
+        return [*folder_report(folder / "evidence", old, versions[-1], {})[1]]
     if path.exists():
         data = path.read_bytes()
         file = SourceFile(path.name, data.decode("utf-8"))

@@ -31,7 +31,7 @@ from python_package import (
 )
 from random_values import values_of
 
-EXAMPLE_COUNT = 150
+EXAMPLE_COUNT = 50
 LAYOUTS = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts()}
 EXAMPLES = [
     pytest.param(layout, example, id=f"{name}-{example.id}")
@@ -199,7 +199,7 @@ def decoded_by_codec(layout: DeviceLayout, link: str, direction: str, message: s
     if refusal is not None and hasattr(decoded, "exception"):
         return True, decoded.code, head, raws(decoded.exception, layout.records[refusal.record])
     content = decoded.message
-    records = (message_layout.data(direction) for message_layout in layout.messages.values())
+    records = (body for message_layout in layout.messages.values() for body in message_layout.bodies)
     record = next(record for record in records if record_class(module_of(layout), record) is type(content))
     return False, type(content).CODE if coded else None, head, raws(content, record)
 
@@ -221,7 +221,7 @@ def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: by
     reference = reference_of(layout).links[link]
     shape = layout.links[link].frame(direction)
     try:
-        data = bytearray(reference.parts(frame))
+        data = bytearray(reference.parts(frame, direction))
     except CodecError:
         return frame
     length, check = shape.role("length"), shape.checksum

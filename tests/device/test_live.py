@@ -172,6 +172,24 @@ def test_changes_are_watched(tc100: SimulatedDevice, capsys: pytest.CaptureFixtu
     assert capsys.readouterr().out.count("servo_on") == 1
 
 
+def test_a_dump_and_a_scan_are_evidence_without_a_contradiction(
+    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    unit = tmp_path / "units" / "bench"
+    unit.mkdir(parents=True)
+    (unit / "unit.yaml").write_text('model: TC100\nfirmware: "2.0"\nserial_number: redacted\n', "utf-8")
+    assert live(tc100, "dump", str(unit / "rest.csv")) == 0
+    capsys.readouterr()
+    assert live(tc100, "scan", "0x1000..0x103F", "--format", "json") == 0
+    (unit / "scan.json").write_text(capsys.readouterr().out, "utf-8")
+    code = main(["audit", "tc100", "--evidence", str(unit.parent), "--format", "json", "--specs", str(SPECS)])
+    rows = json.loads(capsys.readouterr().out)["sections"]["evidence"]["tables"]["evidence"]
+    seen = {row["fact"]: row["state"] for row in rows if row["aspect"] == "address"}
+    assert code == 0
+    assert seen["registers/action_status"] == "observed"
+    assert "contradicted" not in seen.values()
+
+
 def test_a_scan_finds_what_the_spec_does_not_have_and_what_does_not_answer(
     tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str]
 ) -> None:

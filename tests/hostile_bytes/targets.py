@@ -33,7 +33,9 @@ def module(device: str) -> Any:
     if package not in sys.path:
         sys.path.insert(0, package)
     name = f"fieldspec_devices.{device.replace('-', '_')}"
-    versions = [path.stem for path in (GENERATED / "python" / name.replace(".", "/")).glob("v*.py")]
+    stems = [path.stem for path in (GENERATED / "python" / name.replace(".", "/")).glob("v*.py")]
+    # Beside the module of a version is that of its client.
+    versions = [stem for stem in stems if stem[1:].replace("_", "").isdigit()]
     return importlib.import_module(f"{name}.{max(versions, key=_order)}")
 
 

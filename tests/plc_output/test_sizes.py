@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from loaded import DEVICES, NAMES, REAL, program_of, proof, words_in
 from st_declared import NATURAL, size_of
-from standard_text import named, without_comments
+from standard_text import anonymous, named, without_comments
 
 from external_tools import require_tool
 from fieldspec.backends.st.backend import files, text
@@ -114,7 +114,8 @@ def test_the_table_of_places_is_whole_and_has_no_gaps(root: Path, device: str) -
 def unpacked_types(text: str) -> str:
     """The structs of a text for matiec: without pragmas, with numbers for enums, with names for types of arrays."""
     enums = dict(re.findall(r"TYPE (\w+) :\n\(.*?\n\) (\w+);", text, re.DOTALL))
-    structs = re.findall(r"^TYPE \w+ :\nSTRUCT\n.*?^END_TYPE$", without_comments(text), re.DOTALL | re.MULTILINE)
+    anonymous_text = anonymous(without_comments(text))
+    structs = re.findall(r"^TYPE \w+ :\nSTRUCT\n.*?^END_TYPE$", anonymous_text, re.DOTALL | re.MULTILINE)
     remaining = [struct for struct in structs if "STRING(" not in struct]
     return named(re.sub(r"\bE_\w+", lambda match: enums[match.group()], "\n".join(remaining)))
 

@@ -71,7 +71,7 @@ def addressed_values(layout: DeviceLayout) -> Iterator[AddressedValue]:
                 register.reserved,
             )
     for table in layout.tables.values():
-        placed = list(_flat(table.record, table.table.access))
+        placed = list(values_of_record(table.record, table.table.access))
         for index in table.table.indexes:
             for name, field, byte, access in placed:
                 yield _field(device.space_name(table.table.space), table, index, name, field, byte, access)
@@ -96,7 +96,7 @@ def _field(
     )
 
 
-def _flat(
+def values_of_record(
     record: RecordLayout, access: str, before: str = "", at: int = 0
 ) -> Iterator[tuple[str, FieldLayout, int, str]]:
     """The values of a record, also of nested records: name, field, first byte and access of each element.
@@ -110,6 +110,6 @@ def _flat(
             name = f"{before}{field.name}" + (f"[{number}]" if count > 1 else "")
             byte = at + field.offset + number * field.size
             if field.record is not None:
-                yield from _flat(field.record, allowed, f"{name}.", byte)
+                yield from values_of_record(field.record, allowed, f"{name}.", byte)
             elif field.value is not None:
                 yield name, field, byte, allowed

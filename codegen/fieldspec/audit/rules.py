@@ -64,6 +64,31 @@ Example: a percentage of 130 in a register with the range 0..100.
 
 Cure: If the device is right, correct the range, and write an erratum if the manual disagrees.
 """,
+    "evidence_agrees": """What real units show agrees with the spec.
+
+Why: where the wire contradicts the spec, the manual, the spec or the unit is wrong, and machines move by it.
+
+Example: a capture in which the speed is 130, with the range 0..100.
+
+Cure: Decide who is right. Correct the spec, with an erratum if the manual is wrong, or report the unit to the
+manufacturer. A baseline that has the contradiction makes the finding a warning.
+""",
+    "evidence_not_lost": """What the evidence of a baseline showed, the evidence of now shows too.
+
+Why: a fact whose only capture was deleted, or that a change of the spec has moved, rests on the manual alone again.
+
+Example: the baseline has `observed` for a register, and the file that showed it is missing.
+
+Cure: Bring back the files, or record the table `evidence` again as the baseline.
+""",
+    "evidence_notes_complete": """The note of a unit says what the unit is, and no serial number.
+
+Why: evidence counts for a model and a firmware; a serial number says who owns the unit.
+
+Example: a `unit.yaml` without `firmware`.
+
+Cure: Write `model`, `firmware` and `serial_number: redacted`; `unit_address` and `remarks` are optional.
+""",
     "manual_accounted": """Everything in the manual that looks like a fact is in the spec, is covered by an
 erratum, or is deliberately left out.
 

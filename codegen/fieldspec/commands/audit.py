@@ -79,7 +79,7 @@ def _file(name: str, data: bytes, encoding: str, sheet: Sheet) -> tuple[SourceFi
 OF_DUMPS = ("address", "value", "words", "space", "base", "offset", "encoding", "sheet")
 """The options that say how a dump is read."""
 
-ALONE = ("sign", "dump", "record", "as_printed", "captures")
+ALONE = ("sign", "dump", "record", "as_printed", "captures", "evidence")
 """The options that ask for something other than the audit; each excludes the others."""
 
 FORMED = ("sign", "record")
@@ -119,6 +119,8 @@ def run(arguments: argparse.Namespace) -> int:
     options = [option for option in OF_DUMPS if getattr(arguments, option) is not None]
     if options and not arguments.dump:
         raise UsageError(f"--{options[0]} goes with --dump FILE")
+    if arguments.baseline and not arguments.evidence:
+        raise UsageError("--baseline goes with --evidence FOLDER")
     if arguments.captures:
         return _print_captures(arguments)
     load_checks()
@@ -131,6 +133,8 @@ def run(arguments: argparse.Namespace) -> int:
         return audit_files.sign(arguments, spec, [layouts[each_version] for each_version in spec.versions()])
     if arguments.dump:
         return _print_dump(arguments, layout)
+    if arguments.evidence:
+        return _print_evidence(arguments, layout, layouts)
     if arguments.record:
         return audit_files.record(arguments.specs, layout.device, arguments.manual)
     index, manual = audit_files.compared(arguments.specs, spec.id, arguments.manual)
@@ -160,7 +164,7 @@ def _must_go_together(arguments: argparse.Namespace) -> None:
         raise UsageError(
             f"{_option_text(asked[0])} prints no report, so {_option_text(beside[0])} has no effect; leave it out"
         )
-    if asked and asked[0] in ("sign", "dump", "captures") and arguments.manual:
+    if asked and asked[0] in ("sign", "dump", "captures", "evidence") and arguments.manual:
         raise UsageError(f"{_option_text(asked[0])} reads no manual, so --manual has no effect; leave it out")
 
 
@@ -174,6 +178,19 @@ def _print_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> int:
 
     section, findings = register_dump(arguments, layout)
     report = dump_report(layout, section)
+    if arguments.table:
+        _print_table(report, arguments)
+    else:
+        _print_report(report, findings, arguments, layout.device)
+    return 1 if has_errors(findings) else 0
+
+
+def _print_evidence(arguments: argparse.Namespace, layout: DeviceLayout, layouts: Mapping[str, DeviceLayout]) -> int:
+    """Prints the report on the evidence of real units. Exit code 1 where a finding is an error."""
+    from fieldspec.commands import evidence_audit
+
+    report, findings = evidence_audit.report(arguments, layout, layouts)
+    findings = tuple(in_order(findings))
     if arguments.table:
         _print_table(report, arguments)
     else:

@@ -33,6 +33,10 @@ def add_audit(audit: argparse.ArgumentParser) -> None:
     audit.add_argument("--encoding", metavar="NAME", help="the encoding of the dump, such as gbk, big5 or utf-16")
     captures = "report what captures show, or the tables that decode --to parquet has written"
     audit.add_argument("--captures", metavar="FOLDER", help=captures)
+    evidence = "report what dumps, scans and captures of real units show, a folder for each unit"
+    audit.add_argument("--evidence", metavar="FOLDER", help=evidence)
+    lost = "with --evidence: the table `evidence` of an earlier report as JSON; evidence that is lost is a finding"
+    audit.add_argument("--baseline", metavar="FILE", help=lost)
     audit.add_argument("--sheet", metavar="NAME", help="the sheet, if the dump is a workbook")
     signs = "record that a section of the manual was compared with the spec (`all`: every section)"
     audit.add_argument("--sign", metavar="SECTION", help=signs)

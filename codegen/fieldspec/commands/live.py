@@ -324,6 +324,9 @@ def _scan(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> in
     alike = [item.version for item in versions if item.differences == min(other.differences for other in versions)]
     if arguments.format == "json":
         data = {
+            "space": space,
+            "words": {f"0x{address:04X}": result.words[address] for address in sorted(result.words)},
+            "refused": [f"0x{address:04X}" for address in sorted(result.asked - result.words.keys())],
             "answering": len(result.words),
             "asked": len(result.asked),
             "unknown": [list(pair) for pair in own.unknown],

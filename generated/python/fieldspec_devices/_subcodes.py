@@ -17,7 +17,8 @@ class Subcodes:
     __slots__ = ("classes", "offset", "order", "size")
 
     def __init__(self, offset: int, size: int, order: Literal["big", "little"], classes: dict[int, Any]) -> None:
-        self.offset, self.size, self.order, self.classes = offset, size, order, classes
+        self.order: Literal["big", "little"] = order
+        self.offset, self.size, self.classes = offset, size, classes
 
     def of(self, body: Data, head_size: int) -> Any:
         """The class of some data behind a header. Raises CodecError.

@@ -171,7 +171,10 @@ class Sql:
 
     def decimal(self, number: str, scale: DecimalScale) -> str:
         """An exact quantity."""
-        result = f"{number}::DECIMAL({scale.digits}, 0)"
+        # DuckDB multiplies decimals of at most 18 digits in 64 bits, also where the product has more.
+        factors = scale.digits + len(scale.scale.as_tuple().digits)
+        digits = scale.digits if max(factors, scale.precision) <= 18 else max(scale.digits, 19)
+        result = f"{number}::DECIMAL({digits}, 0)"
         if scale.scale != 1:
             result = f"{result} * {decimal_text(scale.scale)}"
         if scale.offset:

@@ -1,0 +1,194 @@
+"""`fieldspec audit --evidence`: what dumps, scans and captures of real units show of the facts of a spec."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from fieldspec.audit.register_dump import compared
+from fieldspec.commands import list_files, regular_file
+from fieldspec.commands.regular_file import SizeError
+from fieldspec.commands.usage import UsageError
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.evidence.dump_values import add_dump, add_scan
+from fieldspec.evidence.notes import FILE, UnitNote, unit_note
+from fieldspec.evidence.observables import Observables
+from fieldspec.evidence.report import Baseline, BaselineError, baseline, evidence_report
+from fieldspec.evidence.unit_evidence import UnitEvidence
+from fieldspec.lists.dump import dump, object_sheet
+from fieldspec.lists.sheet import ListError
+from fieldspec.lists.workbook import MAGIC
+
+if TYPE_CHECKING:
+    from fieldspec.audit.section import Report
+    from fieldspec.layout.device import DeviceLayout
+
+_MOST_BYTES = 16 << 20
+_HEAD = 4096
+_FILES = 40
+"""The bits of the number of a moment that number the frames of a file."""
+
+
+def report(
+    arguments: argparse.Namespace, layout: DeviceLayout, layouts: Mapping[str, DeviceLayout]
+) -> tuple[Report, tuple[Diagnostic, ...]]:
+    """The report that the options ask for, and its findings. Raises UsageError."""
+    old = _baseline(arguments.baseline) if arguments.baseline else None
+    return folder_report(Path(arguments.evidence), old, layout, layouts)
+
+
+def folder_report(
+    folder: Path, old: Baseline | None, layout: DeviceLayout, layouts: Mapping[str, DeviceLayout]
+) -> tuple[Report, tuple[Diagnostic, ...]]:
+    """The report on a folder of units, and its findings; those in the notes alone where there are any.
+
+    `layouts` are those of all versions. Raises UsageError.
+    """
+    notes, findings = _notes(folder)
+    if findings:
+        return evidence_report(layout, (), (), None)[0], tuple(findings)
+    observables = Observables(layout)
+    units: list[UnitEvidence] = []
+    others: list[tuple[str, ...]] = []
+    for path, note in notes:
+        other = layouts.get(note.firmware)
+        if other is not None and other.identity != layout.identity:
+            remark = f"not counted: audit {layout.device.id}@{note.firmware}"
+            others.append((note.name, note.model, note.firmware, "", remark))
+        else:
+            units.append(_unit_evidence(path, note, layout, observables))
+    return evidence_report(layout, units, others, old)
+
+
+def _baseline(name: str) -> Baseline:
+    try:
+        return baseline(name, regular_file.content(name, _MOST_BYTES).decode("utf-8"))
+    except SizeError:
+        raise UsageError(f"{name} has more than {_MOST_BYTES >> 20} MiB; a baseline is smaller") from None
+    except OSError as error:
+        raise UsageError(f"cannot read {name}: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise UsageError(f"{name} is not UTF-8") from None
+    except BaselineError as error:
+        raise UsageError(f"{name} {error}") from None
+
+
+def _notes(folder: Path) -> tuple[list[tuple[Path, UnitNote]], list[Diagnostic]]:
+    """The folder and the note of each unit, and what is wrong with the notes. Raises UsageError."""
+    if not folder.is_dir():
+        raise UsageError(f"there is no folder {folder}")
+    paths = sorted(each for each in folder.iterdir() if each.is_dir() and not each.name.startswith("."))
+    if not paths:
+        raise UsageError(f"{folder} has no folder of a unit: put the files of each unit into one, with a {FILE}")
+    notes: list[tuple[Path, UnitNote]] = []
+    findings: list[Diagnostic] = []
+    for path in paths:
+        name = path / FILE
+        try:
+            data = regular_file.content(name, _MOST_BYTES)
+        except FileNotFoundError:
+            raise UsageError(f"{path} has no {FILE} that says which unit it is of") from None
+        except SizeError:
+            raise UsageError(f"{name} has more than {_MOST_BYTES >> 20} MiB; a note is smaller") from None
+        except OSError as error:
+            raise UsageError(f"cannot read {name}: {error.strerror}") from None
+        note, wrong = unit_note(path.name, f"{path.name}/{FILE}", data)
+        findings += wrong
+        if note is not None:
+            notes.append((path, note))
+    return notes, findings
+
+
+def _unit_evidence(path: Path, note: UnitNote, layout: DeviceLayout, observables: Observables) -> UnitEvidence:
+    """The evidence in the folder of a unit. Raises UsageError."""
+    unit = UnitEvidence(note, layout)
+    files = sorted(each for each in path.rglob("*") if each.is_file() and not each.name.startswith("."))
+    files = [each for each in files if each != path / FILE]
+    if not files:
+        raise UsageError(f"{path} has no dump, scan or capture")
+    for number, each in enumerate(files):
+        source = each.relative_to(path).as_posix()
+        try:
+            with open(each, "rb") as file:
+                head = file.read(_HEAD)
+        except OSError as error:
+            raise UsageError(f"cannot read {each}: {error.strerror}") from None
+        if _is_dump(head):
+            _add_dump(unit, observables, each, source, number << _FILES)
+        else:
+            _add_capture(unit, observables, each, source, number << _FILES)
+        unit.sources.append(source)
+    return unit
+
+
+def _is_dump(head: bytes) -> bool:
+    """Whether a file holds values of one moment: a workbook, JSON, or rows of addresses and values without times."""
+    if head.startswith(MAGIC) or head.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] in (b"{", b"["):
+        return True
+    first = head.removeprefix(b"\xef\xbb\xbf").partition(b"\n")[0].decode("utf-8", "replace").lower()
+    cells = [cell.strip(' "\r') for separator in ",;\t" for cell in first.split(separator)]
+    has_time = any(cell.startswith(("time", "date")) for cell in cells)
+    return not has_time and any(cell.startswith("addr") for cell in cells)
+
+
+def _add_dump(unit: UnitEvidence, observables: Observables, path: Path, source: str, moment: int) -> None:
+    data = list_files.content(str(path))
+    scan = _scan(data)
+    try:
+        if scan is not None:
+            space, words, refused = scan
+            data = json.dumps(words).encode()
+            add_scan(unit, observables, space, refused)
+            if not words:
+                return
+        sheet = object_sheet(data) or list_files.sheet(data, "", "")
+        add_dump(unit, observables, compared(observables.layout, dump(sheet, {})), source, moment)
+    except ListError as error:
+        raise UsageError(f"{path} {error}") from None
+
+
+def _scan(data: bytes) -> tuple[str, dict[str, int], frozenset[int]] | None:
+    """The space, the words and the refused addresses in what `live scan --format json` prints; None for other files."""
+    try:
+        content = json.loads(data)
+        if not isinstance(content, dict) or not {"space", "words", "refused"} <= content.keys():
+            return None
+        refused = frozenset(int(address, 16) for address in content["refused"])
+        return str(content["space"]), dict(content["words"]), refused
+    except (ValueError, TypeError, RecursionError):
+        return None
+
+
+def _add_capture(unit: UnitEvidence, observables: Observables, path: Path, source: str, moment: int) -> None:
+    """Adds the values in a capture. Raises UsageError for one without any frame of the device."""
+    from fieldspec.commands.bulk_decoding import require_captures
+
+    require_captures()
+    from fieldspec.captures.capture_files import CaptureError
+    from fieldspec.captures.conversion import Conversion
+    from fieldspec.captures.decoding import Choices, DeviceDecoder
+    from fieldspec.evidence.capture_values import CaptureValues
+
+    address = unit.note.unit_address
+    units = frozenset() if address is None else frozenset((address,))
+    decoder = DeviceDecoder(observables.layout, Choices(units=units))
+    values = CaptureValues(unit, observables, decoder, source, moment)
+    try:
+        with open(path, "rb") as file:
+            conversion = Conversion(file, decoder, ())
+            for batches in conversion.batches():
+                for batch in batches:
+                    values.add(batch)
+            for what, count in sorted(conversion.counters().items()):
+                print(f"fieldspec: {path}: {what}: {count}", file=sys.stderr)
+    except CaptureError as error:
+        raise UsageError(f"{path} could not be read: {error}") from None
+    except OSError as error:
+        raise UsageError(f"cannot read {path}: {error.strerror}") from None
+    values.finish()
+    if not values.frames:
+        raise UsageError(f"{path} has no frame of {observables.layout.device.id}")
