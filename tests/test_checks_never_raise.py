@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from example_counts import FACTOR
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import device_layout
 from fieldspec.proofs.running import everything
@@ -40,7 +41,7 @@ WORDS = (
     "little",
     "body",
 )
-ROUNDS = 12
+ROUNDS = 5 * FACTOR
 
 
 @lru_cache(maxsize=1)

@@ -15,6 +15,7 @@ import jsonschema_rs
 import pytest
 from jsonschema.protocols import Validator
 
+from example_counts import FACTOR
 from fieldspec.reading.nodes import json_data
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.yaml_reader import decoded, parsed
@@ -24,7 +25,7 @@ ROOT = Path(__file__).parent.parent
 SCHEMA = ROOT / "codegen" / "fieldspec" / "schema" / "spec.schema.json"
 SPECS = sorted([*(ROOT / "specs").rglob("*.yaml"), *(ROOT / "tests" / "specs").rglob("*.yaml")])
 WIDTH = 120
-MUTATIONS = 40
+MUTATIONS = 30 * FACTOR
 """How many mutations of each spec file are judged."""
 
 

@@ -72,6 +72,7 @@ def test_every_standard_of_cpp_accepts_the_header(source: Path, standard: str) -
     assert complaints(command) == ""
 
 
+@pytest.mark.parametrize("source", [*layouts(SPECS), "caller", "glider-x", "widget"], indirect=True)
 def test_cppcheck_finds_nothing(source: Path) -> None:
     header = str(source).replace("_selftest.c", ".h")
     command = [
