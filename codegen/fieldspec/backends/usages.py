@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
+from fieldspec.model.enums import Enum, Member
 from fieldspec.model.value import Kind, Value
 
 
@@ -52,3 +54,27 @@ def sample_count(value: Value, device: Device) -> int | None:
     if isinstance(value.default, int) and (ranges is None or value.default in ranges):
         return value.default
     return 0 if ranges is None or 0 in ranges else ranges.low
+
+
+def sample_text(
+    value: Value, device: Device, member_text: Callable[[Enum, Member], str], number_text: Callable[[int], str]
+) -> str:
+    """An expression of a language with braces that may be written; empty where there is none, and for constants.
+
+    `member_text` gives the constant of a member of an enum, `number_text` the literal of a whole number.
+    """
+    kind = value.type.kind
+    if kind is Kind.FLOAT:
+        return "0" if value.ranges is None or 0 in value.ranges else str(value.ranges.low)
+    if value.const is not None:
+        return ""
+    if kind is Kind.BOOLEAN:
+        return "true" if value.ranges is None or 1 in value.ranges else "false"
+    count = sample_count(value, device)
+    if count is None:
+        return ""
+    enum = device.enums.get(value.enum)
+    for member in enum.members if enum is not None else ():
+        if enum is not None and member.value == count and not member.unavailable:
+            return member_text(enum, member)
+    return number_text(count)

@@ -10,13 +10,13 @@ from fieldspec.backends.c.frames import header_parameters
 from fieldspec.backends.c.naming import Naming, Noun, member
 from fieldspec.backends.c.runtime_files import is_bit
 from fieldspec.backends.c.values import WireValue, accessed_type
-from fieldspec.backends.usages import Usage, VersionUsages, sample_count
+from fieldspec.backends.usages import Usage, VersionUsages, sample_text
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.access import readable, writable
-from fieldspec.model.value import Kind, Value
+from fieldspec.model.value import Value
 from fieldspec.names import stem
 
 _INCLUDE = '#include "@header@"\n'
@@ -177,19 +177,10 @@ class _Usages:
 
     def _sample(self, value: Value) -> str:
         """An expression that may be written; empty where there is none."""
-        kind = value.type.kind
-        if kind is Kind.FLOAT:
-            return "0" if value.ranges is None or 0 in value.ranges else str(value.ranges.low)
-        if value.const is not None:
-            return ""
-        if kind is Kind.BOOLEAN:
-            return "true" if value.ranges is None or 1 in value.ranges else "false"
-        count = sample_count(value, self.layout.device)
-        if count is None:
-            return ""
-        enum = self.layout.device.enums.get(value.enum)
-        for row in enum.members if enum is not None else ():
-            if row.value == count and not row.unavailable and enum is not None:
-                return self.naming.macro("enum", enum.name, row.name)
-        suffix = "u" if not value.type.signed else ""
-        return f"{count}{suffix}" if abs(count) < 1 << 31 else f"{count}{suffix}ll"
+        suffix = "" if value.type.signed else "u"
+        return sample_text(
+            value,
+            self.layout.device,
+            lambda enum, row: self.naming.macro("enum", enum.name, row.name),
+            lambda count: f"{count}{suffix}" if abs(count) < 1 << 31 else f"{count}{suffix}ll",
+        )

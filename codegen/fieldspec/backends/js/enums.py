@@ -4,20 +4,29 @@ from __future__ import annotations
 
 from fieldspec.backends.fact_texts import described, sentence
 from fieldspec.backends.js.declaration import Declaration, Names
-from fieldspec.backends.js.naming import property_scope
+from fieldspec.backends.js.naming import Scope, property_scope
 from fieldspec.backends.js.text import comment, literal
 from fieldspec.backends.js.units import unit_of
-from fieldspec.model.enums import Bit, Enum, Flags
+from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.names import Name
 
 TEXTS = ("alarm", "error", "exception", "fault", "warning")
 """The kinds of enums whose members have texts that people look up."""
 
 
+def member_keys(enum: Enum) -> dict[str, str]:
+    """The key of each member of an enum in JavaScript, by its name in the spec; unavailable members have none."""
+    return {member.name: key for key, member in _members(enum, property_scope())}
+
+
+def _members(enum: Enum, scope: Scope) -> list[tuple[str, Member]]:
+    return [(scope.take(Name.of(member.name).pascal()), member) for member in enum.members if not member.unavailable]
+
+
 def declare_enum(enum: Enum, name: str) -> Declaration:
     """The members of an enum by name."""
     scope = property_scope()
-    members = [(scope.take(Name.of(member.name).pascal()), member) for member in enum.members if not member.unavailable]
+    members = _members(enum, scope)
     code = [f"export const {name} = /* @__PURE__ */ Object.freeze({{"]
     aliases = [
         (scope.take(Name.of(alias).pascal()), key, member) for key, member in members for alias in member.aliases

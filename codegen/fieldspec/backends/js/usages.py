@@ -6,18 +6,19 @@ import re
 from collections.abc import Iterator, Sequence
 
 from fieldspec.backends.js.declaration import Names
+from fieldspec.backends.js.enums import member_keys
 from fieldspec.backends.js.links import argument_keys, carries
 from fieldspec.backends.js.members import Member, members_of
 from fieldspec.backends.js.module import declarations
-from fieldspec.backends.js.naming import module_scope, property_scope
+from fieldspec.backends.js.naming import module_scope
 from fieldspec.backends.js.registers import Access, accesses
 from fieldspec.backends.js.units import unit_of
-from fieldspec.backends.usages import Usage, VersionUsages, sample_count
+from fieldspec.backends.usages import Usage, VersionUsages, sample_text
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.model.access import readable, writable
-from fieldspec.model.value import Kind, Value
+from fieldspec.model.value import Value
 from fieldspec.names import Name, version_word
 
 _IMPORT = 'import * as device from "fieldspec-devices/@folder@/@module@.js";\n'
@@ -212,24 +213,9 @@ class _Usages:
 
     def _sample(self, value: Value, size: int) -> str:
         """An expression that may be written; empty where there is none."""
-        kind = value.type.kind
-        if kind is Kind.FLOAT:
-            return "0" if value.ranges is None or 0 in value.ranges else str(value.ranges.low)
-        if value.const is not None:
-            return ""
-        if kind is Kind.BOOLEAN:
-            return "true" if value.ranges is None or 1 in value.ranges else "false"
-        count = sample_count(value, self.layout.device)
-        if count is None:
-            return ""
-        enum = self.layout.device.enums.get(value.enum)
-        if enum is not None:
-            scope = property_scope()
-            for member in enum.members:
-                if (
-                    not member.unavailable
-                    and (key := scope.take(Name.of(member.name).pascal()))
-                    and member.value == count
-                ):
-                    return f"device.{self.names.enums[enum.name]}.{key}"
-        return f"{count}n" if size > 6 else str(count)
+        return sample_text(
+            value,
+            self.layout.device,
+            lambda enum, row: f"device.{self.names.enums[enum.name]}.{member_keys(enum)[row.name]}",
+            lambda count: f"{count}n" if size > 6 else str(count),
+        )
