@@ -17,7 +17,7 @@ from simulators import SPECS
 def live(name: str, place: str, *arguments: str, folder: str = SPECS) -> int:
     """The exit code of a verb."""
     port = place.replace("tcp://", "socket://") if name == "esc11" else place
-    return main(["live", name, *arguments, "--port", port, "--timeout", "0.5", "--specs", folder])
+    return main(["live", name, *arguments, "--port", port, "--timeout", "0.5", "--pause", "0", "--specs", folder])
 
 
 @pytest.fixture

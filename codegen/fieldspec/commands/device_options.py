@@ -60,6 +60,8 @@ def add_live(live: argparse.ArgumentParser) -> None:
     live.add_argument(
         "--retries", type=int, default=2, metavar="NUMBER", help="how often a read is sent again (default: 2)"
     )
+    pause = "how long the line is silent before a request (default: as printed for the link)"
+    live.add_argument("--pause", type=float, metavar="SECONDS", help=pause)
     live.add_argument("--every", type=float, default=0.5, metavar="SECONDS", help="watch: the time between reads")
     live.add_argument("--count", type=int, default=0, metavar="NUMBER", help="watch: end after so many reads")
     live.add_argument("--dry-run", action="store_true", help="show what would be written, and write nothing")

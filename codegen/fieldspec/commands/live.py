@@ -156,7 +156,10 @@ def _client(layout: DeviceLayout, arguments: argparse.Namespace, carrier: Carrie
         if unit not in addresses.ranges:
             raise UsageError(f"the unit address {unit} is not in {addresses.ranges.text()}")
     settings = settings_of(link, arguments.baud, arguments.parity)
-    pause = settings.seconds(float(link.silence_characters or 0))
+    pause = arguments.pause
+    if pause is None:
+        printed = float(link.silence_milliseconds or 0) / 1000
+        pause = max(printed, settings.seconds(float(link.silence_characters or 0)))
     timing = Timing(arguments.timeout, pause, arguments.retries)
 
     def trace(direction: str, frame: bytes) -> None:

@@ -190,14 +190,14 @@ def read_parameter(client: Client, signal: Signal) -> Any:
     assert signal.parameter_set is not None
     message = parameter_message(client.frames.link, signal.parameter_set, "read")
     assert message is not None
-    answer = client.ask(message.name, _address(message.request, signal))
+    answer = client.ask(message.name, parameter_address(message.request, signal))
     carried = part_of(message.response, "value")
     assert carried is not None
     content = answer.values[carried.name]
     return content[0] if isinstance(content, list) else content
 
 
-def _address(request: RecordLayout, signal: Signal) -> dict[str, Any]:
+def parameter_address(request: RecordLayout, signal: Signal) -> dict[str, Any]:
     """The fields of a request that name a parameter: its number, the element, and how many elements."""
     number, index = part_of(request, "number"), part_of(request, "subindex")
     assert number is not None
@@ -264,7 +264,7 @@ def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str,
     message = parameter_message(client.frames.link, signal.parameter_set, "write")
     assert message is not None
     request = message.request
-    values = _address(request, signal)
+    values = parameter_address(request, signal)
     carried = part_of(request, "value")
     assert carried is not None
     values[carried.name] = [chosen.raw] if carried.is_list else chosen.raw
