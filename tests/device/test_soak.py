@@ -191,7 +191,7 @@ class Soak:
             signal = self.chance.choice(writes)
             interval = self.chance.choice(signal.value.ranges.intervals) if signal.value.ranges is not None else (0, 1)
             message, values, _ = parameter_request(
-                self.client, ParameterAssignment(signal, self.chance.randint(*interval), ())
+                self.client, ParameterAssignment(signal, self.chance.randint(*interval), (), ())
             )
             return message, values
         return None
