@@ -1280,10 +1280,13 @@ class AddressSpan {
     return this.bits === null ? "word" : "bit";
   }
 
-  /** The bytes at an address in the parts, and those of the value that they carry; undefined unless all are there. */
-  piece(address, size) {
+  /**
+   * The bytes in the parts that are `skip` bytes behind an address, and those of the value that they carry; undefined
+   * unless all are there.
+   */
+  piece(address, size, skip = 0) {
     if (this.bits !== null) return this.bitPiece(address - this.address);
-    const start = 2 * (address - this.address);
+    const start = 2 * (address - this.address) + skip;
     if (start < 0 || start + size > this.data.length) return undefined;
     const raw = this.data.subarray(start, start + size);
     return { at: this.at + start, raw, content: raw };
@@ -1391,6 +1394,7 @@ function addFields(occupants, device, table, span) {
           fact: field,
           outer: table,
           value: field.value,
+          skip: first & 1,
           access: table.accesses[field.name] ?? "",
           reserved: Boolean(field.reserved),
           atomic: table.atomic.includes(field.name),
@@ -1408,7 +1412,7 @@ function nearElements(base, { stride, words, count }, span) {
 }
 
 function registerRow(device, span, occupant, spot, operation) {
-  const piece = span.piece(occupant.address, occupant.value.size);
+  const piece = span.piece(occupant.address, occupant.value.size, occupant.skip);
   let read;
   if (piece) {
     const value = operation === "write" ? forWriting(occupant.value) : occupant.value;
@@ -3529,12 +3533,14 @@ class MessageForm {
     const words = [];
     for (const item of items.flatMap((text) => (/^[-+0-9a-fx ]+$/i.test(text) ? text.split(/\s+/) : [text]))) {
       const count = countOf(item);
-      const occupant = count === undefined ? occupantAt(device, access.space ?? "", address + words.length) : undefined;
+      const isWord = count !== undefined && count >= 0 && count <= 0xFFFF;
+      const occupant = !isWord ? occupantAt(device, access.space ?? "", address + words.length) : undefined;
       if (!occupant) {
         words.push(rawOf(device, leaf.path, leaf.field.value, item));
         continue;
       }
       const { path, value } = occupant;
+      if (value.size % 2) throw new CodecError("wrong_type", `${path} shares a word with others; enter the whole word`);
       const bytes = encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, rawOf(device, path, value, item)]]));
       for (let at = 0; at < bytes.length; at += 2) words.push(Number(unsignedOf(bytes.subarray(at, at + 2), device.data.wordOrder)));
     }
