@@ -9,6 +9,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
+from fieldspec.commands.journal_file import JournalFile
+from fieldspec.live.client import Client
+from fieldspec.live.journal import journal_state
+from fieldspec.testing import SimulatedDevice
 from point_lists import (
     WRITES,
     command,
@@ -20,11 +25,6 @@ from point_lists import (
     value_of,
     writes_of,
 )
-
-from fieldspec.commands.journal_file import JournalFile
-from fieldspec.live.client import Client
-from fieldspec.live.journal import journal_state
-from fieldspec.testing import SimulatedDevice
 
 
 class Killed(BaseException):
