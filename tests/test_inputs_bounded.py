@@ -144,7 +144,9 @@ def test_a_dump_that_is_nested_deep_is_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("verb", "first"), [(("compare", "tc100"), 0x1000), (("audit", "tc100", "--dump"), 0x20000)], ids=["compare", "audit"]
+    ("verb", "first"),
+    [(("compare", "tc100"), 0x1000), (("audit", "tc100", "--dump"), 0x20000)],
+    ids=["compare", "audit"],
 )
 def test_a_list_of_many_rows_prints_what_a_person_can_read(verb: tuple[str, ...], first: int, tmp_path: Path) -> None:
     path = tmp_path / "list.csv"
