@@ -112,11 +112,15 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
     reasons_of: dict[Reading, frozenset[str]] = {}
     for link in layout.links.values():
         for direction in ("request", "response"):
-            guessed = link.frame(direction).role("code") is None
             names = _of_length(link, direction, frame) if steps is _FITTING else list(link.carried(direction))
-            for message in names if guessed else ("",):
+            if link.frame(direction).role("code") is not None:
+                several = link.ambiguous_codes(direction).values()
+                names = ["", *(message.name for messages in several for message in messages if message.name in names)]
+            for message in names:
                 explanation = explained(layout, link.name, direction, frame, message)
-                reasons = frozenset((*explanation.reasons, _GUESSED) if guessed else explanation.reasons)
+                if message and explanation.error:
+                    continue
+                reasons = frozenset((*explanation.reasons, _GUESSED) if message else explanation.reasons)
                 reasons_of.setdefault((link.name, direction, explanation.message, explanation.error), reasons)
     for accepted in steps:
         fitting = [
@@ -312,13 +316,17 @@ class _Frame:
         carried = "request" if self.error else self.direction
         link = self.layout.links[self.link.name]
         body = None if self.error else self.data[self.shape.header_size : len(self.data) - self.shape.trailer_size]
-        self.message = link.message_with_code(code, carried, body)
+        self.message = link.message_with_code(code, carried, body, self.named)
         if self.error and self.message is None and link.messages_with_code(code, carried):
             # An exception response carries no subcode; only the request tells which message it answers.
             self.message = next((m for m in link.messages_with_code(code, carried) if m.name == self.named), None)
         if self.message is None:
             if self.error:
                 return replace(read, meanings=(Meaning("", "", f"the code {code:#04x} is refused", ""),))
+            several = link.ambiguous_codes(carried).get(code)
+            if several is not None:
+                names = ", ".join(message.name for message in several)
+                return read.judged(False, f"that of {names}, which only the request tells apart", "unknown_code")
             known = ", ".join(link.code_text(message, self.direction) for message in self.sent.values())
             return read.judged(False, f"one of {known}", "unknown_code")
         message = self.message.message

@@ -117,8 +117,8 @@ def _doubts(
     """What speaks against a reading, the gravest first: the mark in the log, that no example is such a frame, that the
     message is a guess, and that its length may be any.
     """
-    link, direction, message, _ = reading
-    guessed = layout.links[link].frame(direction).role("code") is None
+    link, direction, message, error = reading
+    guessed = not error and layout.links[link].is_guessed(direction, message)
     loose = guessed and bool(message) and layout.messages[message].data(direction).size is None
     return bool(mark) and direction != mark, reading not in examples, guessed, loose
 
