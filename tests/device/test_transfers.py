@@ -10,6 +10,14 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
+
+from fieldspec.cli import main
+from fieldspec.live.list_reading import entries
+from fieldspec.live.reading import reading
+from fieldspec.live.register_access import RegisterAccess
+from fieldspec.live.value_files import file_content, file_sheet
+from fieldspec.live.value_lists import elements, table_list
+from fieldspec.testing import SimulatedDevice, simulation
 from point_lists import (
     HEAD,
     five_points,
@@ -19,14 +27,6 @@ from point_lists import (
     value_of,
     writes_of,
 )
-
-from fieldspec.cli import main
-from fieldspec.live.list_reading import entries
-from fieldspec.live.reading import reading
-from fieldspec.live.register_access import RegisterAccess
-from fieldspec.live.value_files import file_content, file_sheet
-from fieldspec.live.value_lists import elements, table_list
-from fieldspec.testing import SimulatedDevice, simulation
 from simulators import SPECS, parts_of
 
 
