@@ -73,6 +73,18 @@ def add_scan(scan: argparse.ArgumentParser) -> None:
     scan.add_argument("--format", choices=("text", "json"), default="text", help="json is evidence for audit")
 
 
+def add_redact(redact: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `redact`."""
+    redact.add_argument("device", metavar="DEVICE[@VERSION]")
+    paths = "captures, logs, dumps and scans; the folder of a unit; or a folder with folders of units"
+    redact.add_argument("paths", nargs="+", metavar="PATH", help=paths)
+    redact.add_argument("--out", metavar="FOLDER", required=True, help="an empty folder for what is written")
+    secret = "a number or a text that must not be in the output, in any encoding; may be repeated"
+    redact.add_argument("--secret", metavar="TEXT", action="append", help=secret)
+    spare = "a text that says nothing of the unit, and is taken over; may be repeated"
+    redact.add_argument("--spare", metavar="NAME", action="append", help=spare)
+
+
 def _add_connection(verb: argparse.ArgumentParser) -> None:
     """Adds the options that say where a device is, and how it is asked."""
     where = "a serial port, socket://HOST:PORT, tcp://HOST:PORT or udp://HOST:PORT"
