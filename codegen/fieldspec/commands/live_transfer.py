@@ -141,7 +141,7 @@ def _row(layout: DeviceLayout, change: Change) -> dict[str, object]:
 
 def _texts(layout: DeviceLayout, change: Change) -> tuple[str, str]:
     """What the device has, and what the file has."""
-    new = reading(layout, change.chosen.occupant, change.chosen.words)
+    new = reading(layout, change.chosen.space, change.chosen.occupant, change.chosen.words)
     now = f"refused: {change.before.refusal}" if change.before.refusal else str(cell(layout, change.before))
     return now, str(cell(layout, new))
 

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 
 from fieldspec.classes import dataclass, field, replace
 from fieldspec.explain.body import Body
+from fieldspec.explain.lengths import names_of_length
 from fieldspec.explain.registers import accessed, accessed_bits, register_rows
 from fieldspec.explain.row import (
     ExplanationRow,
@@ -27,11 +28,11 @@ from fieldspec.explain.row import (
 from fieldspec.explain.values import DecodedValue, Meaning, decode_value, whole
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.escapes import EscapeError, original_places
-from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.frame import MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.values import Raw
 
-__all__ = ["Explanation", "ExplanationRow", "Meaning", "closest", "explained", "lengths", "recognised"]
+__all__ = ["Explanation", "ExplanationRow", "Meaning", "closest", "explained", "recognised"]
 
 Reading = tuple[str, str, str, bool]
 """What a frame may be: its link, its direction, its message, and whether it is an exception response."""
@@ -112,7 +113,7 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
     reasons_of: dict[Reading, frozenset[str]] = {}
     for link in layout.links.values():
         for direction in ("request", "response"):
-            names = _of_length(link, direction, frame) if steps is _FITTING else list(link.carried(direction))
+            names = names_of_length(link, direction, frame) if steps is _FITTING else list(link.carried(direction))
             if link.frame(direction).role("code") is not None:
                 several = link.ambiguous_codes(direction).values()
                 names = ["", *(message.name for messages in several for message in messages if message.name in names)]
@@ -129,24 +130,6 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
         if fitting:
             return fitting
     return []
-
-
-def _of_length(link: LinkLayout, direction: str, frame: bytes) -> list[str]:
-    """The messages whose body can be as long as that of the frame."""
-    length = len(unwrapped(link.link, direction, frame).data)
-    escape = link.frame(direction).escape
-    if escape is not None:
-        bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
-        return [name for name, (_, most) in bounds if most is None or length <= escape.most(most)]
-    bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
-    return [name for name, (least, most) in bounds if least <= length and (most is None or length <= most)]
-
-
-def lengths(link: LinkLayout, direction: str, message: str) -> tuple[int, int | None]:
-    """The least and the greatest size of a message's frames without delimiters, in bytes; None is unbounded."""
-    shape, body = link.frame(direction), link.messages[message].data(direction)
-    around = shape.header_size + shape.trailer_size
-    return body.least + around, None if body.most is None else body.most + around
 
 
 class _Frame:
@@ -378,7 +361,7 @@ class _Frame:
         if bits is not None:
             span = accessed_bits(bits, body.values, asked, at, data)
         else:
-            span = accessed(access, body.values, asked, at, data[: len(data) // 2 * 2])
+            span = accessed(access, body.values, asked, at, data, self.layout.device.space(access.space).unit_size)
         return rows, tuple(register_rows(self.layout, span, self.spot, access.operation)) if span else ()
 
     def _unknown(self, start: int, end: int) -> Iterator[ExplanationRow]:
