@@ -29,6 +29,7 @@ from fieldspec.checks.decimal_equals_hex import decimal_equals_hex
 from fieldspec.checks.default_within_range import default_within_range
 from fieldspec.checks.descriptions_differ import descriptions_differ
 from fieldspec.checks.detections_apply import detections_apply
+from fieldspec.checks.digits_fit import digits_fit
 from fieldspec.checks.elements_match_table import elements_match_table
 from fieldspec.checks.enum_contiguous import enum_contiguous
 from fieldspec.checks.enum_names_unique import enum_names_unique
@@ -127,6 +128,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("default_within_range", default_within_range),
     ("descriptions_differ", descriptions_differ),
     ("detections_apply", detections_apply),
+    ("digits_fit", digits_fit),
     ("elements_match_table", elements_match_table),
     ("enum_contiguous", enum_contiguous),
     ("enum_names_unique", enum_names_unique),

@@ -213,7 +213,11 @@ def _address(request: RecordLayout, signal: Signal) -> dict[str, Any]:
 def _decoded(layout: DeviceLayout, signal: Signal, raw: Any) -> DecodedValue:
     value = signal.value
     order: Literal["big", "little"] = "big" if signal.order == "big" else "little"
-    if isinstance(raw, int) and value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and not signal.swapped:
+    if (
+        isinstance(raw, int)
+        and value.type.kind in (Kind.INTEGER, Kind.BOOLEAN)
+        and not (signal.swapped or value.digits)
+    ):
         data = (int(raw) & ((1 << 8 * value.size) - 1)).to_bytes(value.size, order)
     elif isinstance(raw, str):
         data = raw.encode("ascii", "replace").ljust(value.size, b"\0")

@@ -15,6 +15,7 @@ from fieldspec.names import Name
 from fieldspec.plc.absent import absent_reals
 from fieldspec.plc.constants import LISTS, Constant, ConstantList, Draft
 from fieldspec.plc.dialects import Dialect, Scope
+from fieldspec.plc.digits import digits_findings, without_digits
 from fieldspec.plc.enums import EnumDeclaration, EnumMember, TextTable, available, coded
 from fieldspec.plc.frames import with_supported_links
 from fieldspec.plc.layout import fitting
@@ -74,10 +75,13 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     """The declarations of a device that has passed the checks."""
     supported, frame_findings = with_supported_links(layout, dialect)
     narrowed_layout, findings = narrowed(supported, dialect)
+    binary_findings = digits_findings(layout, dialect)
+    if binary_findings:
+        narrowed_layout, _ = narrowed(without_digits(supported), dialect)
     declaring = _Declaring(
         narrowed_layout,
         dialect,
-        [*findings, *absent_reals(layout, dialect), *frame_findings, *wide_enums(layout, dialect)],
+        [*findings, *absent_reals(layout, dialect), *binary_findings, *frame_findings, *wide_enums(layout, dialect)],
     )
     enums = tuple(declaring.enums())
     structs = tuple(declaring.structs())
