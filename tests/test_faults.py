@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import signal
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -91,7 +92,7 @@ def files(tmp_path: Path) -> Work:
 def test_files_are_placed_all_or_none_whatever_happens(fault: Fault, files: Work) -> None:
     assert files.new == {path: content for path, content in {**OLD, **NEW}.items() if path not in GONE}
     states = set()
-    for number in files.faulty(fault):
+    for number in files.faulty(fault, STEP if fault.name == "interrupted call" else 1):
         if fault.error is not None and not fault.lasts:
             assert state(files.folder) in (files.old, files.new), f"at operation {number}"
         with Staging(files.folder):
@@ -104,6 +105,26 @@ def test_files_are_placed_all_or_none_whatever_happens(fault: Fault, files: Work
         assert state(files.folder) == files.new, f"at operation {number}"
     assert "old" in states
     assert "new" in states or fault.lasts
+
+
+def test_signals_during_operations_change_nothing(files: Work) -> None:
+    counts = [0]
+
+    def count(*_: object) -> None:
+        counts[0] += 1
+
+    previous = signal.signal(signal.SIGALRM, count)
+    signal.setitimer(signal.ITIMER_REAL, 0.0002, 0.0002)
+    try:
+        for _ in range(10):
+            files.reset()
+            placed(files.folder)
+            assert state(files.folder) == files.new
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, previous)
+    assert counts[0] > 10
+    assert left_over(files.folder) == []
 
 
 def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:

@@ -586,13 +586,20 @@ function indexedFrame(frame) {
   };
 }
 
+/** Whether several messages have a code and nothing in their data tells them apart, so that only the request does. */
+function isAmbiguous({ ambiguous = [] }, direction, code) {
+  return direction === "response" && ambiguous.includes(code);
+}
+
 /**
- * The message with a code in one direction, and with some data where several have the code; undefined if there is none,
- * and where the data, or their absence, leave open which one it is.
+ * The message with a code in one direction, and with some data where several have the code; `asked` names the message
+ * of the request, which decides where nothing in the data does. Undefined if there is none, and where all of this leaves
+ * open which one it is.
  */
-function messageWithCode(link, direction, code, data) {
+function messageWithCode(link, direction, code, data, asked) {
   const messages = link.messagesByCode[direction].get(code) ?? [];
   if (messages.length < 2) return messages[0];
+  if (isAmbiguous(link, direction, code)) return messages.find(({ name }) => name === asked);
   const shared = link.subcodes[direction].get(code);
   if (!shared || !data) return undefined;
   // Data that are too short count as those of the first message.
@@ -1317,10 +1324,13 @@ class AddressSpan {
     return this.bits === null ? "word" : "bit";
   }
 
-  /** The bytes at an address in the parts, and those of the value that they carry; undefined unless all are there. */
-  piece(address, size) {
+  /**
+   * The bytes in the parts that are `skip` bytes behind an address, and those of the value that they carry; undefined
+   * unless all are there.
+   */
+  piece(address, size, skip = 0) {
     if (this.bits !== null) return this.bitPiece(address - this.address);
-    const start = 2 * (address - this.address);
+    const start = 2 * (address - this.address) + skip;
     if (start < 0 || start + size > this.data.length) return undefined;
     const raw = this.data.subarray(start, start + size);
     return { at: this.at + start, raw, content: raw };
@@ -1428,6 +1438,7 @@ function addFields(occupants, device, table, span) {
           fact: field,
           outer: table,
           value: field.value,
+          skip: first & 1,
           access: table.accesses[field.name] ?? "",
           reserved: Boolean(field.reserved),
           atomic: table.atomic.includes(field.name),
@@ -1445,7 +1456,7 @@ function nearElements(base, { stride, words, count }, span) {
 }
 
 function registerRow(device, span, occupant, spot, operation) {
-  const piece = span.piece(occupant.address, occupant.value.size);
+  const piece = span.piece(occupant.address, occupant.value.size, occupant.skip);
   let read;
   if (piece) {
     const value = operation === "write" ? forWriting(occupant.value) : occupant.value;
@@ -1809,10 +1820,14 @@ class ExplainedFrame {
     const body = this.error ? null : this.data.subarray(this.shape.headerSize, Math.max(this.shape.headerSize, end));
     // An exception response carries no subcode; only the request tells which message it answers.
     const shared = this.error ? link.messagesByCode[carried].get(code) ?? [] : [];
-    this.message = messageWithCode(link, carried, code, body) ?? shared.find(({ name }) => name === this.named);
+    this.message = messageWithCode(link, carried, code, body, this.named) ?? shared.find(({ name }) => name === this.named);
     if (!this.message) {
       const digits = code.toString(16).padStart(2, "0");
       if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
+      if (isAmbiguous(link, carried, code)) {
+        const names = link.messagesByCode[carried].get(code).map(({ name }) => name).join(", ");
+        return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
+      }
       const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
       return judged(read, false, `one of ${known.join(", ")}`, "unknown_code");
     }
@@ -1964,14 +1979,12 @@ function readingsOf(device, frame, close = false) {
   const faults = new Map();
   for (const link of device.links.values()) {
     for (const direction of DIRECTIONS) {
-      const guessed = !link[direction].code;
-      const names = close ? [...link.carriedMessages[direction].keys()] : guessed ? namesOfLength(link, direction, frame) : [];
-      for (const message of guessed ? names : [""]) {
+      for (const message of candidatesOf(link, direction, frame, close)) {
         const explanation = explained(device, link.name, direction, frame, message);
         const reading = readingOf(explanation);
         const key = JSON.stringify(reading);
-        if (faults.has(key)) continue;
-        faults.set(key, { reading, reasons: [...reasonsOf(explanation), ...(guessed ? [GUESSED] : [])] });
+        if (faults.has(key) || (message && explanation.error)) continue;
+        faults.set(key, { reading, reasons: [...reasonsOf(explanation), ...(message ? [GUESSED] : [])] });
       }
     }
   }
@@ -1981,6 +1994,21 @@ function readingsOf(device, frame, close = false) {
     if (fitting.length) return fitting.map(({ reading }) => reading);
   }
   return [];
+}
+
+/** The names of the messages that a frame may be; the empty one leaves it to the code in the frame. */
+function candidatesOf(link, direction, frame, close) {
+  const coded = Boolean(link[direction].code);
+  if (coded && (direction === "request" || !link.ambiguous)) return [""];
+  const names = close ? [...link.carriedMessages[direction].keys()] : namesOfLength(link, direction, frame);
+  if (!coded) return names;
+  const several = link.ambiguous.flatMap((code) => link.messagesByCode[direction].get(code).map(({ name }) => name));
+  return ["", ...several.filter((name) => names.includes(name))];
+}
+
+/** Whether a frame does not tell that it is one of a message: it carries no code, or an ambiguous one. */
+function isGuessed(device, link, direction, message) {
+  return !link[direction].code || isAmbiguous(link, direction, device.messages.get(message)?.code);
 }
 
 /** The reading of an explanation. */
@@ -2047,8 +2075,8 @@ function exampleKeys(device, frame) {
  * message is a guess, and that its length may be any.
  */
 function doubtsOf(device, reading, mark, examples) {
-  const [link, direction, message] = reading;
-  const guessed = !device.links.get(link)[direction].code;
+  const [link, direction, message, error] = reading;
+  const guessed = !error && isGuessed(device, device.links.get(link), direction, message);
   const loose = guessed && Boolean(message) && device.messages.get(message)[direction].size === undefined;
   return [mark !== "" && direction !== mark, !examples.has(JSON.stringify(reading)), guessed, loose].map(Number);
 }
@@ -3572,12 +3600,14 @@ class MessageForm {
     const words = [];
     for (const item of items.flatMap((text) => (/^[-+0-9a-fx ]+$/i.test(text) ? text.split(/\s+/) : [text]))) {
       const count = countOf(item);
-      const occupant = count === undefined ? occupantAt(device, access.space ?? "", address + words.length) : undefined;
+      const isWord = count !== undefined && count >= 0 && count <= 0xFFFF;
+      const occupant = !isWord ? occupantAt(device, access.space ?? "", address + words.length) : undefined;
       if (!occupant) {
         words.push(rawOf(device, leaf.path, leaf.field.value, item));
         continue;
       }
       const { path, value } = occupant;
+      if (value.size % 2) throw new CodecError("wrong_type", `${path} shares a word with others; enter the whole word`);
       const bytes = encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, rawOf(device, path, value, item)]]));
       for (let at = 0; at < bytes.length; at += 2) words.push(Number(unsignedOf(bytes.subarray(at, at + 2), device.data.wordOrder)));
     }
