@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 from fieldspec import pipeline
+from fieldspec.backends import OUTPUTS
 from layouts import TEST_SPECS, layouts
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -19,9 +20,11 @@ RECORDED = Path(__file__).resolve().parent / "recorded"
 
 
 def digests(name: str) -> str:
-    """An output of all made-up devices: a line for each, with its id and the digest of its files."""
+    """An output of all made-up devices that it does not refuse: a line each, with its id and the digest of its files."""
     lines = []
     for device, versions in sorted(layouts(TEST_SPECS).items()):
+        if OUTPUTS[name].refusals(versions):
+            continue
         digest = hashlib.sha256()
         for path, content in sorted(pipeline.output(name, versions).items()):
             digest.update(b"%s %d\n%s" % (path.encode(), len(content), content))
