@@ -10,8 +10,9 @@ from typing import Any
 import pytest
 import pyvisa
 
+from fieldspec.reference import CodecError, codec
 from layouts import TEST_SPECS, newest
-from python_package import link_of, module_of
+from python_package import codec_error, link_of, module_of
 from serial_lines import SECONDS, Line, serial_line
 
 WEIGHER = module_of(newest(TEST_SPECS, "weigher"))
@@ -72,7 +73,22 @@ def test_pyvisa_reads_the_numbers_that_the_generated_codec_sends() -> None:
         assert counters.startswith("C" + "9" * 18 + "fffe,0250,0250")
 
 
-@pytest.mark.parametrize("text", ["W+0012.34", "W+0012,345,01,8001", "W 0012.345,01,8001", "W+0012.345,01,80f1"])
-def test_what_is_no_canonical_line_is_refused(text: str) -> None:
-    with pytest.raises(ValueError, match="unknown_value|incomplete|wrong_length"):
-        LINES.decode_response(text.encode() + b"\r\n", WEIGHER.WeighRequest())
+OTHER_LINES = {
+    "W+0012,345,01,8001": 1,
+    "W 0012.345,01,8001": 1,
+    "W+012.3450,01,8001": 1,
+    "W+0012.345, 1,8001": 11,
+    "W+0012.345,01,80f1": 14,
+}
+"""Lines in another form than the device's, and the byte at which they are refused."""
+
+
+@pytest.mark.parametrize("text", OTHER_LINES)
+def test_a_line_in_another_form_is_refused_where_the_number_begins(text: str) -> None:
+    frame = text.encode() + b"\r\n"
+    with pytest.raises(codec_error()) as refused:
+        LINES.decode_response(frame, WEIGHER.WeighRequest())
+    with pytest.raises(CodecError) as expected:
+        codec(newest(TEST_SPECS, "weigher")).links["lines"].decode(frame, "response", "weigh")
+    assert (refused.value.reason, refused.value.offset) == ("unknown_value", OTHER_LINES[text])
+    assert (expected.value.reason, expected.value.offset) == ("unknown_value", OTHER_LINES[text])
