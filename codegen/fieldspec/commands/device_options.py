@@ -10,6 +10,8 @@ def add_simulate(simulate: argparse.ArgumentParser) -> None:
     simulate.add_argument("device", metavar="DEVICE[@VERSION]")
     where = "pty, tcp://HOST:PORT, udp://HOST:PORT or a serial port; may be repeated (default: as the link allows)"
     simulate.add_argument("--port", metavar="[LINK=]WHERE", action="append", help=where)
+    browsers = "serve all links to the frame lab in a browser on this machine, at this port (0: any)"
+    simulate.add_argument("--websocket", type=int, metavar="PORT", help=browsers)
     simulate.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
     simulate.add_argument(
         "--baud", type=int, metavar="NUMBER", help="the baud rate of a serial port (default: as delivered)"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.classes import dataclass
+from fieldspec.explain.hazards import write_hazards
 from fieldspec.explain.registers import FORBIDS, Occupant
 from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout
@@ -58,19 +59,13 @@ def _hazards(occupant: Occupant) -> list[str]:
     fact = occupant.outer if isinstance(occupant.outer, Register) else None
     facts = (occupant.fact, occupant.outer)
     handlings = [own for item in facts if (own := getattr(item, "handling", None)) is not None]
-    endurance = next((own.endurance for own in handlings if own.endurance), "")
-    hazards = []
-    if occupant.trigger:
-        hazards.append("writing it starts something")
-    if occupant.access == "":
-        hazards.append("the manual does not say that it can be written")
-    if fact is not None and fact.restart:
-        hazards.append("it takes effect after a restart")
-    if next((own.memory for own in handlings if own.memory), "") == "nonvolatile":
-        hazards.append("it is stored for good")
-    if endurance not in ("", "unlimited"):
-        hazards.append(f"its memory endures {'a limited number of' if endurance == 'limited' else endurance} writes")
-    return hazards
+    hazards = write_hazards(
+        trigger=occupant.trigger,
+        access=occupant.access,
+        restart=fact.restart if fact is not None else None,
+        handlings=handlings,
+    )
+    return list(hazards)
 
 
 def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, object], bytes]:
