@@ -586,13 +586,20 @@ function indexedFrame(frame) {
   };
 }
 
+/** Whether several messages have a code and nothing in their data tells them apart, so that only the request does. */
+function isAmbiguous({ ambiguous = [] }, direction, code) {
+  return direction === "response" && ambiguous.includes(code);
+}
+
 /**
- * The message with a code in one direction, and with some data where several have the code; undefined if there is none,
- * and where the data, or their absence, leave open which one it is.
+ * The message with a code in one direction, and with some data where several have the code; `asked` names the message
+ * of the request, which decides where nothing in the data does. Undefined if there is none, and where all of this leaves
+ * open which one it is.
  */
-function messageWithCode(link, direction, code, data) {
+function messageWithCode(link, direction, code, data, asked) {
   const messages = link.messagesByCode[direction].get(code) ?? [];
   if (messages.length < 2) return messages[0];
+  if (isAmbiguous(link, direction, code)) return messages.find(({ name }) => name === asked);
   const shared = link.subcodes[direction].get(code);
   if (!shared || !data) return undefined;
   // Data that are too short count as those of the first message.
@@ -1776,10 +1783,14 @@ class ExplainedFrame {
     const body = this.error ? null : this.data.subarray(this.shape.headerSize, Math.max(this.shape.headerSize, end));
     // An exception response carries no subcode; only the request tells which message it answers.
     const shared = this.error ? link.messagesByCode[carried].get(code) ?? [] : [];
-    this.message = messageWithCode(link, carried, code, body) ?? shared.find(({ name }) => name === this.named);
+    this.message = messageWithCode(link, carried, code, body, this.named) ?? shared.find(({ name }) => name === this.named);
     if (!this.message) {
       const digits = code.toString(16).padStart(2, "0");
       if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
+      if (isAmbiguous(link, carried, code)) {
+        const names = link.messagesByCode[carried].get(code).map(({ name }) => name).join(", ");
+        return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
+      }
       const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
       return judged(read, false, `one of ${known.join(", ")}`, "unknown_code");
     }
@@ -1931,14 +1942,12 @@ function readingsOf(device, frame, close = false) {
   const faults = new Map();
   for (const link of device.links.values()) {
     for (const direction of DIRECTIONS) {
-      const guessed = !link[direction].code;
-      const names = close ? [...link.carriedMessages[direction].keys()] : guessed ? namesOfLength(link, direction, frame) : [];
-      for (const message of guessed ? names : [""]) {
+      for (const message of candidatesOf(link, direction, frame, close)) {
         const explanation = explained(device, link.name, direction, frame, message);
         const reading = readingOf(explanation);
         const key = JSON.stringify(reading);
-        if (faults.has(key)) continue;
-        faults.set(key, { reading, reasons: [...reasonsOf(explanation), ...(guessed ? [GUESSED] : [])] });
+        if (faults.has(key) || (message && explanation.error)) continue;
+        faults.set(key, { reading, reasons: [...reasonsOf(explanation), ...(message ? [GUESSED] : [])] });
       }
     }
   }
@@ -1948,6 +1957,21 @@ function readingsOf(device, frame, close = false) {
     if (fitting.length) return fitting.map(({ reading }) => reading);
   }
   return [];
+}
+
+/** The names of the messages that a frame may be; the empty one leaves it to the code in the frame. */
+function candidatesOf(link, direction, frame, close) {
+  const coded = Boolean(link[direction].code);
+  if (coded && (direction === "request" || !link.ambiguous)) return [""];
+  const names = close ? [...link.carriedMessages[direction].keys()] : namesOfLength(link, direction, frame);
+  if (!coded) return names;
+  const several = link.ambiguous.flatMap((code) => link.messagesByCode[direction].get(code).map(({ name }) => name));
+  return ["", ...several.filter((name) => names.includes(name))];
+}
+
+/** Whether a frame does not tell that it is one of a message: it carries no code, or an ambiguous one. */
+function isGuessed(device, link, direction, message) {
+  return !link[direction].code || isAmbiguous(link, direction, device.messages.get(message)?.code);
 }
 
 /** The reading of an explanation. */
@@ -2014,8 +2038,8 @@ function exampleKeys(device, frame) {
  * message is a guess, and that its length may be any.
  */
 function doubtsOf(device, reading, mark, examples) {
-  const [link, direction, message] = reading;
-  const guessed = !device.links.get(link)[direction].code;
+  const [link, direction, message, error] = reading;
+  const guessed = !error && isGuessed(device, device.links.get(link), direction, message);
   const loose = guessed && Boolean(message) && device.messages.get(message)[direction].size === undefined;
   return [mark !== "" && direction !== mark, !examples.has(JSON.stringify(reading)), guessed, loose].map(Number);
 }

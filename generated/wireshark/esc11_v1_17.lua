@@ -4428,8 +4428,12 @@ local function unwrapped(link, direction, bytes)
     return (inner:gsub("..", function(pair) return string.char(tonumber(pair, 16)) end))
 end
 
--- The message with a code and a number in its data, which several messages with one code have.
-local function message_with(shape, code, body)
+-- The message with a code and a number in its data, which several messages with one code have. Where nothing in the
+-- data tells them apart, it is that of the request.
+local function message_with(shape, code, body, asked)
+    if shape.is_ambiguous[code] then
+        return asked and asked.message and asked.message.code == code and asked.message or nil
+    end
     local subcode = shape.shared[code]
     if not subcode then
         return shape.by_code[code]
@@ -4475,7 +4479,7 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
         end
         return link.request.by_code[code], true, code
     end
-    return message_with(link[direction], code, body), false, code
+    return message_with(link[direction], code, body, asked), false, code
 end
 
 local function record_of(link, direction, message, is_refusal)
@@ -5014,6 +5018,10 @@ for _, link in pairs(device.links) do
         for _, name in ipairs(shape.messages) do
             local message = device.messages[name]
             shape.by_code[message.code] = message
+        end
+        shape.is_ambiguous = {}
+        for _, code in ipairs(shape.ambiguous or {}) do
+            shape.is_ambiguous[code] = true
         end
         for _, subcode in ipairs(shape.subcodes) do
             shape.shared[subcode.code] = subcode

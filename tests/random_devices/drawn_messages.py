@@ -43,13 +43,14 @@ def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
     kind = draft.pick(("u8", "u16", "i8", "i16"))
     low, high = bounds(kind)
     numbers: set[int] = set()
+    directions = ("request", "response") if draft.chance(65) else ("request",)  # or only the requests tell them apart
     for message in drawn[: draft.number(2, 4)]:
         message["code"] = drawn[0]["code"]
         number = draft.edge(low, high)
         while number in numbers:
             number = number + 1 if number < high else low
         numbers.add(number)
-        for direction in ("request", "response"):
+        for direction in directions:
             message[direction] = [draft.fact(type=kind, const=number), *message[direction]]
 
 

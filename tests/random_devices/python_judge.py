@@ -128,7 +128,7 @@ class Python:
         link, direction, message = query.path
         shape, line = self.layout.links[link].frame(direction), link_of(self.module, link)
         asked: list[Any] = []
-        if message and shape.role("code") is None:
+        if message:
             asked = [record_class(self.module, self.layout.messages[message].request)]
         decoded = getattr(line, f"decode_{direction}")(query.data, *asked)
         head: dict[str, Any] = {}

@@ -187,7 +187,8 @@ def _frame_queries(
 ) -> Iterator[Query]:
     shape, line = layout.links[link].frame(direction), layout.links[link].link
     coded = shape.role("code") is not None
-    asked = "" if coded else message
+    ambiguous = coded and layout.links[link].is_guessed(direction, message)
+    asked = message if not coded or (ambiguous and dice.random() < 0.9) else ""
     if message not in layout.links[link].carried(direction):
         yield _unanswered(layout, link, message, dice)
         return

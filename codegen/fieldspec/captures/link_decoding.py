@@ -46,7 +46,8 @@ class LinkDecoder:
         repeated = [part for part in response.header if part.part.same_as and part.role == "plain"]
         asked = {part.name: part for part in link.frame("request").header}
         self.repeated = [(asked[part.part.same_as], part) for part in repeated if part.part.same_as in asked]
-        self.asks = readers[REQUEST].has_code and not readers[RESPONSE].has_code
+        names_nothing = readers[REQUEST].has_code and not readers[RESPONSE].has_code
+        self.asks = names_nothing or bool(link.ambiguous_codes("response"))
 
     def state(self) -> dict[str, Any]:
         """What another object needs to go on."""

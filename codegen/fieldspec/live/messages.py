@@ -44,20 +44,32 @@ class Signal:
 
 @dataclass(frozen=True, slots=True)
 class SignalReading:
-    """A value that was read, or the reason why the device refused it."""
+    """A value that was read, or the reason why the device refused it. `words` are its bytes on the wire."""
 
     signal: Signal
+    words: tuple[int, ...]
     decoded: DecodedValue | None
     refusal: str = ""
+
+    @property
+    def path(self) -> str:
+        """The path of the value."""
+        return self.signal.path
 
 
 @dataclass(frozen=True, slots=True)
 class ParameterAssignment:
-    """A value for a parameter: its raw value, and what a person should know before it is written."""
+    """A value for a parameter: its raw value, its bytes, and what a person should know before it is written."""
 
     signal: Signal
     raw: Any
+    words: tuple[int, ...]
     hazards: tuple[str, ...]
+
+    @property
+    def path(self) -> str:
+        """The path of the value."""
+        return self.signal.path
 
 
 def link_of(layout: DeviceLayout) -> LinkLayout | None:
@@ -141,11 +153,11 @@ def named_signals(layout: DeviceLayout, known: Sequence[Signal], name: str) -> l
         for signal in known
         if signal.path.startswith((f"{name}.", f"{name}["))
         or (signal.fact.printed_name and name == signal.fact.printed_name)
-        or name in _roles(layout, signal)
+        or name in roles_of(layout, signal)
     ]
 
 
-def _roles(layout: DeviceLayout, signal: Signal) -> set[str]:
+def roles_of(layout: DeviceLayout, signal: Signal) -> set[str]:
     """The roles of a value and of its bits."""
     word = layout.device.flags.get(signal.value.flags)
     return {*signal.fact.roles, *(role for bit in (word.bits if word is not None else ()) for role in bit.roles)}
@@ -157,15 +169,15 @@ def read_signals(client: Client, chosen: Sequence[Signal]) -> Iterator[SignalRea
     for signal in chosen:
         try:
             if signal.parameter_set is not None:
-                yield SignalReading(signal, _decoded(client.layout, signal, read_parameter(client, signal)))
+                yield signal_reading(client.layout, signal, read_parameter(client, signal))
                 continue
             if signal.query not in answers:
                 answers[signal.query] = client.ask(signal.query, {})
             answer = answers[signal.query]
             name = signal.fact.name
-            yield SignalReading(signal, _decoded(client.layout, signal, {**answer.values, **answer.head}[name]))
+            yield signal_reading(client.layout, signal, {**answer.values, **answer.head}[name])
         except RefusedError as error:
-            yield SignalReading(signal, None, str(error))
+            yield SignalReading(signal, (), None, str(error))
 
 
 def read_parameter(client: Client, signal: Signal) -> Any:
@@ -176,14 +188,14 @@ def read_parameter(client: Client, signal: Signal) -> Any:
     assert signal.parameter_set is not None
     message = parameter_message(client.frames.link, signal.parameter_set, "read")
     assert message is not None
-    answer = client.ask(message.name, _address(message.request, signal))
+    answer = client.ask(message.name, parameter_address(message.request, signal))
     carried = part_of(message.response, "value")
     assert carried is not None
     content = answer.values[carried.name]
     return content[0] if isinstance(content, list) else content
 
 
-def _address(request: RecordLayout, signal: Signal) -> dict[str, Any]:
+def parameter_address(request: RecordLayout, signal: Signal) -> dict[str, Any]:
     """The fields of a request that name a parameter: its number, the element, and how many elements."""
     number, index = part_of(request, "number"), part_of(request, "subindex")
     assert number is not None
@@ -196,16 +208,23 @@ def _address(request: RecordLayout, signal: Signal) -> dict[str, Any]:
     return values
 
 
-def _decoded(layout: DeviceLayout, signal: Signal, raw: Any) -> DecodedValue:
+def signal_reading(layout: DeviceLayout, signal: Signal, raw: Any) -> SignalReading:
+    """The meaning of a raw value."""
+    data = _bytes_of(signal, raw)
+    value = signal.value.as_answer(False)
+    decoded = decode_value(layout.device, value, data, signal.order, signal.swapped)
+    return SignalReading(signal, tuple(data), decoded)
+
+
+def _bytes_of(signal: Signal, raw: Any) -> bytes:
+    """A raw value as it goes over the wire."""
     value = signal.value
     order: Literal["big", "little"] = "big" if signal.order == "big" else "little"
     if isinstance(raw, int) and value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and not signal.swapped:
-        data = (int(raw) & ((1 << 8 * value.size) - 1)).to_bytes(value.size, order)
-    elif isinstance(raw, str):
-        data = raw.encode("ascii", "replace").ljust(value.size, b"\0")
-    else:
-        data = bytes(value_construct(value, signal.order, signal.swapped).build(raw))
-    return decode_value(layout.device, value.as_answer(False), data, signal.order, signal.swapped)
+        return (int(raw) & ((1 << 8 * value.size) - 1)).to_bytes(value.size, order)
+    if isinstance(raw, str):
+        return raw.encode("ascii", "replace").ljust(value.size, b"\0")
+    return bytes(value_construct(value, signal.order, signal.swapped).build(raw))
 
 
 def parameter_assignment(layout: DeviceLayout, link: LinkLayout, signal: Signal, text: str) -> ParameterAssignment:
@@ -225,7 +244,7 @@ def parameter_assignment(layout: DeviceLayout, link: LinkLayout, signal: Signal,
         raw = encoded_value(signal.path, value, raw_value(layout.device, signal.path, value, text), layout.device)
     except (MeaningError, CodecError) as error:
         raise WriteError(str(error)) from None
-    return ParameterAssignment(signal, raw, tuple(_hazards(fact, message)))
+    return ParameterAssignment(signal, raw, tuple(_bytes_of(signal, raw)), tuple(_hazards(fact, message)))
 
 
 def _hazards(fact: Parameter, message: MessageLayout) -> Iterator[str]:
@@ -241,7 +260,7 @@ def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str,
     message = parameter_message(client.frames.link, signal.parameter_set, "write")
     assert message is not None
     request = message.request
-    values = _address(request, signal)
+    values = parameter_address(request, signal)
     carried = part_of(request, "value")
     assert carried is not None
     values[carried.name] = [chosen.raw] if carried.is_list else chosen.raw
@@ -264,13 +283,3 @@ def _form(request: RecordLayout, value: Value) -> int | None:
             if kind is not None and kind.type.name == name:
                 return number
     return None
-
-
-def write_parameter(client: Client, chosen: ParameterAssignment) -> SignalReading:
-    """Writes a parameter once, and reads it back.
-
-    Raises WriteError, NoAnswerError, RefusedError and CarrierError.
-    """
-    name, values, _ = parameter_request(client, chosen)
-    client.ask(name, values, retries=0)
-    return SignalReading(chosen.signal, _decoded(client.layout, chosen.signal, read_parameter(client, chosen.signal)))

@@ -76,7 +76,7 @@ _SHARED = {
         " refused_record refused_text unfit"
     ),
     "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
-    "_subcodes": "Subcodes",
+    "_subcodes": "Answers Subcodes",
     "_values": "Boolean Bytes Closed Constant Double Float Number Open Setting Text Trigger Word",
 }
 _CLIENT = {
