@@ -28,6 +28,7 @@ REFUSALS = {
     "wide_floats": "plc_reals_fit",
     "absent_reals": "plc_reals_present",
     "other_frames": "plc_frames_supported",
+    "can_frames": "plc_frames_supported",
     "byte_registers": "plc_spaces_supported",
 }
 """Constructs that some output refuses by a rule, and whose failing case needs them."""

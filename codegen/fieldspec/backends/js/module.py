@@ -22,7 +22,7 @@ from fieldspec.names import Name
 IMPORTS = {
     "checksums": ("crc16", "crcOf", "lrc", "sum8", "totalOf"),
     "error": ("brokenList", "refusedMember", "refusedNumber", "wrongNumber"),
-    "escapes": ("cobs", "inserting", "replacing"),
+    "escapes": ("canIdentifier", "cobs", "inserting", "replacing"),
     "framer": ("codeFramer", "delimiterFramer", "escapeFramer", "lengthFramer"),
     "link": ("frames", "link", "message"),
     "parameter": ("parameter", "parameterSet", "parameters"),

@@ -35,6 +35,7 @@ RUNTIME = (
     "_codes",
     "_conversions",
     "_error",
+    "_can",
     "_escapes",
     "_firmware",
     "_flags",
