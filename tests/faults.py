@@ -50,6 +50,7 @@ FAULTS = (
     Fault("full disk", failure(errno.ENOSPC), half=True, lasts=True, only=("write", "mkdir", "link", "fsync")),
     Fault("read-only", failure(errno.EROFS), lasts=True),
     Fault("interrupt", KeyboardInterrupt()),
+    Fault("interrupted call", failure(errno.EINTR)),
 )
 
 

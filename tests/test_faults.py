@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import signal
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -21,8 +22,10 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs fork")
 
 SPECS = Path(__file__).resolve().parent / "specs"
 MOST = 2000
-STEP = int(os.environ.get("FAULT_STEP", "7"))
+STEP = int(os.environ.get("FAULT_STEP", "11"))
 """A whole build is tested with a fault at every n-th operation; `make soak` tests every operation."""
+REPAIRS = 4 if STEP == 1 else 10
+"""Every how many of the places at which a build was killed its repair is killed too."""
 
 State = dict[str, bytes]
 
@@ -91,7 +94,7 @@ def files(tmp_path: Path) -> Work:
 def test_files_are_placed_all_or_none_whatever_happens(fault: Fault, files: Work) -> None:
     assert files.new == {path: content for path, content in {**OLD, **NEW}.items() if path not in GONE}
     states = set()
-    for number in files.faulty(fault):
+    for number in files.faulty(fault, STEP if fault.name == "interrupted call" else 1):
         if fault.error is not None and not fault.lasts:
             assert state(files.folder) in (files.old, files.new), f"at operation {number}"
         with Staging(files.folder):
@@ -106,11 +109,31 @@ def test_files_are_placed_all_or_none_whatever_happens(fault: Fault, files: Work
     assert "new" in states or fault.lasts
 
 
+def test_signals_during_operations_change_nothing(files: Work) -> None:
+    counts = [0]
+
+    def count(*_: object) -> None:
+        counts[0] += 1
+
+    previous = signal.signal(signal.SIGALRM, count)
+    signal.setitimer(signal.ITIMER_REAL, 0.0002, 0.0002)
+    try:
+        for _ in range(10):
+            files.reset()
+            placed(files.folder)
+            assert state(files.folder) == files.new
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, previous)
+    assert counts[0] > 10
+    assert left_over(files.folder) == []
+
+
 def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:
     kill = FAULTS[0]
     unfinished = 0
     for first in files.faulty(kill):
-        if not left_over(files.folder) or first % 4:
+        if not left_over(files.folder) or first % REPAIRS:
             continue
         broken = files.folder.with_name("broken")
         shutil.rmtree(broken, ignore_errors=True)
@@ -130,7 +153,7 @@ def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:
                 repaired()
                 assert state(files.folder) in (files.old, files.new), f"at operations {first} and {second}"
                 assert left_over(files.folder) == []
-    assert unfinished > 100
+    assert unfinished > 200 / REPAIRS
 
 
 def built(folder: Path, *more: str) -> int:

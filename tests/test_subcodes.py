@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.explain.explanation import explained, recognised
+from fieldspec.explain.explanation import explained
+from fieldspec.explain.recognition import recognised
 from fieldspec.reference.frames import codec
 from fieldspec.reference.records import CodecError
 from layouts import TEST_SPECS, newest

@@ -1,13 +1,16 @@
-"""Each spec is read once for all tests of simulated devices."""
+"""Each spec is read once for all tests of simulated devices; a TC100 that several tests use."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
 import pytest
 
 from fieldspec.commands import specs
+from fieldspec.testing import SimulatedDevice, simulation
+from simulators import SPECS
 
 _spec_at, _layout_of = cache(specs.spec_at), specs.layout_of
 _layouts: dict[tuple[str, str], Any] = {}
@@ -24,3 +27,9 @@ def _cached_layout(spec: Any, version: str) -> Any:
 def read_specs_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(specs, "spec_at", _spec_at)
     monkeypatch.setattr(specs, "layout_of", _cached_layout)
+
+
+@pytest.fixture
+def tc100() -> Iterator[SimulatedDevice]:
+    with simulation("tc100", ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
+        yield device

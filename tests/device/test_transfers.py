@@ -6,89 +6,28 @@ import csv
 import io
 import json
 import os
-import signal
-import subprocess
-import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 
 from fieldspec.cli import main
-from fieldspec.commands.journal_file import JournalFile
-from fieldspec.explain.registers import Occupant
-from fieldspec.layout.values import Raw
-from fieldspec.live.client import Client
-from fieldspec.live.journal import journal_state
 from fieldspec.live.list_reading import entries
 from fieldspec.live.reading import reading
+from fieldspec.live.register_access import RegisterAccess
 from fieldspec.live.value_files import file_content, file_sheet
 from fieldspec.live.value_lists import elements, table_list
 from fieldspec.testing import SimulatedDevice, simulation
+from point_lists import (
+    HEAD,
+    five_points,
+    live,
+    points_file,
+    set_values,
+    value_of,
+    writes_of,
+)
 from simulators import SPECS, parts_of
-
-HEAD = "Device,Version,Table,Index,"
-WRITES = (0x06, 0x10)
-
-
-@pytest.fixture
-def tc100() -> Iterator[SimulatedDevice]:
-    with simulation("tc100", ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
-        yield device
-
-
-def command(device: SimulatedDevice, *arguments: str, name: str = "tc100") -> list[str]:
-    """The arguments of a verb."""
-    place = device.place.replace("tcp://", "socket://")
-    return ["live", name, *arguments, "--port", place, "--timeout", "0.3", "--specs", SPECS]
-
-
-def live(device: SimulatedDevice, *arguments: str, name: str = "tc100") -> int:
-    """The exit code of a verb."""
-    return main(command(device, *arguments, name=name))
-
-
-def placed(device: SimulatedDevice, path: str) -> tuple[str, Occupant]:
-    """What has a path in the memory of a device."""
-    known = device.simulation.engine.memory.occupants.items()
-    return next((space, own) for (space, _), present in known for own in present if own.path == path)
-
-
-def value_of(device: SimulatedDevice, path: str) -> Raw:
-    """The raw value of a register, or of a field of a point."""
-    return device.simulation.engine.memory.read(*placed(device, path))
-
-
-def set_values(device: SimulatedDevice, values: Mapping[str, int]) -> None:
-    """Sets registers and fields of points."""
-    for path, raw in values.items():
-        device.simulation.engine.memory.write(*placed(device, path), raw)
-
-
-def speeds(device: SimulatedDevice) -> list[Raw]:
-    """The speeds of the first five points."""
-    return [value_of(device, f"points[{number}].speed") for number in range(1, 6)]
-
-
-def points_file(folder: Path, *lines: str, head: str = f"{HEAD}speed,wait_time") -> str:
-    """A CSV file with points."""
-    path = folder / "points.csv"
-    path.write_text("\n".join([head, *lines]) + "\n", "utf-8")
-    return str(path)
-
-
-def five_points(folder: Path) -> str:
-    """A CSV file with five points that differ in their speed from those at delivery, one of them also in its wait."""
-    return points_file(folder, *(f"tc100,2.0,points,{n},{10 * n} %,{'25 ms' if n == 2 else ''}" for n in range(1, 6)))
-
-
-def writes_of(device: SimulatedDevice) -> list[bytes]:
-    """A list that gets all requests to write."""
-    writes: list[bytes] = []
-    device.simulation.listeners.append(
-        lambda now, link, way, data, text: writes.append(data) if way == "request" and data[1] in WRITES else None
-    )
-    return writes
 
 
 def test_points_go_to_a_file_and_back(tc100: SimulatedDevice, tmp_path: Path) -> None:
@@ -113,15 +52,16 @@ def test_points_go_to_a_file_and_back(tc100: SimulatedDevice, tmp_path: Path) ->
 @pytest.mark.parametrize("ending", ["csv", "xlsx", "json", "yaml"])
 def test_a_file_means_the_words_that_it_is_written_from(ending: str) -> None:
     layout, _ = parts_of("tc100")
+    access = RegisterAccess(layout)
     words = [0, 3, 0xFFFF, 0x8000, 335]
-    placed_values = [pair for pair in elements(layout, "points") if pair[1].path.startswith("points[1")]
+    placed_values = [pair for pair in elements(access, "points") if pair[1].path.startswith("points[1")]
     values = []
     for number, (_, occupant) in enumerate(placed_values):
         value = reading(layout, "", occupant, [words[number % 5]] * occupant.words)
         wrong = value.decoded is not None and value.decoded.verdict
         values.append(reading(layout, "", occupant, [1] * occupant.words) if wrong else value)
-    content = file_content(f"a.{ending}", table_list(layout, "points", values))
-    wanted, findings = entries(layout, file_sheet(f"a.{ending}", content))
+    content = file_content(f"a.{ending}", table_list(access, "points", values))
+    wanted, findings = entries(access, file_sheet(f"a.{ending}", content))
     assert findings == []
     assert [(item.occupant.path, item.words) for item in wanted] == [(v.occupant.path, v.words) for v in values]
 
@@ -176,147 +116,6 @@ def test_nothing_is_written_without_consent(
         assert live(tc100, "points", "upload", five_points(tmp_path)) == 2
     assert "confirm what stands above with --yes" in capsys.readouterr().err
     assert writes == []
-
-
-class Killed(BaseException):
-    """The end of a process, as far as a test within it can have one."""
-
-
-def killed_at(step: int, monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
-    """Ends a run at its step: before or after each line of the journal, and before or after each request."""
-    steps = [0]
-
-    def stop() -> None:
-        steps[0] += 1
-        if steps[0] == step:
-            raise Killed
-
-    def around(owner: type, name: str, relevant: Callable[..., bool]) -> None:
-        original = getattr(owner, name)
-
-        def stopping(self: object, *arguments: object) -> object:
-            if not relevant(*arguments):
-                return original(self, *arguments)
-            stop()
-            result = original(self, *arguments)
-            stop()
-            return result
-
-        monkeypatch.setattr(owner, name, stopping)
-
-    around(JournalFile, "begin", lambda change: True)
-    around(JournalFile, "verify", lambda change: True)
-    around(Client, "_answer", lambda message, frame: frame[1] in WRITES)
-    return lambda: steps[0]
-
-
-def test_an_upload_that_is_killed_at_any_step_is_resumed(
-    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
-    path = points_file(tmp_path, "tc100,2.0,points,2,20 %,25 ms")
-    delivered = {"points[2].speed": 100, "points[2].wait_time": 0}
-    step, ended = 0, False
-    while not ended:
-        step += 1
-        set_values(tc100, delivered)
-        with pytest.MonkeyPatch.context() as patch:
-            steps_of = killed_at(step, patch)
-            try:
-                assert live(tc100, "points", "upload", path, "--yes") == 0
-                ended = True
-            except Killed:
-                assert "the same command continues" in capsys.readouterr().err
-            assert steps_of() == step - ended
-        journal = Path(f"{path}.journal")
-        state = journal_state(journal.read_bytes()) if journal.exists() else None
-        changed = {name for name, value in delivered.items() if value_of(tc100, name) != value}
-        if state is not None:
-            assert set(state.verified) <= changed <= {*state.verified, state.path}
-        if not ended:
-            writes = writes_of(tc100)
-            assert live(tc100, "points", "upload", path, "--yes") == 0
-            assert len(writes) == 2 - len(changed)
-            tc100.simulation.listeners.pop()
-        assert [value_of(tc100, name) for name in delivered] == [20, 25]
-        assert not journal.exists()
-    assert step == 2 * 6 + 1
-
-
-@pytest.mark.parametrize("number", [1, 4])
-def test_a_process_that_is_killed_on_the_line_leaves_a_journal(
-    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path, number: int
-) -> None:
-    path = five_points(tmp_path)
-    writes: list[bytes] = []
-    running: list[subprocess.Popen[bytes]] = []
-
-    def kill(now: float, link: str, way: str, data: bytes, text: str) -> None:
-        if way == "request" and data[1] in WRITES:
-            writes.append(data)
-            if len(writes) == number:
-                running[0].send_signal(signal.SIGKILL)
-
-    tc100.simulation.listeners.append(kill)
-    running.append(
-        subprocess.Popen([sys.executable, "-m", "fieldspec", *command(tc100, "points", "upload", path, "--yes")])
-    )
-    assert running[0].wait(60) == -signal.SIGKILL
-    state = journal_state(Path(f"{path}.journal").read_bytes())
-    assert state is not None
-    assert len(state.verified) == number - 1
-    assert state.path
-    assert live(tc100, "points", "upload", path, "--yes") == 0
-    assert f"it was writing {state.path}, which has" in capsys.readouterr().err
-    assert speeds(tc100) == [10, 20, 30, 40, 50]
-    assert value_of(tc100, "points[2].wait_time") == 25
-
-
-@pytest.mark.parametrize(
-    ("fault", "details", "expected"),
-    [
-        ("exception", {"reason": "value_invalid"}, "acceleration_time is not written: exception 3"),
-        ("no_answer", {"count": 0}, "may be written or not: acceleration_time"),
-        (
-            "stuck_bit",
-            {"signal": "registers/acceleration_time", "value": 3},
-            "is not taken over: the device has 3 instead",
-        ),
-        ("connection_lost", {}, "may be written or not: acceleration_time"),
-    ],
-)
-def test_a_failed_upload_says_what_was_written(
-    tc100: SimulatedDevice,
-    capsys: pytest.CaptureFixture[str],
-    tmp_path: Path,
-    fault: str,
-    details: dict[str, object],
-    expected: str,
-) -> None:
-    def strike(now: float, link: str, way: str, data: bytes, text: str) -> None:
-        if way == "response" and data[1] == 0x03 and data[3:5] == b"\x00\x0a":
-            tc100.simulation.listeners.remove(strike)
-            tc100.fault(fault, **details)
-
-    path = str(tmp_path / "settings.csv")
-    Path(path).write_text("Name,Value\nmotion_speed,10\nacceleration_time,500\nhoming_speed,7\n", "utf-8")
-    tc100.simulation.listeners.append(strike)
-    assert live(tc100, "restore", path, "--yes") == 1
-    error = capsys.readouterr().err
-    assert expected in error
-    assert "written and verified: motion_speed\n" in error
-    assert "homing_speed" in error.partition("not as the file says: ")[2]
-    assert Path(f"{path}.journal").exists()
-
-
-def test_a_lost_answer_is_settled_by_reading_back(tc100: SimulatedDevice, tmp_path: Path) -> None:
-    def strike(now: float, link: str, way: str, data: bytes, text: str) -> None:
-        if way == "response" and data[1] == 0x03 and data[3:5] == b"\x00\x0a":
-            tc100.simulation.listeners.remove(strike)
-            tc100.fault("truncated")
-
-    tc100.simulation.listeners.append(strike)
-    assert live(tc100, "points", "upload", five_points(tmp_path), "--yes") == 0
-    assert speeds(tc100) == [10, 20, 30, 40, 50]
 
 
 def test_all_findings_of_a_file_are_reported_at_once(
@@ -405,27 +204,6 @@ def test_wrong_use_is_refused(
         Path(arguments[-1]).write_text(content, "utf-8")
     assert live(tc100, *arguments) == 2
     assert expected in capsys.readouterr().err
-
-
-@pytest.mark.parametrize(
-    ("content", "expected"),
-    [
-        ("speed\n", "is no journal; move it away"),
-        (
-            '{"journal": 1, "unit": {"device": "tc100", "unit": 2}, "digest": ""}\n',
-            "an unfinished transfer to device tc100",
-        ),
-    ],
-)
-def test_a_foreign_journal_stops_an_upload(
-    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path, content: str, expected: str
-) -> None:
-    path = five_points(tmp_path)
-    Path(f"{path}.journal").write_text(content, "utf-8")
-    writes = writes_of(tc100)
-    assert live(tc100, "points", "upload", path, "--yes") == 2
-    assert expected in capsys.readouterr().err
-    assert writes == []
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ from devices import Tc100, Transport
 from drawing import drawn_value, drawn_values
 from loaded import REAL, programs, words_in
 from proving import Proof, without
-from test_device_blocks import NUMBER, Esc11Rig, HiwinRig, Rig, Tc100Rig
+from rigs import NUMBER, Esc11Rig, HiwinRig, Rig, Tc100Rig
 from test_simulated_blocks import SPEEDS, Ck10Rig, Ck10TableRig, Telegram9Rig, TelegramRig, connect
 from test_speed_blocks import LimitRig
 

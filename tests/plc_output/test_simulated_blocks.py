@@ -16,8 +16,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from benches import Bench, block_names
 from devices import Transport
 from loaded import programs
+from rigs import NUMBER, Esc11Rig, HiwinRig, Rig, Tc100Rig
 from simulated import ProcessData, Simulated
-from test_device_blocks import NUMBER, Esc11Rig, HiwinRig, Rig, Tc100Rig
 
 from fieldspec.plc.routines.blocks.ports import FRAMES
 from layouts import SPECS

@@ -12,7 +12,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from loaded import programs
-from test_device_blocks import NUMBER
+from rigs import NUMBER
 from test_simulated_blocks import SPEEDS, SpeedRig, TelegramRig
 
 TORQUES = [name for name, rig in SPEEDS.items() if "Torque" in rig.move]

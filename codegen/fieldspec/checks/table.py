@@ -23,11 +23,13 @@ from fieldspec.checks.broadcast_apart import broadcast_apart
 from fieldspec.checks.can_frames_complete import can_frames_complete
 from fieldspec.checks.choices_complete import choices_complete
 from fieldspec.checks.codes_fit_link import codes_fit_link
+from fieldspec.checks.commands_are_triggers import commands_are_triggers
 from fieldspec.checks.conversions_match_signals import conversions_match_signals
 from fieldspec.checks.copies_agree import copies_agree
 from fieldspec.checks.data_words_match import data_words_match
 from fieldspec.checks.decimal_equals_hex import decimal_equals_hex
 from fieldspec.checks.default_within_range import default_within_range
+from fieldspec.checks.defaults_writable import defaults_writable
 from fieldspec.checks.descriptions_differ import descriptions_differ
 from fieldspec.checks.detections_apply import detections_apply
 from fieldspec.checks.elements_match_table import elements_match_table
@@ -74,6 +76,7 @@ from fieldspec.checks.record_size_matches import record_size_matches
 from fieldspec.checks.records_filled import records_filled
 from fieldspec.checks.records_finite import records_finite
 from fieldspec.checks.references_resolve import references_resolve
+from fieldspec.checks.registers_fill_words import registers_fill_words
 from fieldspec.checks.repeat_last import repeat_last
 from fieldspec.checks.replies_agree import replies_agree
 from fieldspec.checks.restatements_agree import restatements_agree
@@ -122,11 +125,13 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("can_frames_complete", can_frames_complete),
     ("choices_complete", choices_complete),
     ("codes_fit_link", codes_fit_link),
+    ("commands_are_triggers", commands_are_triggers),
     ("conversions_match_signals", conversions_match_signals),
     ("copies_agree", copies_agree),
     ("data_words_match", data_words_match),
     ("decimal_equals_hex", decimal_equals_hex),
     ("default_within_range", default_within_range),
+    ("defaults_writable", defaults_writable),
     ("descriptions_differ", descriptions_differ),
     ("detections_apply", detections_apply),
     ("elements_match_table", elements_match_table),
@@ -172,6 +177,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("records_filled", records_filled),
     ("records_finite", records_finite),
     ("references_resolve", references_resolve),
+    ("registers_fill_words", registers_fill_words),
     ("repeat_last", repeat_last),
     ("replies_agree", replies_agree),
     ("restatements_agree", restatements_agree),

@@ -62,11 +62,12 @@ class Span:
         """The unit at one address."""
         return BIT if self.bits is not None else WORD if self.unit_size == 2 else BYTE
 
-    def piece(self, address: int, size: int) -> Piece | None:
-        """The piece of the frame with a value of `size` bytes; None unless the frame has all of it."""
+    def piece(self, address: int, size: int, skip: int = 0) -> Piece | None:
+        """The piece of the frame with a value of `size` bytes, `skip` bytes behind an address; None unless the frame
+        has all of it."""
         if self.bits is not None:
             return self._bit(address - self.address, self.bits)
-        start = self.unit_size * (address - self.address)
+        start = self.unit_size * (address - self.address) + skip
         if start < 0 or start + size > len(self.data):
             return None
         content = self.data[start : start + size]
@@ -262,7 +263,7 @@ def _near(base: int, stride: int, words: int, count: int, span: Span) -> range:
 
 
 def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, operation: str) -> ExplanationRow:
-    piece = span.piece(occupant.address, occupant.value.size)
+    piece = span.piece(occupant.address, occupant.value.size, occupant.skip)
     at, raw = (piece.at, piece.raw) if piece else (0, b"")
     if piece:
         value = occupant.value.for_writing() if operation == "write" else occupant.value

@@ -28,6 +28,11 @@ class Reading:
     decoded: DecodedValue | None
     refusal: str = ""
 
+    @property
+    def path(self) -> str:
+        """The path of the value."""
+        return self.occupant.path
+
 
 @dataclass(frozen=True, slots=True)
 class Block:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from fieldspec.classes import dataclass
+from fieldspec.explain.hazards import write_hazards
 from fieldspec.explain.registers import FORBIDS, Occupant
 from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout
@@ -27,6 +26,11 @@ class Assignment:
     occupant: Occupant
     words: tuple[int, ...]
     hazards: tuple[str, ...]
+
+    @property
+    def path(self) -> str:
+        """The path of the value."""
+        return self.occupant.path
 
 
 def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) -> Assignment:
@@ -56,19 +60,13 @@ def _hazards(occupant: Occupant) -> list[str]:
     fact = occupant.outer if isinstance(occupant.outer, Register) else None
     facts = (occupant.fact, occupant.outer)
     handlings = [own for item in facts if (own := getattr(item, "handling", None)) is not None]
-    endurance = next((own.endurance for own in handlings if own.endurance), "")
-    hazards = []
-    if occupant.trigger:
-        hazards.append("writing it starts something")
-    if occupant.access == "":
-        hazards.append("the manual does not say that it can be written")
-    if fact is not None and fact.restart:
-        hazards.append("it takes effect after a restart")
-    if next((own.memory for own in handlings if own.memory), "") == "nonvolatile":
-        hazards.append("it is stored for good")
-    if endurance not in ("", "unlimited"):
-        hazards.append(f"its memory endures {'a limited number of' if endurance == 'limited' else endurance} writes")
-    return hazards
+    hazards = write_hazards(
+        trigger=occupant.trigger,
+        access=occupant.access,
+        restart=fact.restart if fact is not None else None,
+        handlings=handlings,
+    )
+    return list(hazards)
 
 
 def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, object], bytes]:
@@ -119,28 +117,8 @@ def read_back(client: Client, chosen: Assignment) -> Reading | None:
         return Reading(occupant, (), None, str(error))
 
 
-def differs(chosen: Assignment, now: Reading) -> bool:
-    """Whether the device holds other words than were written."""
-    return bool(now.refusal) or tuple(now.words) != chosen.words
-
-
-def find(names: Sequence[str], known: Sequence[tuple[str, Occupant]]) -> tuple[list[tuple[str, Occupant]], list[str]]:
-    """What is at the addresses that names mean, and the names that mean nothing.
-
-    A name is that of a register, of all elements of an array or a table, of a field such as `points[3].speed`, a role,
-    or an address.
-    """
-    result: list[tuple[str, Occupant]] = []
-    unknown = []
-    for name in names:
-        own = [pair for pair in known if _means(name, pair[1])]
-        if not own:
-            unknown.append(name)
-        result += [pair for pair in own if pair not in result]
-    return result, unknown
-
-
-def _means(name: str, occupant: Occupant) -> bool:
+def means(name: str, occupant: Occupant) -> bool:
+    """Whether a name is that of a register, of the array, table or record that it is in, its role or its address."""
     path = occupant.path
     if name == path or path.startswith((f"{name}[", f"{name}.")) or name in occupant.fact.roles:
         return True

@@ -9,7 +9,8 @@ from itertools import groupby
 
 from fieldspec.classes import replace
 from fieldspec.explain.examples import printed
-from fieldspec.explain.explanation import Explanation, ExplanationRow, Meaning, Reading
+from fieldspec.explain.explanation import Explanation, ExplanationRow, Meaning
+from fieldspec.explain.recognition import Reading
 from fieldspec.explain.row import citations
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.address_space import BYTE, WORD

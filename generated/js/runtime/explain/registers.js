@@ -28,10 +28,13 @@ export class AddressSpan {
     return this.unitSize === 2 ? "word" : "byte";
   }
 
-  /** The bytes at an address in the parts, and those of the value that they carry; undefined unless all are there. */
-  piece(address, size) {
+  /**
+   * The bytes in the parts that are `skip` bytes behind an address, and those of the value that they carry; undefined
+   * unless all are there.
+   */
+  piece(address, size, skip = 0) {
     if (this.bits !== null) return this.bitPiece(address - this.address);
-    const start = this.unitSize * (address - this.address);
+    const start = this.unitSize * (address - this.address) + skip;
     if (start < 0 || start + size > this.data.length) return undefined;
     const raw = this.data.subarray(start, start + size);
     return { at: this.at + start, raw, content: raw };
@@ -143,6 +146,7 @@ function addFields(occupants, device, table, span) {
           fact: field,
           outer: table,
           value: field.value,
+          skip: first & 1,
           access: table.accesses[field.name] ?? "",
           reserved: Boolean(field.reserved),
           atomic: table.atomic.includes(field.name),
@@ -160,7 +164,7 @@ function nearElements(base, { stride, words, count }, span) {
 }
 
 function registerRow(device, span, occupant, spot, operation) {
-  const piece = span.piece(occupant.address, occupant.value.size);
+  const piece = span.piece(occupant.address, occupant.value.size, occupant.skip);
   let read;
   if (piece) {
     const value = operation === "write" ? forWriting(occupant.value) : occupant.value;

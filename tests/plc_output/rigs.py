@@ -1,0 +1,208 @@
+"""Compiled blocks with a simulated device on the other side: TC100 and ESC11 by frames, HIWIN E by telegram 111."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, ClassVar
+
+from benches import Bench, block_names
+from devices import Esc11, Tc100, Telegram111, Transport
+
+from fieldspec.plc.routines.blocks.ports import FRAMES
+from fieldspec.plc.routines.blocks.standard import ERRORS
+from layouts import SPECS
+
+NUMBER = {name: number for name, (number, _) in ERRORS.items()}
+"""The number of each error of a block."""
+
+
+class Rig:
+    """Blocks, the device on the other side, and the rule that nothing starts without an edge.
+
+    A block may start what it is for once for each rising edge of its input that it has seen.
+    """
+
+    device: Any
+    transport: Transport | None = None
+    starting: ClassVar[dict[str, Sequence[str]]]
+    """The motions that each block may begin."""
+
+    def __init__(self, bench: Bench) -> None:
+        self.bench = bench
+        self.allowed = dict.fromkeys(self.starting, 0)
+        self.before = dict.fromkeys(bench.blocks, True)
+        self.seen = 0
+
+    def serve(self) -> None:
+        """What the other side does between two scans."""
+        assert self.transport is not None
+        self.transport.serve(self.device.exchanged)
+
+    def scan(self) -> None:
+        """One scan, and what the device does until the next one; checks the rule."""
+        for name in self.bench.blocks:
+            execute = self.bench.now.get((name, "Execute"))
+            if execute is None:
+                continue
+            if execute and not self.before[name] and name in self.allowed:
+                self.allowed[name] = 1
+            self.before[name] = execute
+        self.bench.scan()
+        self.serve()
+        self.device.pass_scan()
+        for start in self.device.motion.starts[self.seen :]:
+            blocks = [name for name, starts in self.starting.items() if start in starts and self.allowed[name]]
+            assert blocks, f"{start} without an edge"
+            self.allowed[blocks[0]] = 0
+        self.seen = len(self.device.motion.starts)
+
+    def run(self, scans: int, block: str = "", **inputs: Any) -> Rig:
+        """Sets inputs of a block and runs some scans."""
+        if block:
+            self.bench.set(block, **inputs)
+        for _ in range(scans):
+            self.scan()
+        return self
+
+    def restart(self) -> None:
+        """The controller is switched off and on; a request that is on its way is forgotten."""
+        self.bench.restart()
+        self.before = dict.fromkeys(self.bench.blocks, True)
+        self.allowed = dict.fromkeys(self.allowed, 0)
+        if self.transport is not None:
+            self.transport.restart()
+
+    def done(self, block: str, scans: int = 400, **inputs: Any) -> str:
+        """How a block ends after an edge; the input is withdrawn in the end."""
+        self.run(2, block, Execute=False, **inputs)
+        self.run(1, block, Execute=True)
+        for _ in range(scans):
+            if self.bench.ended(block) != "Busy":
+                break
+            self.scan()
+        result = self.bench.ended(block)
+        if result == "Error":
+            result = f"Error {self.bench.out[block, 'ErrorID']}"
+        self.run(2, block, Execute=False)
+        return result
+
+    def ended(self, block: str) -> str:
+        """How a block has ended, with its number."""
+        result = self.bench.ended(block)
+        return f"Error {self.bench.out[block, 'ErrorID']}" if result == "Error" else result
+
+
+class Tc100Rig(Rig):
+    """A TC100 by frames: its blocks, and the client behind them."""
+
+    starting: ClassVar[dict[str, Sequence[str]]] = {
+        "MoveAbsolute": ["move_absolute"],
+        "MoveRelative": ["move_relative"],
+        "Home": ["home"],
+        "JogPositive": ["jog_positive"],
+        "RunPoint": [f"point {number}" for number in range(128)],
+    }
+    blocks = ("ServoOn", "ServoOff", *starting, "Stop", "ResetAlarm", "ReadPosition", "RtuClient")
+
+    def __init__(self, folder: Path, dialect: str = "iec") -> None:
+        super().__init__(Bench(SPECS, "tc100", self.blocks, folder, dialect))
+        self.device = Tc100()
+        variable = next(name for name in self.bench.ports if name.lower().endswith("frames"))
+        self.transport = Transport(self.bench, FRAMES, variable, delay=1)
+        station = next(name for block, name in self.bench.inputs if block == "RtuClient" and "tation" in name)
+        self.bench.set("RtuClient", iRetries=2, **{station: Tc100.STATION})
+        self.bench.set("MoveAbsolute", uiSpeed=20, diPositionCounts=5000)
+        self.bench.set("MoveRelative", uiSpeed=20, diDistanceCounts=-10)
+        self.bench.set("JogPositive", uiSpeed=20)
+
+
+class Esc11Rig(Rig):
+    """An ESC11 by frames."""
+
+    starting: ClassVar[dict[str, Sequence[str]]] = {
+        "MoveAbsolute": ["move_absolute"],
+        "MoveRelative": ["move_relative"],
+        "Home": ["start_homing"],
+        "JogOpen": ["move_open"],
+        "RunPoint": ["move_to_point"],
+    }
+    blocks = ("ServoOn", "ServoOff", *starting, "Stop", "ResetAlarm", "ReadPosition")
+
+    def __init__(self, folder: Path, dialect: str = "iec") -> None:
+        super().__init__(Bench(SPECS, "esc11", self.blocks, folder, dialect, block_names(SPECS, "esc11")))
+        self.device = Esc11()
+        variable = next(name for name in self.bench.ports if name.lower().endswith("frames"))
+        self.transport = Transport(self.bench, FRAMES, variable, delay=1)
+        for block, name in self.bench.inputs:
+            if "ddress" in name:
+                self.bench.set(block, **{name: Esc11.STATION})
+            if name == "usiSpeed":
+                self.bench.set(block, usiSpeed=50)
+            if name == "usiPointNumber":
+                self.bench.set(block, usiPointNumber=3)
+
+
+class HiwinRig(Rig):
+    """A HIWIN E on telegram 111. While `lost`, no response comes."""
+
+    starting: ClassVar[dict[str, Sequence[str]]] = {
+        "MoveAbsoluteTelegram111": ["move"],
+        "MoveRelativeTelegram111": ["move"],
+        "Telegram111Home": ["home"],
+        "Telegram111JogPositive": ["jog_positive"],
+    }
+    blocks = (
+        *("Telegram111ServoOn", "Telegram111ServoOff", *starting, "Telegram111Stop", "Telegram111ResetAlarm"),
+        "Telegram111ReadPosition",
+    )
+
+    def __init__(self, folder: Path, dialect: str = "iec") -> None:
+        super().__init__(Bench(SPECS, "hiwin-e", self.blocks, folder, dialect, block_names(SPECS, "hiwin-e")))
+        self.device = Telegram111()
+        self.lost = False
+        self.axis = self.bench.lent["Telegram111ServoOn", "stAxis"]
+        for block, name in self.bench.inputs:
+            if name.startswith("lr"):
+                self.bench.set(block, **{name: 50.0})
+
+    def _of(self, name: str) -> str:
+        return self.bench.port(Telegram111.KEY, name)
+
+    def serve(self) -> None:
+        port = self.bench.ports[self.axis]
+        request, response = port[self._of("request")], port[self._of("response")]
+        if not self.lost:
+            word = next(value for name, value in request.items() if name.endswith("controlword1"))
+            self.device.obey(word)
+            name = next(name for name in response if name.endswith("statusword1"))
+            response[name] = int(self.device.status)
+        port[self._of("valid")] = not self.lost
+
+
+RIGS: dict[str, Callable[..., Rig]] = {"tc100": Tc100Rig, "esc11": Esc11Rig, "hiwin-e": HiwinRig}
+WORDS = {
+    "hiwin-e": ("Telegram111{}", "MoveAbsoluteTelegram111", "MoveRelativeTelegram111", "Telegram111JogPositive"),
+    "tc100": ("{}", "MoveAbsolute", "MoveRelative", "JogPositive"),
+    "esc11": ("{}", "MoveAbsolute", "MoveRelative", "JogOpen"),
+}
+
+
+class Axis:
+    """A rig whose servo is on, with the names of its blocks in common."""
+
+    def __init__(self, name: str, folder: Path, dialect: str = "iec") -> None:
+        self.rig = RIGS[name](folder, dialect)
+        form, self.absolute, self.relative, self.jog = WORDS[name]
+        self.form = form
+        self.rig.run(3)
+        assert self.rig.done(self.block("ServoOn")) == "Done"
+
+    def block(self, name: str) -> str:
+        """A block by the name of its task."""
+        return self.form.format(name)
+
+    @property
+    def starts(self) -> list[str]:
+        """The motions that have begun."""
+        return list(self.rig.device.motion.starts)
