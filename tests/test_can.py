@@ -12,6 +12,7 @@ import canopen
 import pytest
 from canopen import objectdictionary as dictionary
 
+from fieldspec.explain.log import log_line
 from fieldspec.reference.frames import codec
 from fieldspec.reference.records import CodecError
 from layouts import TEST_SPECS, newest
@@ -64,6 +65,20 @@ def test_the_page_of_a_device_says_which_bits_of_the_identifier_a_part_is() -> N
     text = "\n".join(page for page in pages if isinstance(page, str))
     assert "bits 7..10" in text
     assert "the first parts are the bits 26..28, 8..25, 0..7 of an identifier with 29 bits" in text
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "605#4041600000000000",
+        "(1436509052.249713) vcan0 605#4041600000000000",
+        "  vcan0  605   [8]  40 41 60 00 00 00 00 00",
+    ],
+)
+def test_lines_of_candump_are_frames(text: str) -> None:
+    line = log_line(text, [link.link for link in AXIS.links.values()])
+    assert line is not None
+    assert line.frame == MODULE.sdo.encode_request(NODE, MODULE.ReadStatuswordRequest())
 
 
 # canopen
