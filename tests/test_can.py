@@ -156,7 +156,7 @@ def test_what_a_node_of_canopen_aborts_is_no_response(bus: Bus) -> None:
 
 
 def test_canopen_reads_and_writes_what_generated_code_answers(bus: Bus) -> None:
-    written: list[Any] = []
+    sent: list[Any] = []
 
     def answer() -> None:
         for response in (
@@ -165,7 +165,7 @@ def test_canopen_reads_and_writes_what_generated_code_answers(bus: Bus) -> None:
             MODULE.WriteTargetResponse(),
             MODULE.WriteModeResponse(),
         ):
-            written.append(MODULE.sdo.decode_request(bus.receive(MODULE.sdo)).message)
+            sent.append(MODULE.sdo.decode_request(bus.receive(MODULE.sdo)).message)
             bus.send(MODULE.sdo, MODULE.sdo.encode_response(NODE, response))
 
     drive = threading.Thread(target=answer, daemon=True)
@@ -175,7 +175,7 @@ def test_canopen_reads_and_writes_what_generated_code_answers(bus: Bus) -> None:
     node.sdo[0x607A].raw = 100_000
     node.sdo[0x6060].raw = 8
     drive.join(TIMEOUT)
-    assert written[2:] == [MODULE.WriteTargetRequest(target=100_000), MODULE.WriteModeRequest(mode=8)]
+    assert sent[2:] == [MODULE.WriteTargetRequest(target=100_000), MODULE.WriteModeRequest(mode=8)]
 
 
 def test_process_data_are_those_of_canopen_both_ways(bus: Bus) -> None:
