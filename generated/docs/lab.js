@@ -279,6 +279,75 @@ function find(bytes, from, mark) {
   return -1;
 }
 
+const EXTENDED = 2 ** 31;
+
+/**
+ * The first parts as the identifier of a CAN frame, which has `bits` bits: the size, whether the byte order is little,
+ * the first bit and the bits of each part. A frame is the identifier in four bytes, the number of data, zeros, the data.
+ */
+function canIdentifier(bits, fields) {
+  const flags = bits > 11 ? EXTENDED : 0;
+  return {
+    escaped(data) {
+      let [identifier, at] = [flags, 0];
+      for (const [size, isLittle, first, width] of fields) {
+        const number = numberIn(data.subarray(at, at + size), isLittle);
+        if (number >= 2 ** width) throw new CodecError("out_of_range", `${number} has more than ${width} bits`);
+        identifier += number * 2 ** first;
+        at += size;
+      }
+      const size = data.length - at;
+      if (size > 8) throw new CodecError("wrong_length", `a CAN frame has at most 8 bytes of data, not ${size}`);
+      return Uint8Array.from([identifier / 2 ** 24, identifier / 2 ** 16, identifier / 256, identifier, size, 0, 0, 0, ...data.subarray(at)].map((byte) => byte & 0xff));
+    },
+    original(data, offset) {
+      const wrong = wrongCanHeader(bits, data);
+      if (wrong >= 0) {
+        throw new CodecError("wrong_mark", `it is no CAN frame with an identifier of ${bits} bits`, offset + wrong);
+      }
+      return Uint8Array.from([...canParts(fields, data), ...data.subarray(8)]);
+    },
+    end: () => -1,
+  };
+}
+
+/** The offset at which bytes are no CAN frame with an identifier of some bits; -1 where they are. */
+function wrongCanHeader(bits, data) {
+  const flags = bits > 11 ? EXTENDED : 0;
+  const identifier = numberIn(data.subarray(0, 4), false);
+  if (data.length < 8 || identifier < flags || identifier >= flags + 2 ** bits) return 0;
+  if (data[4] !== data.length - 8 || data[4] > 8) return 4;
+  return data.subarray(5, 8).some((byte) => byte !== 0) ? 5 : -1;
+}
+
+/** The bytes of the parts of the identifier of a CAN frame. */
+function canParts(fields, data) {
+  const identifier = numberIn(data.subarray(0, 4), false) % EXTENDED;
+  return fields.flatMap(([size, isLittle, first, width]) => {
+    const number = Math.floor(identifier / 2 ** first) % 2 ** width;
+    const bytes = Array.from({ length: size }, (_, at) => Math.floor(number / 256 ** at) & 0xff);
+    return isLittle ? bytes : bytes.reverse();
+  });
+}
+
+function numberIn(bytes, isLittle) {
+  const ordered = isLittle ? bytes.toReversed() : bytes;
+  return ordered.reduce((number, byte) => number * 256 + byte, 0);
+}
+
+/** The identifier and the data of a frame as encoders return it, for a driver. */
+function canFrame(bytes) {
+  const identifier = numberIn(bytes.subarray(0, 4), false);
+  return { identifier: identifier % EXTENDED, data: bytes.slice(8), isExtended: identifier >= EXTENDED };
+}
+
+/** The frame of an identifier and its data, as a driver gives them, for decoders. */
+function canBytes({ identifier, data, isExtended = false }) {
+  const number = identifier + (isExtended ? EXTENDED : 0);
+  const head = [number / 2 ** 24, number / 2 ** 16, number / 256, number].map((byte) => byte & 0xff);
+  return Uint8Array.from([...head, data.length, 0, 0, 0, ...data]);
+}
+
 /** Whether a raw value is a whole number; truth values are. A floating-point number is one by its value alone. */
 function isWhole(number) {
   return typeof number === "bigint" || typeof number === "boolean" || Number.isInteger(number);
@@ -1109,8 +1178,17 @@ class EscapeError extends Error {
 
 /** The original bytes, each with the place of the byte that is sent for it. Throws EscapeError. */
 function originalPlaces(escape, data) {
+  if (escape.method === "can") return placesOfIdentifier(escape, data);
   if (escape.method === "cobs") return placesOfBlocks(data);
   return escape.method === "replace" ? replacedPlaces(escape, data) : placesWithoutInserted(escape, data);
+}
+
+/** The first part is in the place of the whole header, and the others of the identifier are behind it. */
+function placesOfIdentifier({ bits, fields }, data) {
+  const wrong = wrongCanHeader(bits, data);
+  if (wrong >= 0) throw new EscapeError(wrong);
+  const parts = canParts(fields, data).map((byte, at) => [byte, at < fields[0][0] ? 0 : 8]);
+  return [...parts, ...Array.from(data.subarray(8), (byte, at) => [byte, at + 8])];
 }
 
 function replacedPlaces(escape, data) {
@@ -1160,13 +1238,15 @@ function placesOfBlocks(data) {
 }
 
 /** What is sent for some bytes. */
-function escapedBytes({ method, pairs, pattern, inserted }, data) {
+function escapedBytes({ method, pairs, pattern, inserted, bits, fields }, data) {
+  if (method === "can") return canIdentifier(bits, fields).escaped(data);
   if (method === "cobs") return cobs.escaped(data);
   return (method === "replace" ? replacing(pairs) : inserting([...pattern], inserted)).escaped(data);
 }
 
 /** The most bytes that are sent for `size` bytes. */
-function mostEscaped({ method, pattern }, size) {
+function mostEscaped({ method, pattern, fields }, size) {
+  if (method === "can") return size + 8 - fields.reduce((sum, [own]) => sum + own, 0);
   if (method === "replace") return 2 * size;
   return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / pattern.length);
 }
@@ -2286,6 +2366,10 @@ const ENCLOSED = "\\[[^\\]]{0,80}\\]|\\([^)]{0,80}\\)";
 const BEFORE = new RegExp(
   `^(?:[\\s,;|=-]+|${TIME}|\\d{4,}[-:](?=[0-9A-Fa-f]{2}\\b)|0000[0-9A-Fa-f]{4}:?\\s+(?=[0-9A-Fa-f]{2}\\b)|(?:${ENCLOSED}|[^\\s:]+:)(?=\\s))`,
 );
+const CANDUMP = new RegExp(
+  "(?:^|\\s)(?<identifier>[0-7][0-9A-Fa-f]{2}|[01][0-9A-Fa-f]{7})"
+  + "(?:#(?<data>(?:[0-9A-Fa-f]{2}){0,8})(?:\\s+[RT])?|\\s+\\[(?<count>[0-8])\\](?<bytes>(?:\\s+[0-9A-Fa-f]{2}){0,8}))\\s*$",
+);
 const BEHIND = new RegExp(`\\s(?:${ENCLOSED}|\\|.{0,80}\\|)$`);
 
 /** A text that is not bytes. The message says why; `isEmpty` if there is nothing in it that may be bytes. */
@@ -2375,6 +2459,16 @@ function withEnd(body, end, mark) {
   return { frame: joined(body, mark), remarks: [remark] };
 }
 
+/** The frame in a line of candump, `605#4041` or `605 [2] 40 41`; null for any other text. */
+function canFrameOf(text) {
+  const match = CANDUMP.exec(text);
+  if (!match) return null;
+  const { identifier, count } = match.groups;
+  const data = bytesOfHex((match.groups.data ?? match.groups.bytes).replace(/\s+/g, ""));
+  if (count !== undefined && Number(count) !== data.length) return null;
+  return canBytes({ identifier: parseInt(identifier, 16), data, isExtended: identifier.length > 3 });
+}
+
 /**
  * The frame in a line of a log: its bytes, empty if the line only announces the next one; the direction of the mark in
  * the line, or empty; remarks on what is missing. Null for a blank line or a comment. Throws Unreadable.
@@ -2383,6 +2477,8 @@ function logLine(text, links) {
   if (/^(?:[ \t\n\r\f\v]*[0-9a-f]{2})+[ \t\n\r\f\v]*$/i.test(text)) {
     return { frame: bytesOfHex(text.replace(/\s+/g, "")), direction: "", remarks: [] };
   }
+  const frame = links.some(({ request }) => request.escape?.method === "can") ? canFrameOf(text) : null;
+  if (frame) return { frame, direction: "", remarks: [] };
   let line = text.endsWith("\n") && !text.endsWith("\r\n") ? text.slice(0, -1) : text;
   line = line.replace(COMMENT, "");
   if (!line.trim()) return null;

@@ -88,6 +88,12 @@ CHARACTERS = [
     r"':010310000002EA\r\n'",
     "RX:",
     "> 2026/01/31 12:00:01.000123  length=8 from=0 to=7",
+    "605#4041600000000000",
+    "(1436509052.249713) vcan0 605#4041600000000000 R",
+    "  can0  605   [8]  40 41 60 00 00 00 00 00",
+    "can0 18FEE521#1400000007000000",
+    "can0 605 [3] 40 41",
+    "605#R",
     "hello",
     "01 06 ?? 1E",
     "0106201",
@@ -123,7 +129,7 @@ def random_lines(count: int) -> Iterator[str]:
         yield chance.choice(("", " ")).join(chance.choices(PIECES, k=chance.randrange(1, 9))).replace("\n", " ")
 
 
-@pytest.mark.parametrize("name", ["widget-2.0", "glider-x-1.1"])
+@pytest.mark.parametrize("name", ["widget-2.0", "glider-x-1.1", "axis-1"])
 def test_logs_are_read_as_by_the_command_line(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     layout = LAYOUTS[name]
     frames = [example.frame.hex(" ") for example in layout.device.examples.values()]

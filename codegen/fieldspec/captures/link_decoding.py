@@ -234,9 +234,12 @@ class LinkDecoder:
                         column[own] = number_at(rows.buffer(way), at, field.size, field.order)
                 if not access.count:
                     values = record.named(access.values)
-                    rows.count[own] = 1
+                    holder = message.request if access.operation == "write" else message.response
+                    carried = holder.named(access.values)
                     if values is not None and values.field.repeat is not None:
                         rows.count[own] = np.maximum((rows.body_size[own] - values.offset) // values.size, 1)
+                    elif carried is None or carried.field.repeat is None:
+                        rows.count[own] = 1
 
     def _place(self, rows: _Rows, direction: Numbers, targets: Numbers, address: Numbers, count: Numbers) -> None:
         """Gives responses the registers of their requests, and finds the data of all frames that carry some."""

@@ -180,7 +180,7 @@ def _computable(link: Link, direction: str) -> Iterator[Diagnostic]:
 def _escapable(link: Link) -> Iterator[Diagnostic]:
     """Whether the escape of a link applies to parts that it has, the body among them, and hides the end mark."""
     escape = link.escape
-    if escape is None:
+    if escape is None or link.is_can:
         return
     if link.encoding != "binary":
         text = f"the link {link.name} escapes bytes, but sends characters"

@@ -20,6 +20,7 @@ from fieldspec.checks.bits_unique import bits_unique
 from fieldspec.checks.bits_within_width import bits_within_width
 from fieldspec.checks.bounds_ordered import bounds_ordered
 from fieldspec.checks.broadcast_apart import broadcast_apart
+from fieldspec.checks.can_frames_complete import can_frames_complete
 from fieldspec.checks.choices_complete import choices_complete
 from fieldspec.checks.codes_fit_link import codes_fit_link
 from fieldspec.checks.commands_are_triggers import commands_are_triggers
@@ -122,6 +123,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("bits_within_width", bits_within_width),
     ("bounds_ordered", bounds_ordered),
     ("broadcast_apart", broadcast_apart),
+    ("can_frames_complete", can_frames_complete),
     ("choices_complete", choices_complete),
     ("codes_fit_link", codes_fit_link),
     ("commands_are_triggers", commands_are_triggers),

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable
 from itertools import islice
 
 from fieldspec.classes import dataclass
+from fieldspec.model.escape import CAN_EXTENDED
 from fieldspec.model.link import Link
 
 # The patterns are texts, which `re` compiles when they are first used; a line of nothing but digits needs none of them.
@@ -123,6 +124,10 @@ _OFFSET_OF_DUMP = r"0000[0-9A-Fa-f]{4}:?\s+(?=[0-9A-Fa-f]{2}\b)"
 _ENCLOSED = r"\[[^\]]{0,80}\]|\([^)]{0,80}\)"
 _LABEL = r"[^\s:]+:"
 _BEFORE = rf"[\s,;|=-]+|{_TIME}|{_NUMBER_OF_LINE}|{_OFFSET_OF_DUMP}|(?:{_ENCLOSED}|{_LABEL})(?=\s)"
+_CANDUMP = (
+    r"(?:^|\s)(?P<identifier>[0-7][0-9A-Fa-f]{2}|[01][0-9A-Fa-f]{7})"
+    r"(?:#(?P<data>(?:[0-9A-Fa-f]{2}){0,8})(?:\s+[RT])?|\s+\[(?P<count>[0-8])\](?P<bytes>(?:\s+[0-9A-Fa-f]{2}){0,8}))\s*$"
+)
 _BEHIND = rf"\s(?:{_ENCLOSED}|\|.{{0,80}}\|)$"
 
 
@@ -141,6 +146,8 @@ class LogLine:
 def log_line(text: str, links: Collection[Link]) -> LogLine | None:
     """The frame in a line; None for a blank line or a comment. Raises Unreadable."""
     if data := _hex_bytes(text):
+        return LogLine(data)
+    if any(link.is_can for link in links) and (data := _can_frame(text)):
         return LogLine(data)
     if text.endswith("\n") and not text.endswith("\r\n"):
         text = text[:-1]
@@ -169,6 +176,16 @@ def _hex_bytes(text: str) -> bytes:
         return bytes.fromhex(text)
     except ValueError:
         return b""
+
+
+def _can_frame(text: str) -> bytes:
+    """The frame in a line of candump, `605#4041` or `605 [2] 40 41`; empty for any other text."""
+    match = re.search(_CANDUMP, text)
+    data = bytes.fromhex((match["data"] or match["bytes"] or "").strip()) if match is not None else b""
+    if match is None or (match["count"] and int(match["count"]) != len(data)):
+        return b""
+    extended = CAN_EXTENDED if len(match["identifier"]) > 3 else 0
+    return (int(match["identifier"], 16) | extended).to_bytes(4, "big") + bytes((len(data), 0, 0, 0)) + data
 
 
 class _NoBytes(Unreadable):

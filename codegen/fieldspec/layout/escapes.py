@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.model.escape import Escape
+from fieldspec.model.escape import CAN_HEADER, Escape
 
 
 class EscapeError(ValueError):
@@ -15,6 +15,8 @@ class EscapeError(ValueError):
 
 def original_places(escape: Escape, data: bytes) -> list[tuple[int, int]]:
     """The original bytes, each with the place of the byte that is sent for it. Raises EscapeError."""
+    if escape.method == "can":
+        return _of_identifier(escape, data)
     if escape.method == "cobs":
         return _of_blocks(data)
     return _replaced(escape, data) if escape.method == "replace" else _without_inserted(escape, data)
@@ -63,3 +65,13 @@ def _of_blocks(data: bytes) -> list[tuple[int, int]]:
     if not data:
         raise EscapeError(0)
     return places
+
+
+def _of_identifier(escape: Escape, data: bytes) -> list[tuple[int, int]]:
+    """The first part is in the place of the whole header, and the others of the identifier are behind it."""
+    wrong = escape.wrong_header(data)
+    if wrong is not None:
+        raise EscapeError(wrong)
+    parts, first = escape.unpacked(int.from_bytes(data[:4], "big")), escape.fields[0][0]
+    places = [(byte, 0 if at < first else CAN_HEADER) for at, byte in enumerate(parts)]
+    return [*places, *((data[at], at) for at in range(CAN_HEADER, len(data)))]

@@ -4,10 +4,24 @@ from __future__ import annotations
 
 from fieldspec.classes import dataclass
 
+CAN_BITS = (11, 29)
+"""The bits that identifiers of CAN frames have."""
+
+CAN_EXTENDED = 1 << 31
+"""The flag of an identifier of 29 bits."""
+
+CAN_HEADER, CAN_DATA = 8, 8
+"""The bytes before the data of a CAN frame, and the most bytes of its data."""
+
 
 @dataclass(frozen=True, slots=True)
 class Escape:
-    """The method is `replace`, `insert` or `cobs`; it applies to the parts from `first` to `last`.
+    """The method is `replace`, `insert`, `cobs` or `can`; it applies to the parts from `first` to `last`.
+
+    `can` packs the first parts into the identifier of a CAN frame, which has `bits` bits. `fields` has the size, the
+    byte order, the first bit and the number of bits of each of these parts. What is sent is a frame as SocketCAN has it
+    in captures: the identifier in four bytes, the first bit set where it has 29 bits; the number of the data; three
+    zeros; the data.
 
     `pairs` are for `replace`: a byte, and the two bytes that are sent for it. `insert` sends the byte `inserted` after
     each occurrence of `pattern`; the search begins anew behind it. Lengths and checksums among these parts are those
@@ -20,15 +34,60 @@ class Escape:
     inserted: int
     first: str
     last: str
+    fields: tuple[tuple[int, str, int, int], ...] = ()
+    bits: int = 0
+
+    @property
+    def fields_size(self) -> int:
+        """The bytes of the parts that are packed into the identifier."""
+        return sum(size for size, _, _, _ in self.fields)
+
+    @property
+    def flags(self) -> int:
+        """What the four bytes of the identifier have besides its bits."""
+        return CAN_EXTENDED if self.bits > CAN_BITS[0] else 0
+
+    def packed(self, data: bytes) -> int | None:
+        """The four bytes of the identifier for the bytes of its parts; None for a number that has too many bits."""
+        identifier, at = self.flags, 0
+        for size, order, first, width in self.fields:
+            number = int.from_bytes(data[at : at + size], "little" if order == "little" else "big")
+            if number >> width:
+                return None
+            identifier |= number << first
+            at += size
+        return identifier
+
+    def unpacked(self, identifier: int) -> bytes:
+        """The bytes of the parts of an identifier."""
+        numbers = (
+            (identifier >> first & (1 << width) - 1).to_bytes(size, "little" if order == "little" else "big")
+            for size, order, first, width in self.fields
+        )
+        return b"".join(numbers)
+
+    def wrong_header(self, data: bytes) -> int | None:
+        """The offset at which bytes are no CAN frame with such an identifier; None where they are."""
+        if len(data) < CAN_HEADER or int.from_bytes(data[:4], "big") & ~((1 << self.bits) - 1) != self.flags:
+            return 0
+        if data[4] != len(data) - CAN_HEADER or data[4] > CAN_DATA:
+            return 4
+        return 5 if any(data[5:CAN_HEADER]) else None
 
     def most(self, size: int) -> int:
         """The most bytes that are sent for `size` bytes."""
+        if self.method == "can":
+            return size - self.fields_size + CAN_HEADER
         if self.method == "replace":
             return 2 * size
         return size + size // 254 + 1 if self.method == "cobs" else size + size // len(self.pattern)
 
     def text(self) -> str:
         """`C0 is sent as DB DC, DB is sent as DB DD`: what is sent, and for which parts where it is not for all."""
+        if self.method == "can":
+            ends = ((first, first + width - 1) for _, _, first, width in self.fields)
+            places = ", ".join(f"{first}..{last}" if first < last else str(first) for first, last in ends)
+            return f"the first parts are the bits {places} of an identifier with {self.bits} bits"
         first, last = self.first and f"from {self.first}", self.last and f"to {self.last}"
         where = " ".join(["", *(word for word in (first, last) if word)])
         if self.method == "cobs":

@@ -27,7 +27,7 @@ class Part(Fact):
     as characters where `digits` says which. `span` is what a length
     counts, in units of `unit_size` bytes and `plus` more, or what a checksum covers. A `reserved` part has no meaning:
     its constant or 0 is sent, and anything is received. `same_as` names the part of the request that a part of the
-    response repeats, else it is empty.
+    response repeats, else it is empty. `bits` are the first and the last bit of a part of an identifier.
     """
 
     role: str
@@ -40,6 +40,7 @@ class Part(Fact):
     reserved: bool
     digits: str = ""
     same_as: str = ""
+    bits: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,6 +135,11 @@ class Link(Fact):
     silence_milliseconds: Decimal | None
     silence_sources: tuple[Citation, ...]
     escape: Escape | None = None
+
+    @property
+    def is_can(self) -> bool:
+        """Whether the frames are those of a CAN bus."""
+        return self.escape is not None and self.escape.method == "can"
 
     def span(self, direction: str, part: Part) -> tuple[int, int] | None:
         """The indices of the first and the last part that a length counts or a checksum covers; None for unknown names.

@@ -98,7 +98,9 @@ class Shape:
     has_length: bool
 
     def length(self, data: int) -> int:
-        """The bytes of a whole frame with `data` bytes of data, on the wire."""
+        """The bytes of a whole frame with `data` bytes of data, on the wire; of a CAN frame those of its data."""
+        if self.link.is_can:
+            return data
         parts = self.around + data
         coded = 2 * parts if self.link.encoding == "hex_ascii" else parts
         return sum(map(len, self.link.delimiters(self.direction))) + coded

@@ -36,6 +36,7 @@ CONSTRUCTS = {
     "tables": "tables of records in registers",
     "frames": "frames: head, length, check, refusals",
     "other_frames": "frames with escapes, several checksums, or others than CRC-16/MODBUS, LRC and the sum of 8 bits",
+    "can_frames": "frames of CAN buses",
     "telegrams": "process data of telegrams, as values",
     "aligned_images": "process data whose words begin at even bytes, as a struct laid over the bytes",
     "images": "process data whose words begin at odd bytes, as a struct laid over the bytes",
@@ -90,6 +91,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["floats"] = lossy("infinity and NaN are refused, because comparing them differs between controllers")
     capabilities["wide_floats"] = refused("the functions do not convert their bits: plc_reals_fit")
     capabilities["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
+    capabilities["can_frames"] = refused("there are no functions for them: plc_frames_supported")
     capabilities["other_frames"] = refused("there are no functions for them: plc_frames_supported")
     capabilities["byte_registers"] = refused("there are no functions for them: plc_spaces_supported")
     capabilities["choices"] = lossy("are bit strings as wide as the widest type, with a function that says which it is")

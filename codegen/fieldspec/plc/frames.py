@@ -30,7 +30,9 @@ def with_supported_links(layout: DeviceLayout, dialect: Dialect) -> tuple[Device
 
 def _unsupported(link: LinkLayout) -> Iterator[tuple[Fact, str, str]]:
     """The facts that no function expresses, each with its key and a description."""
-    if link.link.escape is not None:
+    if link.link.is_can:
+        yield link.link, "can", f"{link.name} is a CAN bus"
+    elif link.link.escape is not None:
         yield link.link, "escape", f"{link.name} escapes bytes"
     for frame in (link.request, link.response):
         checks = frame.checksums

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from fieldspec.model.escape import Escape
+from fieldspec.model.escape import CAN_DATA, CAN_HEADER, Escape
 from fieldspec.reference.records import CodecError
 
 
 def escaped(escape: Escape, data: bytes) -> bytes:
-    """The bytes that are sent for some bytes."""
+    """The bytes that are sent for some bytes. Raises CodecError for an identifier that has no room for its parts."""
+    if escape.method == "can":
+        return _can_frame(escape, data)
     if escape.method == "replace":
         pairs = {byte: bytes(pair) for byte, *pair in escape.pairs}
         return b"".join(pairs.get(byte, bytes((byte,))) for byte in data)
@@ -26,6 +28,12 @@ def escaped(escape: Escape, data: bytes) -> bytes:
 
 def unescaped(escape: Escape, data: bytes, offset: int) -> bytes:
     """The bytes for which some bytes were sent; `offset` is the place of these. Raises CodecError."""
+    if escape.method == "can":
+        wrong = escape.wrong_header(data)
+        if wrong is not None:
+            text = f"it is no CAN frame with an identifier of {escape.bits} bits"
+            raise CodecError("wrong_mark", text, offset + wrong)
+        return escape.unpacked(int.from_bytes(data[:4], "big")) + data[CAN_HEADER:]
     result = bytearray()
     rest = data
     while rest:
@@ -55,3 +63,13 @@ def unescaped(escape: Escape, data: bytes, offset: int) -> bytes:
     if not data and escape.method == "cobs":
         raise CodecError("wrong_mark", "there is no block", offset)
     return bytes(result)
+
+
+def _can_frame(escape: Escape, data: bytes) -> bytes:
+    """A CAN frame: its identifier, the number of its data, three zeros, its data."""
+    identifier, content = escape.packed(data), data[escape.fields_size :]
+    if identifier is None:
+        raise CodecError("out_of_range", "a part has more bits than its place in the identifier")
+    if len(content) > CAN_DATA:
+        raise CodecError("wrong_length", f"a CAN frame has at most {CAN_DATA} bytes of data, not {len(content)}")
+    return identifier.to_bytes(4, "big") + bytes((len(content), 0, 0, 0)) + content

@@ -211,6 +211,9 @@ class FrameCodec:
         numbers: Values = {}
         for part in shape.parts:
             numbers[part.name] = self._head_value(part, values, announced, error, code)
+        coded = shape.role("code")
+        if error and refusal and refusal.code is not None and coded and numbers[coded.name] != refusal.code:
+            raise CodecError("unknown_code", f"an exception response has the code {refusal.code:#04x}")
         length = shape.role("length")
         total = shape.header_size + len(inner) + shape.trailer_size
         if length is not None and _is_sent(shape, length):
@@ -271,8 +274,6 @@ class FrameCodec:
             if own is None:
                 raise CodecError("unknown_code", "the message has no code")
             refusal = self.link.link.exception_response
-            if error and refusal and refusal.code is not None and own != refusal.code:
-                raise CodecError("unknown_code", f"an exception response has the code {refusal.code:#04x}")
             return own | refusal.flag if error and refusal else own
         number = values.get(part.name)
         if not isinstance(number, int):

@@ -114,3 +114,72 @@ export function find(bytes, from, mark) {
   for (let at = from; at + mark.length <= bytes.length; at++) if (begins(bytes, at, mark)) return at;
   return -1;
 }
+
+const EXTENDED = 2 ** 31;
+
+/**
+ * The first parts as the identifier of a CAN frame, which has `bits` bits: the size, whether the byte order is little,
+ * the first bit and the bits of each part. A frame is the identifier in four bytes, the number of data, zeros, the data.
+ */
+export function canIdentifier(bits, fields) {
+  const flags = bits > 11 ? EXTENDED : 0;
+  return {
+    escaped(data) {
+      let [identifier, at] = [flags, 0];
+      for (const [size, isLittle, first, width] of fields) {
+        const number = numberIn(data.subarray(at, at + size), isLittle);
+        if (number >= 2 ** width) throw new CodecError("out_of_range", `${number} has more than ${width} bits`);
+        identifier += number * 2 ** first;
+        at += size;
+      }
+      const size = data.length - at;
+      if (size > 8) throw new CodecError("wrong_length", `a CAN frame has at most 8 bytes of data, not ${size}`);
+      return Uint8Array.from([identifier / 2 ** 24, identifier / 2 ** 16, identifier / 256, identifier, size, 0, 0, 0, ...data.subarray(at)].map((byte) => byte & 0xff));
+    },
+    original(data, offset) {
+      const wrong = wrongCanHeader(bits, data);
+      if (wrong >= 0) {
+        throw new CodecError("wrong_mark", `it is no CAN frame with an identifier of ${bits} bits`, offset + wrong);
+      }
+      return Uint8Array.from([...canParts(fields, data), ...data.subarray(8)]);
+    },
+    end: () => -1,
+  };
+}
+
+/** The offset at which bytes are no CAN frame with an identifier of some bits; -1 where they are. */
+export function wrongCanHeader(bits, data) {
+  const flags = bits > 11 ? EXTENDED : 0;
+  const identifier = numberIn(data.subarray(0, 4), false);
+  if (data.length < 8 || identifier < flags || identifier >= flags + 2 ** bits) return 0;
+  if (data[4] !== data.length - 8 || data[4] > 8) return 4;
+  return data.subarray(5, 8).some((byte) => byte !== 0) ? 5 : -1;
+}
+
+/** The bytes of the parts of the identifier of a CAN frame. */
+export function canParts(fields, data) {
+  const identifier = numberIn(data.subarray(0, 4), false) % EXTENDED;
+  return fields.flatMap(([size, isLittle, first, width]) => {
+    const number = Math.floor(identifier / 2 ** first) % 2 ** width;
+    const bytes = Array.from({ length: size }, (_, at) => Math.floor(number / 256 ** at) & 0xff);
+    return isLittle ? bytes : bytes.reverse();
+  });
+}
+
+function numberIn(bytes, isLittle) {
+  const ordered = isLittle ? bytes.toReversed() : bytes;
+  return ordered.reduce((number, byte) => number * 256 + byte, 0);
+}
+
+/** The identifier and the data of a frame as encoders return it, for a driver. */
+export function canFrame(bytes) {
+  const identifier = numberIn(bytes.subarray(0, 4), false);
+  return { identifier: identifier % EXTENDED, data: bytes.slice(8), isExtended: identifier >= EXTENDED };
+}
+
+/** The frame of an identifier and its data, as a driver gives them, for decoders. */
+export function canBytes({ identifier, data, isExtended = false }) {
+  const number = identifier + (isExtended ? EXTENDED : 0);
+  const head = [number / 2 ** 24, number / 2 ** 16, number / 256, number].map((byte) => byte & 0xff);
+  return Uint8Array.from([...head, data.length, 0, 0, 0, ...data]);
+}

@@ -8,6 +8,7 @@ from ._part_frames import PartFrames
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from ._can import CanIdentifier
     from ._typing import Data
 
 
@@ -133,7 +134,12 @@ class EscapedFrames(PartFrames):
     __slots__ = ("escape", "first", "last", "own", "sent")
 
     def escaping(
-        self, escape: Replace | Insert | Cobs, first: int, last: int | None, sent: frozenset[int], own: frozenset[int]
+        self,
+        escape: Replace | Insert | Cobs | CanIdentifier,
+        first: int,
+        last: int | None,
+        sent: frozenset[int],
+        own: frozenset[int],
     ) -> EscapedFrames:
         """The same frames with their escape."""
         self.escape, self.first, self.last, self.sent, self.own = escape, first, last, sent, own

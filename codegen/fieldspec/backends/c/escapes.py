@@ -24,6 +24,19 @@ def _functions(naming: Naming, link: LinkLayout, escape: Escape) -> Source:
     def digits(number: int) -> str:
         return f"0x{number:02X}u"
 
+    if escape.method == "can":
+        fields = ((size, int(order == "little"), first, width) for size, order, first, width in escape.fields)
+        rows = (", ".join(f"{number}u" for number in field) for field in fields)
+        can_words = {
+            "ESCAPE": f"escape_{link.name}",
+            "UNESCAPE": f"unescape_{link.name}",
+            "ROWS": f"{len(escape.fields)}u",
+            "FIELDS": "\n".join(f"        {{{row}}}," for row in rows),
+            "FLAGS": f"0x{escape.flags:08X}u",
+            "MASKED": f"0x{0xFFFFFFFF & ~((1 << escape.bits) - 1):08X}u",
+            "SIZE": f"{escape.fields_size}u",
+        }
+        return copy_runtime(naming, _FORMS, escape.method, can_words)
     special = dict.fromkeys([byte for byte, _, _ in escape.pairs] + [first for _, first, _ in escape.pairs])
     words = {
         "ESCAPE": f"escape_{link.name}",

@@ -67,6 +67,14 @@ class Position:
         return f"({first}..{last}){steps}" if steps else f"{first}..{last}"
 
 
+def _bits(part: PartLayout) -> str:
+    """`bits 7..10`: the place of a part of a CAN identifier, empty for others."""
+    if part.part.bits is None:
+        return ""
+    first, last = part.part.bits
+    return f"bit {first}" if first == last else f"bits {first}..{last}"
+
+
 class FrameTable:
     """A table of the bytes of one frame. Facts whose paths start with `anchored` get their anchors in it."""
 
@@ -77,6 +85,8 @@ class FrameTable:
         self.anchored = anchored
         characters = link.link.encoding == "hex_ascii"
         self.start, self.width = len(self.shape.start), 2 if characters else 1
+        if link.link.escape is not None and link.link.is_can:
+            self.start = -link.link.escape.fields_size  # places are those in the data, behind the identifier
         self.unit = "Character" if characters else "Byte"
 
     def table(self, caption: str, record: RecordLayout | None, code: int | None = None) -> DocumentTable:
@@ -113,7 +123,7 @@ class FrameTable:
         cells = value_cells(value, inferred, self.marks) if value else (_check_type(part), Cell(), Cell())
         return TableRow(
             (
-                cell(code(position.text(part.size, self.start, self.width))),
+                cell(code(_bits(part) or position.text(part.size, self.start, self.width))),
                 names(part.part, part.name, mark=self.marks.marks(inferred)),
                 *cells,
                 meaning_cell(self.context, part.part, value, *self._role(part, record, message_code)),
@@ -354,7 +364,7 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
             if mark:
                 yield f"{verb} with{frames}", ((code(mark.hex(" ").upper()),),)
     if link.escape is not None:
-        yield "Escaped bytes", ((text_piece(link.escape.text()),),)
+        yield "Identifier" if link.is_can else "Escaped bytes", ((text_piece(link.escape.text()),),)
     if link.byte_order:
         yield "Bytes of a number", ((text_piece(ORDERS[link.byte_order]),),)
     if link.word_order:

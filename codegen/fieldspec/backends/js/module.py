@@ -23,7 +23,7 @@ IMPORTS = {
     "checksums": ("crc16", "crcOf", "lrc", "sum8", "totalOf"),
     "digits": ("bcdOf", "digitsOf", "putBcd", "putDigits"),
     "error": ("brokenList", "refusedMember", "refusedNumber", "wrongNumber"),
-    "escapes": ("cobs", "inserting", "replacing"),
+    "escapes": ("canIdentifier", "cobs", "inserting", "replacing"),
     "framer": ("codeFramer", "delimiterFramer", "escapeFramer", "lengthFramer"),
     "link": ("frames", "link", "message"),
     "parameter": ("parameter", "parameterSet", "parameters"),

@@ -29,7 +29,8 @@ MODULE = _words(
 # The locals and helpers of generated functions, so that no name of a spec hides one.
 HELPERS = _words(
     "allowed bitsOf booleanOf doubleBitsOf doubleOf"
-    " brokenList cobs escapeFramer inserting replacing bytesOf checkSize codeFramer conversion delimiterFramer device"
+    " brokenList canIdentifier cobs escapeFramer inserting replacing bytesOf checkSize codeFramer conversion"
+    " delimiterFramer device"
     " floatOf frame frames knownKeys lengthFramer link listLength message noMessage numberOf parameter"
     " parameterSet putBytes putText record refusedMember refusedNumber register registerArray spans table textOf unit"
     " wordsOf wrongNumber crc16 crcOf totalOf lrc sum8"

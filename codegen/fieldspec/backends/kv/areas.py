@@ -217,7 +217,7 @@ def areas(layout: DeviceLayout) -> Iterator[Area]:
     for table in layout.tables.values():
         yield _table(table)
     for link in layout.links.values():
-        if link.link.encoding == "binary":
+        if link.link.encoding == "binary" and not link.link.is_can:
             for message in link.messages.values():
                 yield from _message(layout, link, message)
 

@@ -36,6 +36,7 @@ RUNTIME = (
     "_conversions",
     "_digits",
     "_error",
+    "_can",
     "_escapes",
     "_firmware",
     "_flags",

@@ -57,6 +57,7 @@ _SHARED = {
     "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
     "_checksums": "Crc Sum Xor",
     "_choices": "Choice",
+    "_can": "CanFrame CanIdentifier",
     "_codes": "by_number by_printed_name",
     "_conversions": (
         "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each float_bytes float_of members new"

@@ -27,6 +27,7 @@ from fieldspec.backends.python.writing import pairs, within
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.model.escape import CAN_BITS
 from fieldspec.names import Name
 
 
@@ -121,6 +122,8 @@ class LinkView:
     stations: str
     broadcast: str
     unanswered: bool
+    is_can: bool
+    is_extended: bool
     wrappers: list[WrapperView]
     request: DirectionView
     response: DirectionView | None
@@ -188,6 +191,8 @@ def link_view(
         doc=docstring(described(link.link.title or Name.of(link.name).title(), link.link, " ".join(facts)), 4),
         stations=pairs(stations.ranges if stations else None) or "()",
         broadcast=str(stations.broadcast) if stations else "None",
+        is_can=link.link.is_can,
+        is_extended=link.link.escape is not None and link.link.escape.bits == CAN_BITS[1],
         unanswered=len(link.carried("response")) < len(link.messages),
         wrappers=wrappers,
         request=views["request"],

@@ -46,8 +46,10 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     return [
         Diagnostic(
             "wireshark_frames_unescaped",
-            f"{name} escapes bytes, which the dissector does not undo",
-            link.place["escape"],
+            f"{name} is a CAN bus, whose identifiers the dissector does not divide"
+            if link.is_can
+            else f"{name} escapes bytes, which the dissector does not undo",
+            link.place["can" if link.is_can else "escape"],
             help=help_text,
         )
         for name, link in links.items()

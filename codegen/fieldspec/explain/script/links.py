@@ -141,5 +141,11 @@ def _escape(escape: Escape) -> dict[str, Data]:
             "pairs": [list(pair) for pair in escape.pairs],
             "pattern": escape.pattern.hex(),
             "inserted": escape.inserted,
+            **({"bits": escape.bits, "fields": _fields(escape)} if escape.method == "can" else {}),
         }
     )
+
+
+def _fields(escape: Escape) -> list[Data]:
+    """The parts of a CAN identifier: the size, whether the order is little, the first bit, and the bits of each."""
+    return [[size, order == "little", first, width] for size, order, first, width in escape.fields]

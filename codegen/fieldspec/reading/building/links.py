@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from fieldspec.classes import replace
 from fieldspec.model.checksums import SIMPLE
+from fieldspec.model.escape import CAN_BITS, Escape
 from fieldspec.model.link import ExceptionResponse, Link, Part, PartSpan, Serial, UnitAddresses
+from fieldspec.model.value import Ranges, Value
 from fieldspec.reading.building.checksums import algorithm_of
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.building.escapes import escape
@@ -44,7 +47,9 @@ def link(entry: Entry) -> Link:
         entry.entry("silence"),
         entry.entry("direction_names"),
     )
-    escaping = entry.entry("escape")
+    escaping, can = entry.entry("escape"), entry.entry("can")
+    order = entry.text("byte_order")
+    request = tuple(_part(inner, order) for inner in entry.entries("request"))
     delimiters = _delimiters(entry)
     arguments = entry.fact()
     if silence and silence.get("source"):  # what the manual prints is no longer from the standard
@@ -59,8 +64,8 @@ def link(entry: Entry) -> Link:
         response_end=delimiters["response_end"],
         byte_order=entry.text("byte_order"),
         word_order=entry.text("word_order"),
-        request=tuple(_part(inner, entry.text("byte_order")) for inner in entry.entries("request")),
-        response=tuple(_part(inner, entry.text("byte_order")) for inner in entry.entries("response")),
+        request=request,
+        response=tuple(_part(inner, order) for inner in entry.entries("response")),
         message_name=entry.text("message_name") or "message",
         request_name=names.text("request") if names and names.text("request") else "request",
         response_name=names.text("response") if names and names.text("response") else "response",
@@ -70,8 +75,21 @@ def link(entry: Entry) -> Link:
         silence_characters=silence.decimal("characters") if silence else None,
         silence_milliseconds=silence.decimal("milliseconds") if silence else None,
         silence_sources=silence.citations("source") if silence else (),
-        escape=escape(escaping) if escaping else None,
+        escape=_identifier(can, request, order) if can else escape(escaping) if escaping else None,
     )
+
+
+def _identifier(entry: Entry, parts: tuple[Part, ...], order: str) -> Escape:
+    """How the parts with bits become the identifier of a CAN frame."""
+    fields = tuple(
+        (part.value.size, part.value.byte_order or order or "big", part.bits[0], part.bits[1] - part.bits[0] + 1)
+        for part in parts
+        if part.bits is not None and part.value is not None
+    )
+    bits = entry.integer("identifier") or CAN_BITS[0]
+    if bits not in CAN_BITS:
+        entry.refuse("wrong_form", "identifier", f"no identifier has {bits} bits", "write 11 or 29")
+    return Escape("can", (), b"\0", 0, "", "", fields, bits)
 
 
 def _delimiters(entry: Entry) -> dict[str, bytes]:
@@ -127,12 +145,12 @@ def _part(entry: Entry, link_order: str) -> Part:
         if key in _SPECIFIC and key not in _KEYS[role] and key != "algorithm":
             text = f"`{key}` has no effect in a part with the role {role}"
             entry.refuse("wrong_form", key, text, _HELP.get(key, f"remove `{key}`"))
-    counts, covers = entry.entry("counts"), entry.entry("covers")
+    counts, covers, bits = entry.entry("counts"), entry.entry("covers"), _bits(entry)
     span = counts if role == "length" else covers if role == "checksum" else None
     return Part(
         **entry.fact(),
         role=role,
-        value=value(entry, takes_digits=False) if role in _VALUED else None,
+        value=_value(entry, bits) if role in _VALUED else None,
         algorithm=algorithm,
         byte_order=order,
         span=PartSpan(span.text("from"), span.text("to")) if span is not None else PartSpan("", ""),
@@ -141,7 +159,25 @@ def _part(entry: Entry, link_order: str) -> Part:
         reserved=entry.flag("reserved"),
         digits=digits,
         same_as=entry.text("same_as"),
+        bits=bits,
     )
+
+
+def _bits(entry: Entry) -> tuple[int, int] | None:
+    text = entry.text("bits")
+    if not text:
+        return None
+    first, _, last = text.partition("..")
+    return int(first), max(int(first), int(last or first))
+
+
+def _value(entry: Entry, bits: tuple[int, int] | None) -> Value:
+    """The value of a part; one with bits has no greater number than these can hold."""
+    own = value(entry, takes_digits=False)
+    highest = (1 << bits[1] - bits[0] + 1) - 1 if bits is not None else own.type.high
+    if highest >= own.type.high or own.ranges is not None or own.const is not None or entry.text("role") == "code":
+        return own
+    return replace(own, ranges=Ranges(((0, highest),)))
 
 
 def _unit_addresses(entry: Entry) -> UnitAddresses | None:

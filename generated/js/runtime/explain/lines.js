@@ -1,3 +1,4 @@
+import { canBytes } from "../escapes.js";
 import { bytesOfHex } from "./texts.js";
 
 // Patterns of bytes in a text, in the spellings of terminals, sniffers and programming languages.
@@ -29,6 +30,10 @@ const TIME = `(?:${DATE}T${CLOCK}|${DATE}|${CLOCK}|[-+]?\\d+\\.\\d+(?:s|ms|us)?)
 const ENCLOSED = "\\[[^\\]]{0,80}\\]|\\([^)]{0,80}\\)";
 const BEFORE = new RegExp(
   `^(?:[\\s,;|=-]+|${TIME}|\\d{4,}[-:](?=[0-9A-Fa-f]{2}\\b)|0000[0-9A-Fa-f]{4}:?\\s+(?=[0-9A-Fa-f]{2}\\b)|(?:${ENCLOSED}|[^\\s:]+:)(?=\\s))`,
+);
+const CANDUMP = new RegExp(
+  "(?:^|\\s)(?<identifier>[0-7][0-9A-Fa-f]{2}|[01][0-9A-Fa-f]{7})"
+  + "(?:#(?<data>(?:[0-9A-Fa-f]{2}){0,8})(?:\\s+[RT])?|\\s+\\[(?<count>[0-8])\\](?<bytes>(?:\\s+[0-9A-Fa-f]{2}){0,8}))\\s*$",
 );
 const BEHIND = new RegExp(`\\s(?:${ENCLOSED}|\\|.{0,80}\\|)$`);
 
@@ -119,6 +124,16 @@ function withEnd(body, end, mark) {
   return { frame: joined(body, mark), remarks: [remark] };
 }
 
+/** The frame in a line of candump, `605#4041` or `605 [2] 40 41`; null for any other text. */
+function canFrameOf(text) {
+  const match = CANDUMP.exec(text);
+  if (!match) return null;
+  const { identifier, count } = match.groups;
+  const data = bytesOfHex((match.groups.data ?? match.groups.bytes).replace(/\s+/g, ""));
+  if (count !== undefined && Number(count) !== data.length) return null;
+  return canBytes({ identifier: parseInt(identifier, 16), data, isExtended: identifier.length > 3 });
+}
+
 /**
  * The frame in a line of a log: its bytes, empty if the line only announces the next one; the direction of the mark in
  * the line, or empty; remarks on what is missing. Null for a blank line or a comment. Throws Unreadable.
@@ -127,6 +142,8 @@ export function logLine(text, links) {
   if (/^(?:[ \t\n\r\f\v]*[0-9a-f]{2})+[ \t\n\r\f\v]*$/i.test(text)) {
     return { frame: bytesOfHex(text.replace(/\s+/g, "")), direction: "", remarks: [] };
   }
+  const frame = links.some(({ request }) => request.escape?.method === "can") ? canFrameOf(text) : null;
+  if (frame) return { frame, direction: "", remarks: [] };
   let line = text.endsWith("\n") && !text.endsWith("\r\n") ? text.slice(0, -1) : text;
   line = line.replace(COMMENT, "");
   if (!line.trim()) return null;

@@ -224,3 +224,68 @@ static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length,
     *length = to + tail;
     return DEVICE_OK;
 }
+
+/* ---- can ---- */
+
+/** Packs the first parts into the identifier of a CAN frame: the identifier, the number of data, zeros, the data. */
+static inline device_codec_status device_ESCAPE(
+    uint8_t *data, size_t *length, size_t head, size_t tail, size_t capacity)
+{
+    static const uint8_t fields[ROWS][4] = {
+FIELDS
+    };
+    uint32_t identifier = FLAGS, number;
+    size_t at = head, row, byte, size = *length - head - tail - SIZE;
+    for (row = 0; row < ROWS; row++) {
+        number = 0;
+        for (byte = 0; byte < fields[row][0]; byte++) {
+            number |= (uint32_t)data[at + byte] << (8u * (fields[row][1] != 0u ? byte : fields[row][0] - 1u - byte));
+        }
+        if ((number >> fields[row][3]) != 0u) {
+            return DEVICE_ERR_OUT_OF_RANGE;
+        }
+        identifier |= number << fields[row][2];
+        at += fields[row][0];
+    }
+    if (size > 8u) {
+        return DEVICE_ERR_WRONG_LENGTH;
+    }
+    if (capacity - *length < 8u - SIZE) {
+        return DEVICE_ERR_CAPACITY;
+    }
+    device_move_up(data + SIZE, size, 8u - SIZE);
+    device_store_u32_be(data, identifier);
+    device_store_u32_be(data + 4u, (uint32_t)size << 24u);
+    *length = size + 8u;
+    return DEVICE_OK;
+}
+
+/** Turns the identifier of a CAN frame back into the first parts. */
+static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length, size_t head, size_t tail)
+{
+    static const uint8_t fields[ROWS][4] = {
+FIELDS
+    };
+    uint32_t identifier, number;
+    size_t at = head, row, byte, size = *length - head - tail;
+    if (size < 8u || size > 16u || device_load_u32_be(data + 4u) != (uint32_t)(size - 8u) << 24u) {
+        return DEVICE_ERR_WRONG_MARK;
+    }
+    identifier = device_load_u32_be(data);
+    if ((identifier & MASKED) != FLAGS) {
+        return DEVICE_ERR_WRONG_MARK;
+    }
+    for (row = 0; row < ROWS; row++) {
+        number = (identifier >> fields[row][2]) & (((uint32_t)1u << fields[row][3]) - 1u);
+        for (byte = 0; byte < fields[row][0]; byte++) {
+            data[at + byte] =
+                (uint8_t)(number >> (8u * (fields[row][1] != 0u ? byte : fields[row][0] - 1u - byte)));
+        }
+        at += fields[row][0];
+    }
+    for (byte = 8u; byte < size; byte++) {
+        data[byte + SIZE - 8u] = data[byte];
+    }
+    *length = size + SIZE - 8u;
+    return DEVICE_OK;
+}

@@ -24,6 +24,19 @@ export declare class CodecError extends Error {
   readonly offset: number | null;
 }
 
+/** The identifier and the data of a CAN frame, as drivers take and give them; `isExtended` means 29 bits. */
+export interface CanFrame {
+  readonly identifier: number;
+  readonly data: Uint8Array;
+  readonly isExtended?: boolean;
+}
+
+/** The identifier and the data of a frame as encoders of a CAN bus return it. */
+export declare function canFrame(bytes: Uint8Array): CanFrame;
+
+/** The frame of an identifier and its data, as decoders of a CAN bus take it. */
+export declare function canBytes(frame: CanFrame): Uint8Array;
+
 /** A quantity: a number, a text with decimals, which is exact, or a bigint. */
 export type Quantity = number | string | bigint;
 

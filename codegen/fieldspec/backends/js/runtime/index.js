@@ -1,2 +1,3 @@
 export { CodecError } from "./error.js";
+export { canBytes, canFrame } from "./escapes.js";
 export { Framer } from "./framer.js";

@@ -1,5 +1,5 @@
 import { checksumBytes, crcOf, totalOf } from "../checksums.js";
-import { cobs, inserting, replacing } from "../escapes.js";
+import { canIdentifier, canParts, cobs, inserting, replacing, wrongCanHeader } from "../escapes.js";
 import { bytesOfHex, latinOf } from "./texts.js";
 
 const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
@@ -92,8 +92,17 @@ export class EscapeError extends Error {
 
 /** The original bytes, each with the place of the byte that is sent for it. Throws EscapeError. */
 export function originalPlaces(escape, data) {
+  if (escape.method === "can") return placesOfIdentifier(escape, data);
   if (escape.method === "cobs") return placesOfBlocks(data);
   return escape.method === "replace" ? replacedPlaces(escape, data) : placesWithoutInserted(escape, data);
+}
+
+/** The first part is in the place of the whole header, and the others of the identifier are behind it. */
+function placesOfIdentifier({ bits, fields }, data) {
+  const wrong = wrongCanHeader(bits, data);
+  if (wrong >= 0) throw new EscapeError(wrong);
+  const parts = canParts(fields, data).map((byte, at) => [byte, at < fields[0][0] ? 0 : 8]);
+  return [...parts, ...Array.from(data.subarray(8), (byte, at) => [byte, at + 8])];
 }
 
 function replacedPlaces(escape, data) {
@@ -143,13 +152,15 @@ function placesOfBlocks(data) {
 }
 
 /** What is sent for some bytes. */
-export function escapedBytes({ method, pairs, pattern, inserted }, data) {
+export function escapedBytes({ method, pairs, pattern, inserted, bits, fields }, data) {
+  if (method === "can") return canIdentifier(bits, fields).escaped(data);
   if (method === "cobs") return cobs.escaped(data);
   return (method === "replace" ? replacing(pairs) : inserting([...pattern], inserted)).escaped(data);
 }
 
 /** The most bytes that are sent for `size` bytes. */
-export function mostEscaped({ method, pattern }, size) {
+export function mostEscaped({ method, pattern, fields }, size) {
+  if (method === "can") return size + 8 - fields.reduce((sum, [own]) => sum + own, 0);
   if (method === "replace") return 2 * size;
   return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / pattern.length);
 }

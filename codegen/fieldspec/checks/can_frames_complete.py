@@ -1,0 +1,147 @@
+"""The first parts of a frame on a CAN bus are all bits of its identifier, the same in requests and responses, and the
+data have at most eight bytes. Numbers fit into their bits. Nothing else than a CAN bus has parts with bits.
+
+Why: a bit that no part has could be anything, and a frame with more data cannot be sent.
+
+Example: an identifier of 11 bits with `bits: 7..10` and `bits: 0..5`, which leaves out bit 6.
+
+Cure: Give every bit of the identifier to one part, a `const` or a `reserved` one where the manual says so. State longer
+data as several messages. A CAN bus has no delimiters, lengths, checksums, escapes and serial settings of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label, plural
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.escape import CAN_DATA
+from fieldspec.model.link import Link, Part
+from fieldspec.model.sizes import RecordSizes, messages_on, part_size
+
+_CODE = "can_frames_complete"
+_FOREIGN = ("start", "end", "delimiters", "escape", "serial", "silence")
+_MOST_PARTS = 7
+"""The bytes of the parts of an identifier: packed, they never need more room than unpacked."""
+
+
+def can_frames_complete(device: Device) -> Iterator[Diagnostic]:
+    for link in device.links.values():
+        if not link.is_can:
+            for part in (*link.request, *link.response):
+                if part.bits is not None:
+                    text = f"{part.name} has `bits`, but {link.name} is no CAN bus"
+                    yield finding(_CODE, part.place, "bits", text, "remove `bits`, or add `can` to the link")
+            continue
+        yield from _without_foreign_keys(link)
+        own = [_identifier(link.parts(direction)) for direction in ("request", "response")]
+        if own[0] != own[1]:
+            text = f"requests and responses on {link.name} divide the identifier differently"
+            help = "give the parts before the data the same types and bits in both directions"
+            yield finding(_CODE, link.place, "can", text, help)
+        for direction in ("request", "response"):
+            yield from _of_parts(link, direction)
+        yield from _data(device, link)
+        yield from _numbers(device, link)
+
+
+def _identifier(parts: tuple[Part, ...]) -> list[tuple[object, ...]]:
+    return [
+        (part.bits, part.value.type.name, part.value.byte_order)
+        for part in parts
+        if part.bits is not None and part.value is not None
+    ]
+
+
+def _without_foreign_keys(link: Link) -> Iterator[Diagnostic]:
+    for key in _FOREIGN:
+        if key in link.place:
+            yield finding(_CODE, link.place, key, f"`{key}` has no effect on a CAN bus", f"remove `{key}`")
+    if link.encoding != "binary":
+        text = f"{link.name} is a CAN bus, which sends no characters"
+        yield finding(_CODE, link.place, "encoding", text, "remove `encoding`")
+
+
+def _of_parts(link: Link, direction: str) -> Iterator[Diagnostic]:
+    assert link.escape is not None
+    parts = link.parts(direction)
+    behind = next((at for at, part in enumerate(parts) if part.bits is None), len(parts))
+    for part in parts[behind:]:
+        if part.bits is not None:
+            text = f"{part.name} is a part of the identifier, but comes after {parts[behind].name}"
+            yield finding(_CODE, part.place, "bits", text, "list the parts of the identifier first")
+        if part.role in ("length", "checksum"):
+            text = f"{part.name} has the role {part.role}, but a CAN frame has its own {part.role}"
+            yield finding(_CODE, part.place, "role", text, "remove the part")
+    free = set(range(link.escape.bits))
+    for part in parts[:behind]:
+        first, last = part.bits or (0, 0)
+        wrong = [bit for bit in range(first, last + 1) if bit not in free]
+        if wrong:
+            what = "the identifier does not have" if wrong[0] >= link.escape.bits else "another part has"
+            text = f"{part.name} has bit {wrong[0]}, which {what}"
+            yield finding(_CODE, part.place, "bits", text, "correct the bits")
+        free -= set(range(first, last + 1))
+        if part.value is not None and last - first >= 8 * part.value.size:
+            text = f"{part.name} has {plural(last - first + 1, 'bit')}, but is {part.value.type.name}"
+            there = label(part.place, "type", "its type")
+            yield finding(_CODE, part.place, "bits", text, "use a wider type", there)
+        if part.value is not None and part.value.type.signed:
+            text = f"{part.name} is {part.value.type.name}, but the bits of an identifier have no sign"
+            yield finding(_CODE, part.place, "type", text, "use an unsigned type")
+    if free:
+        text = f"no part of a {direction} on {link.name} has bit {max(free)} of the identifier"
+        help = "give every bit to a part; one without a meaning is `reserved`"
+        yield finding(_CODE, link.place, direction, text, help)
+    if sum(map(part_size, parts[:behind])) > _MOST_PARTS:
+        text = f"the parts of the identifier on {link.name} have more than {_MOST_PARTS} bytes"
+        yield finding(_CODE, link.place, direction, text, "use narrower types, or join neighbouring parts")
+
+
+def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
+    """The data of every message, and those of an exception response, fit into a frame."""
+    sizes = RecordSizes(device)
+    for direction in ("request", "response"):
+        around = sum(part_size(part) for part in link.parts(direction) if part.bits is None)
+        for message in messages_on(device, link):
+            if direction == "response" and not message.is_answered_on(link.name):
+                continue
+            record = message.request if direction == "request" else message.response
+            bounds = sizes.bounds(record)
+            if bounds is not None and bounds[1] + around > CAN_DATA:
+                text = f"the {direction} of {message.name} has {bounds[1] + around} bytes, and a CAN frame {CAN_DATA}"
+                yield finding(_CODE, message.place, direction, text, "divide it into several messages")
+    error = link.exception_response
+    record_bounds = sizes.bounds(device.records[error.record]) if error and error.record in device.records else None
+    around = sum(part_size(part) for part in link.response if part.bits is None)
+    if record_bounds is not None and record_bounds[1] + around > CAN_DATA:
+        text = f"an exception response on {link.name} has {record_bounds[1] + around} bytes, and a CAN frame {CAN_DATA}"
+        yield finding(_CODE, link.place, "exception_response", text, "shorten the record")
+
+
+def _numbers(device: Device, link: Link) -> Iterator[Diagnostic]:
+    """Constants, ranges, unit addresses and codes have no more bits than their parts."""
+    for part in (*link.request, *link.response):
+        if part.bits is None or part.value is None:
+            continue
+        highest = (1 << part.bits[1] - part.bits[0] + 1) - 1
+        ranges, addresses = part.value.ranges, link.unit_addresses
+        numbers = [("const", part.value.const), ("range", ranges.high if ranges is not None else None)]
+        for key, number in numbers:
+            if number is not None and number > highest and key in part.place:
+                text = f"{part.name} can be {number}, but its bits hold at most {highest}"
+                yield finding(_CODE, part.place, key, text, "correct the number or the bits")
+        if part.role == "unit_address" and addresses is not None:
+            greatest = max((addresses.ranges.high if addresses.ranges else 0), addresses.broadcast or 0)
+            if greatest > highest:
+                text = f"a unit address can be {greatest}, but the bits of {part.name} hold at most {highest}"
+                yield finding(_CODE, link.place, "unit_addresses", text, "correct the addresses or the bits")
+        for message in messages_on(device, link) if part.role == "code" else ():
+            if message.code is not None and message.code > highest:
+                text = f"the code {message.code:#x} does not fit the bits of {part.name}, which hold at most {highest}"
+                yield finding(_CODE, message.place, "code", text, "correct the code or the bits")
+        error = link.exception_response
+        if part.role == "code" and error is not None and max(error.flag, error.code or 0) > highest:
+            text = f"the bits of {part.name} do not hold the mark of exception responses"
+            yield finding(_CODE, link.place, "exception_response", text, "correct the mark or the bits")

@@ -1,0 +1,205 @@
+"""CAN buses: identifiers with bits, in all codecs, and talks of a drive of CiA 402 with canopen over a virtual bus."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import can
+import canopen
+import pytest
+from canopen import objectdictionary as dictionary
+
+from fieldspec.explain.log import log_line
+from fieldspec.reference.frames import codec
+from fieldspec.reference.records import CodecError
+from layouts import TEST_SPECS, newest
+from python_package import codec_error, module_of
+from random_devices.agreement import JUDGES, Comparison, compare_layout
+
+AXIS = newest(TEST_SPECS, "axis")
+MODULE = module_of(AXIS)
+NODE = 5
+TIMEOUT = 20.0
+OBJECTS = {
+    0x6040: ("controlword", dictionary.UNSIGNED16),
+    0x6041: ("statusword", dictionary.UNSIGNED16),
+    0x6060: ("mode", dictionary.INTEGER8),
+    0x6061: ("mode_display", dictionary.INTEGER8),
+    0x6064: ("position", dictionary.INTEGER32),
+    0x607A: ("target", dictionary.INTEGER32),
+}
+
+
+def test_codecs_agree_on_random_frames_of_a_can_bus() -> None:
+    result = Comparison()
+    names = {"python", "javascript", "tcc"}
+    compare_layout(AXIS, 1, 90, tuple(judge for judge in JUDGES if judge.name in names), result)
+    assert result.disagreements == []
+    assert set(result.asked) == names
+
+
+def test_a_frame_is_an_identifier_and_data_for_drivers() -> None:
+    frame = MODULE.sdo.encode_request(NODE, MODULE.ReadStatuswordRequest())
+    record = MODULE.sdo.can_frame(frame)
+    assert (record.identifier, record.data.hex(" "), record.is_extended) == (0x605, "40 41 60 00 00 00 00 00", False)
+    assert MODULE.sdo.frame_of(0x605, record.data) == frame
+    wide = MODULE.vehicle.can_frame(MODULE.vehicle.encode_request(0x21, MODULE.ReadHoursRequest(), priority=6))
+    assert (wide.identifier, wide.data, wide.is_extended) == (0x18FEE521, b"", True)
+
+
+def test_a_number_with_more_bits_than_its_place_is_refused() -> None:
+    reference = codec(AXIS).links
+    with pytest.raises(CodecError, match="function is 16"):
+        reference["pdo"].encode("request", "position_data", {"function": 16, "node": 1, "controlword": 0, "target": 0})
+    with pytest.raises(codec_error()):
+        MODULE.vehicle.encode_error(1, 1 << 18, MODULE.Reason(reason=1), priority=0)
+
+
+def test_the_page_of_a_device_says_which_bits_of_the_identifier_a_part_is() -> None:
+    from fieldspec.backends.docs.backend import files
+
+    pages = [text for path, text in files([AXIS]).items() if path.endswith(".md")]
+    text = "\n".join(page for page in pages if isinstance(page, str))
+    assert "bits 7..10" in text
+    assert "the first parts are the bits 26..28, 8..25, 0..7 of an identifier with 29 bits" in text
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "605#4041600000000000",
+        "(1436509052.249713) vcan0 605#4041600000000000",
+        "  vcan0  605   [8]  40 41 60 00 00 00 00 00",
+    ],
+)
+def test_lines_of_candump_are_frames(text: str) -> None:
+    line = log_line(text, [link.link for link in AXIS.links.values()])
+    assert line is not None
+    assert line.frame == MODULE.sdo.encode_request(NODE, MODULE.ReadStatuswordRequest())
+
+
+# canopen
+
+
+def objects() -> dictionary.ObjectDictionary:
+    """The objects of the drive, and what canopen needs to map process data."""
+    result = dictionary.ObjectDictionary()
+    for index, (name, kind) in OBJECTS.items():
+        variable = dictionary.ODVariable(name, index, 0)
+        variable.data_type, variable.default, variable.access_type = kind, 0, "rw"
+        result.add_object(variable)
+    for offset in (0x1400, 0x1800):
+        result.add_object(dictionary.ODRecord(f"communication_{offset:x}", offset))
+        result.add_object(dictionary.ODArray(f"mapping_{offset:x}", offset + 0x200))
+    return result
+
+
+class Bus:
+    """Two ends of a virtual CAN bus: a network of canopen, and a driver for the generated code."""
+
+    def __init__(self, channel: str) -> None:
+        self.network = canopen.Network()
+        self.network.connect(interface="virtual", channel=channel)
+        self.driver = can.Bus(interface="virtual", channel=channel)
+
+    def send(self, link: Any, frame: bytes) -> None:
+        """Sends a frame of the generated code."""
+        record = link.can_frame(frame)
+        self.driver.send(
+            can.Message(arbitration_id=record.identifier, data=record.data, is_extended_id=record.is_extended)
+        )
+
+    def receive(self, link: Any) -> bytes:
+        """A frame for the generated code."""
+        message = self.driver.recv(TIMEOUT)
+        assert message is not None
+        return bytes(link.frame_of(message.arbitration_id, message.data))
+
+    def ask(self, request: Any) -> Any:
+        """The answer to a request for an object."""
+        self.send(MODULE.sdo, MODULE.sdo.encode_request(NODE, request))
+        return MODULE.sdo.decode_response(self.receive(MODULE.sdo), request).message
+
+
+@pytest.fixture
+def bus(request: pytest.FixtureRequest) -> Iterator[Bus]:
+    """A bus of its own for each test."""
+    result = Bus(Path(request.node.nodeid).name)
+    yield result
+    result.network.disconnect()
+    result.driver.shutdown()
+
+
+def test_generated_code_reads_and_writes_the_objects_of_a_node_of_canopen(bus: Bus) -> None:
+    node = bus.network.create_node(NODE, objects())
+    node.sdo[0x6041].raw = 0x0237
+    node.sdo[0x6064].raw = -123456
+    node.sdo[0x6061].raw = 6
+    status = bus.ask(MODULE.ReadStatuswordRequest()).statusword
+    assert (status.raw, status.operation_enabled, status.fault) == (0x0237, True, False)
+    assert bus.ask(MODULE.ReadPositionRequest()).position == -123456
+    assert bus.ask(MODULE.ReadModeRequest()).mode == MODULE.Mode.HOMING
+    bus.ask(MODULE.WriteControlwordRequest(controlword=MODULE.Controlword(0x0F)))
+    bus.ask(MODULE.WriteTargetRequest(target=-10))
+    bus.ask(MODULE.WriteModeRequest(mode=MODULE.Mode.PROFILE_POSITION))
+    assert [node.sdo[index].raw for index in (0x6040, 0x607A, 0x6060)] == [0x0F, -10, 1]
+
+
+def test_what_a_node_of_canopen_aborts_is_no_response(bus: Bus) -> None:
+    bus.network.create_node(NODE, dictionary.ObjectDictionary())
+    with pytest.raises(codec_error()) as refused:
+        bus.ask(MODULE.ReadStatuswordRequest())
+    assert refused.value.reason == "wrong_const"
+
+
+def test_canopen_reads_and_writes_what_generated_code_answers(bus: Bus) -> None:
+    sent: list[Any] = []
+
+    def answer() -> None:
+        for response in (
+            MODULE.ReadStatuswordResponse(statusword=MODULE.Statusword(0x0237)),
+            MODULE.ReadPositionResponse(position=-7),
+            MODULE.WriteTargetResponse(),
+            MODULE.WriteModeResponse(),
+        ):
+            sent.append(MODULE.sdo.decode_request(bus.receive(MODULE.sdo)).message)
+            bus.send(MODULE.sdo, MODULE.sdo.encode_response(NODE, response))
+
+    drive = threading.Thread(target=answer, daemon=True)
+    drive.start()
+    node = bus.network.add_node(NODE, objects())
+    assert (node.sdo[0x6041].raw, node.sdo[0x6064].raw) == (0x0237, -7)
+    node.sdo[0x607A].raw = 100_000
+    node.sdo[0x6060].raw = 8
+    drive.join(TIMEOUT)
+    assert sent[2:] == [MODULE.WriteTargetRequest(target=100_000), MODULE.WriteModeRequest(mode=8)]
+
+
+def test_process_data_are_those_of_canopen_both_ways(bus: Bus) -> None:
+    node = bus.network.add_node(NODE, objects())
+    received, sent = node.rpdo[1], node.tpdo[1]
+    received.cob_id, sent.cob_id = 0x200 + NODE, 0x180 + NODE
+    for index in (0x6040, 0x607A):
+        received.add_variable(index)
+    for index in (0x6041, 0x6064):
+        sent.add_variable(index)
+    received["controlword"].raw, received["target"].raw = 0x1F, -1000
+    received.transmit()
+    request = MODULE.pdo.decode_request(bus.receive(MODULE.pdo), MODULE.PositionDataRequest)
+    assert (request.function, request.station) == (4, NODE)
+    assert (request.message.controlword.raw, request.message.target) == (0x1F, -1000)
+    sent.enabled = True
+    sent.subscribe()
+    data = MODULE.PositionDataResponse(statusword=MODULE.Statusword(0x1637), position=-1000)
+    timer = threading.Timer(0.1, lambda: bus.send(MODULE.pdo, MODULE.pdo.encode_response(NODE, data, function=3)))
+    timer.start()
+    assert sent.wait_for_reception(TIMEOUT) is not None
+    assert (sent["statusword"].raw, sent["position"].raw) == (0x1637, -1000)
+
+
+def test_a_node_is_started_as_canopen_starts_it(bus: Bus) -> None:
+    bus.network.add_node(NODE, objects()).nmt.state = "OPERATIONAL"
+    assert MODULE.nmt.decode_request(bus.receive(MODULE.nmt)).message == MODULE.StartNodeRequest(node=NODE)
