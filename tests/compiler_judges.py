@@ -30,6 +30,7 @@ PATIENCE = 300
 
 OUTPUTS = "outputs"
 CASES = "test_cases.py"
+USAGES = "docs_output/test_usages.py"
 
 
 @dataclass(frozen=True)
@@ -59,7 +60,7 @@ JUDGES = {
         (
             "test_reference.py",
             f"test_checksums.py {CASES}",
-            "test_escapes.py test_idle_reads.py test_cli_encode.py",
+            "test_escapes.py test_idle_reads.py test_cli_encode.py test_frame_layouts.py",
             "test_explanation.py",
         ),
     ),
@@ -70,16 +71,22 @@ JUDGES = {
         "vectors", ("test_reference.py test_checksums.py test_escapes.py test_bits.py", "random_devices")
     ),
     "proofs": Judges("vectors", (f"test_errata.py {CASES}", "test_allowances.py test_versions_of_devices.py")),
-    "model": Judges("vectors python c docs", (CASES, "test_quantities.py test_checksums.py test_servo_bus.py")),
+    "model": Judges(
+        "vectors python c docs", (CASES, "test_quantities.py test_checksums.py test_servo_bus.py test_bits.py")
+    ),
     "plc": Judges(
         "st twincat iec scl kv plcopen",
-        ("test_kv_output.py test_hmi_output.py", f"{CASES} -k plc", "plc_output/test_standard_text.py plc_memory"),
+        (
+            "test_kv_output.py test_hmi_output.py test_plc_checksums.py",
+            f"{CASES} -k plc",
+            "plc_output/test_standard_text.py plc_memory",
+        ),
     ),
     "backends/c": Judges("c", ("c_output/test_printer.py c_output/test_ranges.py", "random_devices", "c_output")),
     "backends/docs": Judges("docs", ("docs_output/test_tables.py docs_output/test_markdown.py", "docs_output")),
     "backends/hmi": Judges("hmi", ("test_hmi_output.py",)),
     "backends/iec": Judges("iec", ("plc_output/test_standard_text.py",)),
-    "backends/js": Judges("js", ("js_output", "random_devices")),
+    "backends/js": Judges("js", (USAGES, "js_output", "random_devices")),
     "backends/kv": Judges("kv", ("test_kv_output.py",)),
     "backends/plcopen": Judges("plcopen", ("plc_output/test_standard_text.py plc_output/test_judges.py",)),
     "backends/python": Judges(
@@ -87,12 +94,13 @@ JUDGES = {
         (
             "test_python_records.py test_python_registers.py test_python_flags.py test_python_choices.py",
             "test_python_many.py test_python_conversions.py test_python_parameters.py test_python_framers.py",
+            f"{USAGES} device/test_client.py",
             "random_devices",
         ),
     ),
     "backends/queries": Judges("queries", ("queries_output",)),
     "backends/scl": Judges("scl", ("plc_output/test_scl_execution.py",)),
-    "backends/st": Judges("st", ("plc_output/test_judges.py",)),
+    "backends/st": Judges("st", (f"{USAGES} test_plc_kept.py", f"{CASES} -k plc", "plc_output/test_judges.py")),
     "backends/twincat": Judges("twincat", ("plc_output/test_judges.py",)),
     "backends/vectors": Judges("vectors", ("test_vectors.py test_idle_reads.py",)),
     "backends/wireshark": Judges("wireshark", ("wireshark_output",)),

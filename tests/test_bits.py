@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 
 from command_line import TEST_SPECS, CommandLine
-from layouts import newest
+from fieldspec.classes import replace
+from layouts import all_layouts, newest
 from python_package import codec_error, module_of
 
 STATION = module_of(newest(TEST_SPECS, "station"))
@@ -101,3 +102,11 @@ def test_a_response_with_too_few_bytes_is_refused() -> None:
 def test_valves_that_are_apart_are_read_one_by_one() -> None:
     assert [valve.address for valve in STATION.VALVES] == [0x10, 0x12, 0x14]
     assert not hasattr(STATION.VALVES, "all")
+
+
+@pytest.mark.parametrize(("width", "signed", "text"), [(4, False, "0..15"), (4, True, "-8..7"), (1, True, "-1..0")])
+def test_a_field_of_bits_holds_what_its_width_and_sign_allow(width: int, signed: bool, text: str) -> None:
+    bit = next(bit for layout in all_layouts() for word in layout.device.flags.values() for bit in word.bits)
+    ranges = replace(bit, first=0, last=width - 1, signed=signed).as_value.ranges
+    assert ranges is not None
+    assert ranges.text() == text

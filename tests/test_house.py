@@ -60,6 +60,7 @@ HOMES = {
     "subprocess": ("commands/",),
     "socket": ("carriers/",),
     "serial": ("carriers/",),
+    "websockets": ("carriers/",),
     "textual": ("commands/",),
     "mcp": ("commands/",),
     "platform": (),

@@ -5,7 +5,10 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.model.device import Device
+from fieldspec.reading.nodes import Mapping, Scalar
 from fieldspec.reading.project import Project, read
+from fieldspec.reading.removals import removal_findings
+from fieldspec.reading.yaml_reader import decoded, parsed
 from spec_files import DEVICE, codes, pointed_at, unmarked
 
 BASE = """
@@ -236,3 +239,27 @@ def test_versions_share_what_does_not_differ() -> None:
 def test_a_finding_about_a_row_is_reported_at_every_version() -> None:
     spec = project(BASE.replace("range: 1..100", "range: 9..1")).devices["gadget"]
     assert [codes(spec.at(version)[1]) for version in ("1.0", "2.0", "3.0")] == [["wrong_form"]] * 3
+
+
+EXAMPLES = """
+messages:
+  - {name: read, code: 3, accesses: {start: address}}
+examples:
+  - {id: reading, message: read}
+  - {id: address, message: other, values: {address: 0x10}}
+  - {id: count, message: other, values: {count: 0x10}}
+registers: {at: 0x10}
+"""
+
+
+@pytest.mark.parametrize(
+    ("path", "section", "about"),
+    [("messages/read", "messages", "reading"), ("registers/speed", "registers", "address")],
+)
+def test_what_is_removed_takes_the_examples_along_that_are_about_it(path: str, section: str, about: str) -> None:
+    tree, _ = parsed(decoded("a.yaml", f"{EXAMPLES}path: {path}\n".encode())[0])
+    assert isinstance(tree, Mapping)
+    named = tree.values["path"]
+    assert isinstance(named, Scalar)
+    (finding,) = removal_findings(tree, [(named, tree.values[section])])
+    assert finding.message == f"`{path}` goes, and examples/{about} is about it"

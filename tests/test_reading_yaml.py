@@ -197,6 +197,17 @@ def test_a_key_has_its_place(text: str) -> None:
     assert (span.start, span.end) == (start, end)
 
 
+@pytest.mark.usefixtures("parser")
+def test_a_key_that_is_an_alias_has_the_place_where_its_mapping_begins() -> None:
+    node = node_of("- &x b\n- {*x : 2}\n")
+    assert isinstance(node, Sequence)
+    mapping = node.items[1]
+    assert isinstance(mapping, Mapping)
+    assert [*mapping.values] == ["b"]
+    span = key_span(mapping, "b")
+    assert (span.start, span.end) == (mapping.start, mapping.start + 1)
+
+
 def test_a_merged_key_has_the_place_where_it_is_written() -> None:
     node, other = node_of("a: 1\n"), node_of("x: 1\nb: 2\n")
     assert isinstance(node, Mapping)

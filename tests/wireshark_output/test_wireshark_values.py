@@ -5,9 +5,12 @@ from __future__ import annotations
 import random
 import re
 from collections.abc import Iterator, Sequence
+from decimal import Decimal
+from fractions import Fraction
 from typing import NamedTuple
 
 from fieldspec.backends.wireshark.backend import refusals
+from fieldspec.backends.wireshark.values import scale_data
 from fieldspec.explain.explanation import Explanation, ExplanationRow, explained
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.texts import Example
@@ -198,3 +201,8 @@ def test_damaged_frames_bring_up_no_error_of_the_program() -> None:
     rows = [line.split("\t") for line in run.stdout.splitlines()]
     assert len(rows) == len(packets)
     assert [row for row in rows if row[1:] != [""]] == []
+
+
+def test_a_quantity_has_the_decimals_of_its_scale_and_a_fraction_has_none() -> None:
+    assert scale_data(Decimal("0.25"), Decimal(0)) == {"factor": 1, "shift": 0, "divisor": 4, "places": 2}
+    assert scale_data(Fraction(100, 255), Decimal(-3)) == {"factor": 20, "shift": -153, "divisor": 51, "places": 0}

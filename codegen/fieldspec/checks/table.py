@@ -22,11 +22,13 @@ from fieldspec.checks.bounds_ordered import bounds_ordered
 from fieldspec.checks.broadcast_apart import broadcast_apart
 from fieldspec.checks.choices_complete import choices_complete
 from fieldspec.checks.codes_fit_link import codes_fit_link
+from fieldspec.checks.commands_are_triggers import commands_are_triggers
 from fieldspec.checks.conversions_match_signals import conversions_match_signals
 from fieldspec.checks.copies_agree import copies_agree
 from fieldspec.checks.data_words_match import data_words_match
 from fieldspec.checks.decimal_equals_hex import decimal_equals_hex
 from fieldspec.checks.default_within_range import default_within_range
+from fieldspec.checks.defaults_writable import defaults_writable
 from fieldspec.checks.descriptions_differ import descriptions_differ
 from fieldspec.checks.detections_apply import detections_apply
 from fieldspec.checks.digits_fit import digits_fit
@@ -75,6 +77,7 @@ from fieldspec.checks.record_size_matches import record_size_matches
 from fieldspec.checks.records_filled import records_filled
 from fieldspec.checks.records_finite import records_finite
 from fieldspec.checks.references_resolve import references_resolve
+from fieldspec.checks.registers_fill_words import registers_fill_words
 from fieldspec.checks.repeat_last import repeat_last
 from fieldspec.checks.replies_agree import replies_agree
 from fieldspec.checks.restatements_agree import restatements_agree
@@ -122,11 +125,13 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("broadcast_apart", broadcast_apart),
     ("choices_complete", choices_complete),
     ("codes_fit_link", codes_fit_link),
+    ("commands_are_triggers", commands_are_triggers),
     ("conversions_match_signals", conversions_match_signals),
     ("copies_agree", copies_agree),
     ("data_words_match", data_words_match),
     ("decimal_equals_hex", decimal_equals_hex),
     ("default_within_range", default_within_range),
+    ("defaults_writable", defaults_writable),
     ("descriptions_differ", descriptions_differ),
     ("detections_apply", detections_apply),
     ("digits_fit", digits_fit),
@@ -174,6 +179,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("records_filled", records_filled),
     ("records_finite", records_finite),
     ("references_resolve", references_resolve),
+    ("registers_fill_words", registers_fill_words),
     ("repeat_last", repeat_last),
     ("replies_agree", replies_agree),
     ("restatements_agree", restatements_agree),

@@ -10,6 +10,8 @@ def add_simulate(simulate: argparse.ArgumentParser) -> None:
     simulate.add_argument("device", metavar="DEVICE[@VERSION]")
     where = "pty, tcp://HOST:PORT, udp://HOST:PORT or a serial port; may be repeated (default: as the link allows)"
     simulate.add_argument("--port", metavar="[LINK=]WHERE", action="append", help=where)
+    browsers = "serve all links to the frame lab in a browser on this machine, at this port (0: any)"
+    simulate.add_argument("--websocket", type=int, metavar="PORT", help=browsers)
     simulate.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
     simulate.add_argument(
         "--baud", type=int, metavar="NUMBER", help="the baud rate of a serial port (default: as delivered)"
@@ -71,6 +73,18 @@ def add_scan(scan: argparse.ArgumentParser) -> None:
     _add_connection(scan)
     scan.add_argument("--trace", action="store_true", help="print all frames to standard error")
     scan.add_argument("--format", choices=("text", "json"), default="text", help="json is evidence for audit")
+
+
+def add_redact(redact: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `redact`."""
+    redact.add_argument("device", metavar="DEVICE[@VERSION]")
+    paths = "captures, logs, dumps and scans; the folder of a unit; or a folder with folders of units"
+    redact.add_argument("paths", nargs="+", metavar="PATH", help=paths)
+    redact.add_argument("--out", metavar="FOLDER", required=True, help="an empty folder for what is written")
+    secret = "a number or a text that must not be in the output, in any encoding; may be repeated"
+    redact.add_argument("--secret", metavar="TEXT", action="append", help=secret)
+    spare = "a text that says nothing of the unit, and is taken over; may be repeated"
+    redact.add_argument("--spare", metavar="NAME", action="append", help=spare)
 
 
 def _add_connection(verb: argparse.ArgumentParser) -> None:

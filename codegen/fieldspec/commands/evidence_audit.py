@@ -118,7 +118,7 @@ def _unit_evidence(path: Path, note: UnitNote, layout: DeviceLayout, observables
                 head = file.read(_HEAD)
         except OSError as error:
             raise UsageError(f"cannot read {each}: {error.strerror}") from None
-        if _is_dump(head):
+        if is_dump(head):
             _add_dump(unit, observables, each, source, number << _FILES)
         else:
             _add_capture(unit, observables, each, source, number << _FILES)
@@ -126,7 +126,7 @@ def _unit_evidence(path: Path, note: UnitNote, layout: DeviceLayout, observables
     return unit
 
 
-def _is_dump(head: bytes) -> bool:
+def is_dump(head: bytes) -> bool:
     """Whether a file holds values of one moment: a workbook, JSON, or rows of addresses and values without times."""
     if head.startswith(MAGIC) or head.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] in (b"{", b"["):
         return True

@@ -6,6 +6,7 @@ import argparse
 import sys
 from collections.abc import Sequence
 
+from fieldspec.carriers.carrier import CarrierError
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands.live_output import can_ask, confirmed, meaning, number
 from fieldspec.commands.terminal import print_blocks
@@ -81,11 +82,11 @@ def _outcome(client: Client, access: Access, item: Assignment) -> tuple[str, boo
         access.write(client, item)
     except RefusedError as error:
         return f"is not written: {error}", False
-    except NoAnswerError as error:
+    except (NoAnswerError, CarrierError) as error:
         return f"may be written or not: {error}", False
     try:
         now = access.read_back(client, item)
-    except NoAnswerError as error:
+    except (NoAnswerError, CarrierError) as error:
         return f"is written, and was not read back: {error}", False
     if now is None:
         print_blocks([Line(f"{item.path}: sent; it cannot be read back")])

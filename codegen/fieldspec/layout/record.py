@@ -195,7 +195,10 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders) 
 
 @dataclass(frozen=True, slots=True)
 class RegisterLayout:
-    """A register with its addresses. `order` and `swapped` are as in `FieldLayout`."""
+    """A register with its addresses, of which one element has `words`: words of 16 bits, or bytes in their spaces.
+
+    `order` and `swapped` are as in `FieldLayout`.
+    """
 
     register: Register
     name: str
@@ -205,3 +208,8 @@ class RegisterLayout:
     stride: int
     order: str
     swapped: bool
+
+    @property
+    def size(self) -> int:
+        """The bytes at the addresses of one element; a value of odd size is filled up to whole words."""
+        return self.register.unit_size * self.words

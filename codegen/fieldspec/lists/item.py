@@ -22,7 +22,7 @@ REGISTERS = "registers"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Item:
-    """A value at `address` with a size of `words` of 16 bits, None for a parameter and for a bit.
+    """A value at `address` with a size of `words` of 16 bits, None for a parameter, a bit and a register of bytes.
 
     A field of a table, and a parameter with several elements, stand for `count` values: the first has the number
     `first`, and they are `stride` addresses apart, or all at one address if that is 0. `access` is empty if the manual
@@ -85,7 +85,7 @@ def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> 
             space=_space(device, register.space),
             address=register.address + number * register.stride,
             name=f"{register.name}_{index}" if many else register.name,
-            words=register.width if register.value.type.name != BIT else None,
+            words=register.width if register.unit_size > 1 and register.value.type.name != BIT else None,
             type=_type(register.value),
             access=register.access,
             value=register.value,

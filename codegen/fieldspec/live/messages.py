@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.explain.hazards import is_query, is_single, write_hazards
 from fieldspec.explain.values import DecodedValue, decode_value
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
-from fieldspec.layout.record import FieldLayout, Orders, RecordLayout
+from fieldspec.layout.record import Orders, RecordLayout
 from fieldspec.layout.values import MeaningError, raw_value
 from fieldspec.live.client import Client, RefusedError
 from fieldspec.live.writing import WriteError
@@ -81,8 +82,8 @@ def signals(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:
     if not (link.request.header or link.request.trailer):
         return  # a cyclic exchange does not only read
     for message in link.carried("response").values():
-        for field in message.response.fields if _is_query(message) else ():
-            if _is_single(field) and field.value is not None:
+        for field in message.response.fields if is_query(message) else ():
+            if is_single(field) and field.value is not None:
                 path = f"{message.name}.{field.name}"
                 yield Signal(path, field.field, field.value, field.order, field.swapped, query=message.name)
     yield from _parts(link)
@@ -115,7 +116,7 @@ def _elements(name: str, row: Parameter) -> Iterator[tuple[str, Fact, Value, int
 
 def _parts(link: LinkLayout) -> Iterator[Signal]:
     """The parts of a response that say something about the device, such as a status."""
-    query = next((message.name for message in link.carried("response").values() if _is_query(message)), "")
+    query = next((message.name for message in link.carried("response").values() if is_query(message)), "")
     asked = {part.name for part in link.request.parts}
     for part in link.response.header:
         if (
@@ -126,21 +127,6 @@ def _parts(link: LinkLayout) -> Iterator[Signal]:
             and part.value is not None
         ):
             yield Signal(part.name, part.part, part.value, part.order, False, query=query)
-
-
-def _is_query(message: MessageLayout) -> bool:
-    """Whether a message only asks: without arguments, and with an answer that has values."""
-    asked = any(_is_argument(field) for field in message.request.fields)
-    return not asked and any(_is_single(field) for field in message.response.fields)
-
-
-def _is_argument(field: FieldLayout) -> bool:
-    constant = field.value is not None and field.value.const is not None
-    return not (field.field.reserved or field.field.measures or constant)
-
-
-def _is_single(field: FieldLayout) -> bool:
-    return field.value is not None and not field.is_list and _is_argument(field)
 
 
 def parameter_message(link: LinkLayout, parameter_set: ParameterSet, operation: str) -> MessageLayout | None:
@@ -263,18 +249,9 @@ def parameter_assignment(layout: DeviceLayout, link: LinkLayout, signal: Signal,
 
 
 def _hazards(fact: Parameter, message: MessageLayout) -> Iterator[str]:
-    if fact.trigger:
-        yield "writing it starts something"
-    if fact.access == "":
-        yield "the manual does not say that it can be written"
-    if fact.restart:
-        yield "it takes effect after a restart"
-    handlings = (fact.handling, message.message.handling)
-    if any(handling.memory == "nonvolatile" for handling in handlings):
-        yield "it is stored for good"
-    endurance = next((handling.endurance for handling in handlings if handling.endurance), "")
-    if endurance not in ("", "unlimited"):
-        yield f"its memory endures {'a limited number of' if endurance == 'limited' else endurance} writes"
+    # A message that stores what it writes does so for every parameter.
+    handlings = sorted((fact.handling, message.message.handling), key=lambda own: own.memory != "nonvolatile")
+    return write_hazards(trigger=fact.trigger, access=fact.access, restart=fact.restart, handlings=handlings)
 
 
 def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str, dict[str, Any], bytes]:

@@ -32,6 +32,7 @@ CONSTRUCTS = {
     "choices": "fields whose type another field decides",
     "groups": "groups of registers",
     "bits": "registers of single bits",
+    "byte_registers": "registers in spaces of bytes",
     "tables": "tables of records in registers",
     "frames": "frames: head, length, check, refusals",
     "other_frames": "frames with escapes, several checksums, or others than CRC-16/MODBUS, LRC and the sum of 8 bits",
@@ -90,6 +91,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["wide_floats"] = refused("the functions do not convert their bits: plc_reals_fit")
     capabilities["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
     capabilities["other_frames"] = refused("there are no functions for them: plc_frames_supported")
+    capabilities["byte_registers"] = refused("there are no functions for them: plc_spaces_supported")
     capabilities["choices"] = lossy("are bit strings as wide as the widest type, with a function that says which it is")
     capabilities["bit_numbers"] = lossy("are masks with the sign and the scale in a comment")
     if dialect.bits == "packed":

@@ -19,6 +19,14 @@ Example: a link whose frames end with `algorithm: crc32_iso_hdlc`.
 
 Cure: Exclude the output for the device (`--to`).
 """,
+    "plc_spaces_supported": """The functions for controllers convert the registers of spaces of words and of bits.
+
+Why: a program that took bytes for words would read every second value from the wrong address.
+
+Example: the control table of a servo, in a space with `unit: byte`.
+
+Cure: Exclude the output for the device (`--to`).
+""",
     "plc_images_exact": """A struct that overlays process data has its members at the offsets of the wire, and
 no extra bytes.
 

@@ -279,12 +279,14 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
     assert value is not None
     kind = value.type.kind
     if kind in (Kind.TEXT, Kind.BYTES):
-        data = raw_value.encode("ascii") if isinstance(raw_value, str) else bytes(raw_value)
+        data = _text_bytes(name, raw_value) if isinstance(raw_value, str) else _bytes(name, raw_value)
         if len(data) > value.size or (kind is Kind.BYTES and len(data) != value.size):
             raise CodecError("wrong_length", f"{name} has {value.size} bytes, not {len(data)}")
         return data.ljust(value.size, b"\0")
+    if kind is Kind.FLOAT and isinstance(raw_value, int | float):
+        return _float(name, value, raw_value)
     if kind is Kind.FLOAT:
-        return _float(name, value, float(raw_value))
+        raise CodecError("wrong_type", f"{name} is a number, not {raw_value!r}")
     if not isinstance(raw_value, int):
         raise CodecError("wrong_type", f"{name} is a whole number, not {raw_value!r}")
     if value.const is not None and raw_value != value.const:
@@ -292,6 +294,21 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
     if value.enum and not _is_known(device, value, int(raw_value)):
         raise CodecError("unknown_value", f"{name} is {raw_value}, which {value.enum} does not list")
     return _in_range(name, value, int(raw_value))
+
+
+def _text_bytes(name: str, text: str) -> bytes:
+    """The characters of a text. Raises CodecError, also for a zero, which ends the text where it is read."""
+    if not text.isascii():
+        raise CodecError("unknown_value", f"{name} holds characters that are not ASCII")
+    if "\0" in text:
+        raise CodecError("unknown_value", f"{name} holds a zero, which ends a text")
+    return text.encode("ascii")
+
+
+def _bytes(name: str, data: Any) -> bytes:
+    if not isinstance(data, bytes | bytearray):
+        raise CodecError("wrong_type", f"{name} is a text or bytes, not {data!r}")
+    return bytes(data)
 
 
 def _float(name: str, value: Value, number: float) -> float:

@@ -82,7 +82,7 @@ export function textOf(name, bytes, offset, size) {
   return text;
 }
 
-/** Writes a text and fills it up with zeros. Throws CodecError for one that is too long or not ASCII. */
+/** Writes a text and fills it up with zeros. Throws CodecError for one that is too long, not ASCII, or has a zero. */
 export function putText(name, value, bytes, offset, size) {
   if (typeof value !== "string") {
     if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
@@ -92,6 +92,7 @@ export function putText(name, value, bytes, offset, size) {
   for (let at = 0; at < size; at++) {
     const code = at < value.length ? value.charCodeAt(at) : 0;
     if (code > 127) throw new CodecError("unknown_value", `${name} has characters that are not ASCII`);
+    if (code === 0 && at < value.length) throw new CodecError("unknown_value", `${name} has a zero, which ends a text`);
     bytes[offset + at] = code;
   }
 }

@@ -90,11 +90,13 @@ def is_among(value: float, others: tuple[float, ...]) -> bool:
 
 
 def refused_text(name: str, value: Any, size: int) -> CodecError | None:
-    """Characters of ASCII, at most `size`."""
+    """Characters of ASCII, at most `size`; a zero would end the text where it is read."""
     if not isinstance(value, str):
         return CodecError("wrong_type", f"{name} is a text, not {value!r}")
     if not value.isascii():
         return CodecError("unknown_value", f"{name} holds characters that are not ASCII")
+    if "\0" in value:
+        return CodecError("unknown_value", f"{name} holds a zero, which ends a text")
     if len(value) > size:
         return CodecError("wrong_length", f"{name} has {size} characters, not {len(value)}")
     return None

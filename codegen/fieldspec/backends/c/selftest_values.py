@@ -192,7 +192,7 @@ def test_values(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
         if is_bit(register):
             continue
         value, order = register.register.value, (register.order, register.swapped)
-        size = value.size + value.size % 2
+        size = register.size
         trigger = register.register.trigger
         yield from _test_value(device, naming, "register", (register.name,), value, order, size, trigger)
     orders = Orders(device.byte_order, device.word_order)

@@ -75,6 +75,7 @@ _NOT_EXACT = {
     "wide_numbers": lossy("are words; no instruction of the KV takes them"),
     "wide_lists": lossy("are words; no instruction of the KV takes them"),
     "bits": refused("are in no word; the bytes of their messages are in the map"),
+    "byte_registers": refused("are in no word; the bytes of their messages are in the map"),
     "choices": lossy("stand once for each type, with the values that decide it"),
     "aliases": lossy("have the name to write"),
     "other_frames": lossy("are words to fill in and to compare; nothing escapes, sums and compares them"),

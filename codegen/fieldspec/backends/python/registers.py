@@ -134,7 +134,7 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
     register = layout.register
     name = scope.take(Name.of(layout.name).upper())
     is_bit = register.value.type.name == BIT
-    value = register_value(register.value, 2 * layout.words, layout.order, layout.swapped, words, register.trigger)
+    value = register_value(register.value, layout.size, layout.order, layout.swapped, words, register.trigger)
     arguments = [literal(layout.name), f"0x{layout.address:04X}", str(layout.words), value, literal(register.access)]
     if layout.count > 1:
         arguments += [f"count={layout.count}", f"first={register.index_from}", f"stride={layout.stride}"]
@@ -143,14 +143,17 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
     ]
     arguments += [f"number={register.number}"] if register.number is not None else []
     arguments += [f"copy_of={literal(register.copy_of)}"] if register.copy_of else []
+    if register.unit_size == 1:
+        arguments.append("unit_size=1")
     if order == "little":
         arguments.append('order="<"')
     if space:
         arguments.append(f"space={literal(space)}")
+    unit = "word" if register.unit_size > 1 else "byte"
     facts = [
         f"0x{layout.address:04X}",
         *([f"in {space}"] if space else []),
-        "1 bit" if is_bit else f"{layout.words} word{'s' if layout.words > 1 else ''}",
+        "1 bit" if is_bit else f"{layout.words} {unit}{'s' if layout.words > 1 else ''}",
     ]
     if register.access:
         facts.append(ACCESS[register.access])
@@ -159,7 +162,7 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
     if register.restart:
         facts.append("takes effect after a restart")
     if register.atomic:
-        facts.append("all words in one request")
+        facts.append(f"all {unit}s in one request")
     if register.trigger:
         facts.append("writing starts an action")
     if register.number is not None:

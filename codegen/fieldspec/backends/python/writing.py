@@ -79,7 +79,8 @@ def _element_lines(field: Slots, value: str) -> list[str]:
         return []
     size = field.field.size
     if field.kind is Kind.TEXT:
-        return [f"len({value}) <= {size}"]
+        # A zero ends the text where it is read.
+        return [f"len({value}) <= {size}", f'"\\0" not in {value}']
     if field.kind is Kind.BYTES:
         return [f"len({value}) == {size}"]
     if field.kind is Kind.FLOAT:

@@ -6943,7 +6943,7 @@ class ReadVersionResponse(_Record):
         """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_version = self.version
-            if len(raw_version) <= 6:
+            if len(raw_version) <= 6 and "\0" not in raw_version:
                 return _READ_VERSION_RESPONSE_PACK(raw_version.encode("ascii"))
         except _UNFIT:
             pass
@@ -6963,7 +6963,7 @@ class ReadVersionResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_version = self.version
-            if station <= 15 and len(raw_version) <= 6:
+            if station <= 15 and len(raw_version) <= 6 and "\0" not in raw_version:
                 data = _PACK_READ_VERSION_SERIAL_RESPONSE(
                     10, station, part_status.raw, raw_version.encode("ascii"),
                 )

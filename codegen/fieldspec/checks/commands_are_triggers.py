@@ -1,0 +1,42 @@
+"""A register or parameter that can only be written, or be written with one constant alone, is a trigger.
+
+Why: what nobody can read holds no setting, and what takes one value has nothing to choose. Writing it starts an
+action, of which outputs warn at triggers alone. Or the access is misprinted.
+
+Example: a register with `access: wo`, or one with `access: rw` and `const: 1`, without `trigger`.
+
+Cure: Set `trigger: true`, or correct the access. If the device takes a setting that it does not return, set
+`allow: {commands_are_triggers: <reason>}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding
+from fieldspec.diagnostics import Diagnostic, Severity
+from fieldspec.model.device import Device
+from fieldspec.model.registers import Parameter, Register
+
+
+def commands_are_triggers(device: Device) -> Iterator[Diagnostic]:
+    writable: list[Register | Parameter] = [*device.registers()]
+    writable += [parameter for parameters in device.parameters.values() for parameter in parameters.parameters]
+    for fact in writable:
+        if fact.trigger or fact.reserved:
+            continue
+        if fact.access == "wo":
+            text, key = f"{fact.name} can only be written, and is no trigger", "access"
+        elif fact.access == "rw" and fact.value.const is not None:
+            text, key = f"{fact.name} can only be written with {fact.value.const}, and is no trigger", "const"
+        else:
+            continue
+        help = "set `trigger: true`, or correct the access"
+        yield finding("commands_are_triggers", fact.place, key, text, help, severity=Severity.WARNING)
+    settings = {table.record for table in device.tables.values() if table.access != "wo"}
+    for record in device.records.values():
+        for field in record.fields if record.name in settings else ():
+            if field.access == "wo":
+                text = f"the field {field.name} of a table can only be written"
+                help = "correct the access, or allow it with a reason"
+                yield finding("commands_are_triggers", field.place, "access", text, help, severity=Severity.WARNING)

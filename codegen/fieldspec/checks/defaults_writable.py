@@ -1,0 +1,32 @@
+"""A register or field with a default can be written, unless it shows what another register holds.
+
+Why: a default is the value of a setting at delivery. If nobody can write it, its access or its default is misprinted.
+
+Example: a register with `access: ro` and `default: 100`.
+
+Cure: Correct the access, or remove the default. If it is set in another way, such as by the controller, set
+`allow: {defaults_writable: <reason>}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import default_key, finding, label
+from fieldspec.diagnostics import Diagnostic, Severity
+from fieldspec.model.device import Device
+from fieldspec.model.record import Field
+from fieldspec.model.registers import Parameter, Register
+
+
+def defaults_writable(device: Device) -> Iterator[Diagnostic]:
+    settings: list[Register | Parameter | Field] = [register for register in device.registers() if not register.copy_of]
+    settings += [parameter for parameters in device.parameters.values() for parameter in parameters.parameters]
+    writable = {table.record for table in device.tables.values() if table.access != "ro"}
+    settings += (field for record in device.records.values() if record.name in writable for field in record.fields)
+    for fact in settings:
+        if fact.access == "ro" and fact.value is not None and fact.value.default is not None:
+            text = f"{fact.name} has a default, and can only be read"
+            there = label(fact.place, default_key(fact.place), "its value at delivery")
+            help = "correct the access, or remove the default"
+            yield finding("defaults_writable", fact.place, "access", text, help, there, severity=Severity.WARNING)

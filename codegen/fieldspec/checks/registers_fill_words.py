@@ -1,0 +1,26 @@
+"""A number in a register of words has a whole number of words. A byte alone is half a word.
+
+Why: a manual that counts words prints no bytes. The device sends a whole word, and a byte takes its high half.
+
+Example: a register of type `u8` at 0x2001.
+
+Cure: State the word as `u16` or `i16`, with a `range` if it is known. If the device has its value in the high half, set
+`allow: {registers_fill_words: <reason>}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding
+from fieldspec.diagnostics import Diagnostic, Severity
+from fieldspec.model.address_space import WORD
+from fieldspec.model.device import Device
+
+
+def registers_fill_words(device: Device) -> Iterator[Diagnostic]:
+    for register in device.registers():
+        if register.value.type.name in ("u8", "i8") and device.space(register.space).unit == WORD:
+            text = f"the register {register.name} is {register.value.type.name}, half of its word"
+            help = "state the whole word as u16 or i16, with a range if it is known"
+            yield finding("registers_fill_words", register.place, "type", text, help, severity=Severity.WARNING)
