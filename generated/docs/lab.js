@@ -645,6 +645,40 @@ function unsignedOf(bytes, order) {
   return number;
 }
 
+const DIGIT_PATTERNS = { decimal: /^[0-9]+$/, upper_hex: /^[0-9A-F]+$/, lower_hex: /^[0-9a-f]+$/, bcd: /^[0-9]+$/ };
+
+const isHexadecimal = ({ digits }) => digits === "upper_hex" || digits === "lower_hex";
+
+/** The number of digits, the most significant digit first; undefined for anything but such digits. */
+function digitsNumber(value, bytes) {
+  let text = String.fromCharCode(...bytes);
+  if (value.digits === "bcd") text = Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
+  const sign = value.hasSign ? text[0] : "";
+  if (value.hasSign && sign !== "+" && sign !== "-") return undefined;
+  if (value.hasSign) text = text.slice(1);
+  if (value.places) {
+    const point = text.length - value.places - 1;
+    if (text[point] !== ".") return undefined;
+    text = text.slice(0, point) + text.slice(point + 1);
+  }
+  if (!DIGIT_PATTERNS[value.digits].test(text)) return undefined;
+  const whole = BigInt(isHexadecimal(value) ? `0x${text}` : text);
+  const number = value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole;
+  return Number.isSafeInteger(Number(number)) ? Number(number) : number;
+}
+
+/** The bytes of the digits of a number, the most significant digit first. */
+function digitsBytes(value, number) {
+  const whole = value.bits ? BigInt.asUintN(value.bits, BigInt(number)) : BigInt(number);
+  const count = value.digits === "bcd" ? 2 * value.size : value.size - (value.hasSign ? 1 : 0) - (value.places ? 1 : 0);
+  let text = (whole < 0n ? -whole : whole).toString(isHexadecimal(value) ? 16 : 10).padStart(count, "0");
+  if (value.digits === "bcd") return Uint8Array.from({ length: value.size }, (_, at) => parseInt(text.slice(2 * at, 2 * at + 2), 16));
+  if (value.digits === "upper_hex") text = text.toUpperCase();
+  if (value.places) text = `${text.slice(0, -value.places)}.${text.slice(-value.places)}`;
+  if (value.hasSign) text = (whole < 0n ? "-" : "+") + text;
+  return Uint8Array.from(text, (character) => character.charCodeAt(0));
+}
+
 const VIEW = new DataView(new ArrayBuffer(8));
 const WIDE = 6;
 const EXACT_DIGITS = 120;
@@ -673,6 +707,7 @@ function numberOfBytes(value, bytes, order, swapped) {
   if (value.kind === "text" || value.kind === "bytes") return bytes;
   const turned = swapped ? turnedWords(bytes) : bytes;
   const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
+  if (value.digits) return digitsNumber(value, actual === "big" ? turned : Uint8Array.from(turned).reverse()) ?? bytes;
   if (value.kind !== "float") return wholeOf(turned, actual, value.signed);
   turned.forEach((byte, at) => VIEW.setUint8(at, byte));
   return bytes.length === 4 ? VIEW.getFloat32(0, actual === "little") : VIEW.getFloat64(0, actual === "little");
@@ -737,6 +772,7 @@ function decodeValue(device, value, bytes, order, swapped, reserved) {
     return decoded(latinOf(bytes).replace(/\0+$/, ""));
   }
   if (value.kind === "float") return decodedFloat(value, number);
+  if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");
   return value.kind === "bytes" ? decoded(number) : decodedWhole(device, value, number);
 }
 
@@ -978,7 +1014,7 @@ function rowData(row) {
     notes: row.notes,
     errata: row.errata,
     address: row.address,
-    [row.unit === "bit" ? "bits" : "words"]: row.words || null,
+    [row.unit === "byte" ? "size" : `${row.unit || "word"}s`]: row.words || null,
     access: row.access || null,
   };
 }
@@ -1055,7 +1091,8 @@ function lengthNumber(part, length) {
 }
 
 /** The least and the greatest whole number of a value's type; bigints for more than six bytes. */
-function typeBounds({ kind, size, signed }) {
+function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
+  if (digits) return [least, most];
   if (kind === "boolean") return [0, 1];
   const bits = BigInt(8 * size);
   const [low, high] = signed ? [-(1n << (bits - 1n)), (1n << (bits - 1n)) - 1n] : [0n, (1n << bits) - 1n];
@@ -1265,8 +1302,9 @@ function bytesAgain(value, field, row) {
   return [bytes, "big", false];
 }
 
-const PARTIAL = "The frame contains only some of its words.";
-const PARTIAL_ATOMIC = "The frame contains only some of its words, which must be accessed in one request.";
+function partialText(unit, isAtomic) {
+  return `The frame contains only some of its ${unit}s${isAtomic ? ", which must be accessed in one request" : ""}.`;
+}
 
 /** Why an access forbids an operation; empty if it does not. */
 function forbiddenText(operation, access) {
@@ -1276,15 +1314,17 @@ function forbiddenText(operation, access) {
 
 /**
  * `words` from `address` on in a space. `data` are their bytes in the frame, at `at` in its parts, or empty. In a space
- * of bits, `words` counts these, and `bits` has those that the frame carries; in a space of words it is null.
+ * of bits, `words` counts these, and `bits` has those that the frame carries; in other spaces it is null. In a space of bytes, `words` counts
+ * these, and an address has a `unitSize` of 1.
  */
 class AddressSpan {
-  constructor(space, address, words, at, data, bits = null) {
-    Object.assign(this, { space: space ?? "", address, words, at, data, bits, end: address + words });
+  constructor(space, address, words, at, data, bits = null, unitSize = 2) {
+    Object.assign(this, { space: space ?? "", address, words, at, data, bits, unitSize, end: address + words });
   }
 
   get unit() {
-    return this.bits === null ? "word" : "bit";
+    if (this.bits !== null) return "bit";
+    return this.unitSize === 2 ? "word" : "byte";
   }
 
   /**
@@ -1293,7 +1333,7 @@ class AddressSpan {
    */
   piece(address, size, skip = 0) {
     if (this.bits !== null) return this.bitPiece(address - this.address);
-    const start = 2 * (address - this.address) + skip;
+    const start = this.unitSize * (address - this.address) + skip;
     if (start < 0 || start + size > this.data.length) return undefined;
     const raw = this.data.subarray(start, start + size);
     return { at: this.at + start, raw, content: raw };
@@ -1315,9 +1355,13 @@ function accessedSpan(access, isBits, values, asked, at, data) {
   const value = (name) => (values.has(name) ? values.get(name) : asked.get(name));
   const start = value(access.start);
   if (!isWhole(start ?? "")) return null;
-  const count = access.count ? value(access.count) : 1;
+  const size = access.unitSize ?? 2;
+  const carried = Math.floor(data.length / size);
+  const count = access.count ? value(access.count) : isBits ? 1 : Math.max(carried, 1);
   const known = isWhole(count ?? "");
-  if (!isBits) return new AddressSpan(access.space, Number(start), known ? Number(count) : data.length >> 1, at, data);
+  if (!isBits) {
+    return new AddressSpan(access.space, Number(start), known ? Number(count) : carried, at, data.subarray(0, carried * size), null, size);
+  }
   if (access.set !== undefined) {
     const number = data.length ? values.get(access.values) : undefined;
     const bit = number == access.clear ? 0 : number == access.set ? 1 : null;
@@ -1428,7 +1472,7 @@ function registerRow(device, span, occupant, spot, operation) {
     if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
   } else {
     const inside = span.address <= occupant.address && occupant.address + occupant.words <= span.end;
-    read = decoded(null, { notes: inside ? [] : [occupant.atomic ? PARTIAL_ATOMIC : PARTIAL] });
+    read = decoded(null, { notes: inside ? [] : [partialText(span.unit, occupant.atomic)] });
   }
   const { at, raw } = piece ?? { at: 0, raw: new Uint8Array() };
   const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
@@ -1441,7 +1485,7 @@ function unlistedRow(device, span, first, end, spot) {
   const gaps = device.data.gaps.filter(({ space, addresses }) =>
     space === span.space && addresses.some(([low, high]) => low < end && first <= high));
   // Bits share bytes with others, so that theirs are not printed.
-  const piece = span.bits === null ? span.piece(first, 2 * (end - first)) : undefined;
+  const piece = span.bits === null ? span.piece(first, span.unitSize * (end - first)) : undefined;
   return rowOf({
     kind: "register",
     ...(piece?.raw.length ? { raw: piece.raw, ...spot.place(piece.at, piece.raw.length) } : {}),
@@ -1839,8 +1883,7 @@ class ExplainedFrame {
     const last = isOpen ? end : Math.min(end, start + values.offset + values.size * values.count);
     const data = values ? this.data.subarray(at, Math.max(at, last)) : this.data.subarray(0, 0);
     const isBits = access === message.bitAccess;
-    const carried = isBits ? data : data.subarray(0, data.length - (data.length % 2));
-    const span = accessedSpan(access, isBits, body.values, asked, at, carried);
+    const span = accessedSpan(access, isBits, body.values, asked, at, data);
     return { rows, registers: span ? registerRows(this.device, span, this.spot, access.operation) : [] };
   }
 
@@ -2102,7 +2145,8 @@ function mismatchesOf(device, request, response) {
     const want = access.count ? request.values.get(access.count) : 1;
     const have = response.values.get(access.values);
     if (isWhole(want ?? "") && Array.isArray(have) && have.length != want) {
-      texts.push(`the request asks for ${want} words, but the response has ${have.length}`);
+      const unit = access.unitSize === 1 ? "bytes" : "words";
+      texts.push(`the request asks for ${want} ${unit}, but the response has ${have.length}`);
     }
   }
   if (bitAccess?.operation === "read" && bitAccess.count) {
@@ -2635,8 +2679,14 @@ function bytesOfValue(device, name, value, raw) {
     return Uint8Array.from({ length: size }, (_, at) => bytes[at] ?? 0);
   }
   const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
-  const bytes = kind === "float" ? bytesOfFloat(name, value, raw, actual) : bytesOfNumber(checkedNumber(device, name, value, raw), size, actual);
+  const bytes = kind === "float" ? bytesOfFloat(name, value, raw, actual) : bytesOfWhole(value, checkedNumber(device, name, value, raw), actual);
   return swapped ? turnedWords(bytes) : bytes;
+}
+
+function bytesOfWhole(value, number, order) {
+  if (!value.digits) return bytesOfNumber(number, value.size, order);
+  const bytes = digitsBytes(value, number);
+  return order === "big" ? bytes : bytes.reverse();
 }
 
 function bytesOfFloat(name, value, number, order) {

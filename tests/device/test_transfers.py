@@ -57,9 +57,9 @@ def test_a_file_means_the_words_that_it_is_written_from(ending: str) -> None:
     placed_values = [pair for pair in elements(access, "points") if pair[1].path.startswith("points[1")]
     values = []
     for number, (_, occupant) in enumerate(placed_values):
-        value = reading(layout, occupant, [words[number % 5]] * occupant.words)
+        value = reading(layout, "", occupant, [words[number % 5]] * occupant.words)
         wrong = value.decoded is not None and value.decoded.verdict
-        values.append(reading(layout, occupant, [1] * occupant.words) if wrong else value)
+        values.append(reading(layout, "", occupant, [1] * occupant.words) if wrong else value)
     content = file_content(f"a.{ending}", table_list(access, "points", values))
     wanted, findings = entries(access, file_sheet(f"a.{ending}", content))
     assert findings == []

@@ -70,6 +70,8 @@ class Python:
         if direction == "request" or message:
             return
         for layout_message in self.layout.links[link].messages.values():
+            if self.layout.links[link].is_guessed("response", layout_message.name):
+                continue  # it was not asked for, and nothing else refuses it
             request = record_class(self.module, layout_message.request)
             try:
                 link_of(self.module, link).decode_response(query.data, request)

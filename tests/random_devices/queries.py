@@ -256,7 +256,7 @@ def shapes(layout: DeviceLayout) -> Iterator[tuple[str, tuple[str, ...], Any]]:
         yield (
             "register",
             (register.name,),
-            (value, register.order, register.swapped, register.register.trigger, value.size + value.size % 2),
+            (value, register.order, register.swapped, register.register.trigger, register.size),
         )
     device = layout.device
     orders = Orders(device.byte_order, device.word_order)

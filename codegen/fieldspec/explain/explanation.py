@@ -313,7 +313,7 @@ class _Frame:
         if bits is not None:
             span = accessed_bits(bits, body.values, asked, at, data)
         else:
-            span = accessed(access, body.values, asked, at, data[: len(data) // 2 * 2])
+            span = accessed(access, body.values, asked, at, data, self.layout.device.space(access.space).unit_size)
         return rows, tuple(register_rows(self.layout, span, self.spot, access.operation)) if span else ()
 
     def _unknown(self, start: int, end: int) -> Iterator[ExplanationRow]:

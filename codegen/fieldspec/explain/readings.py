@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.explain.explanation import Explanation, explained
-from fieldspec.explain.recognition import Reading, closest, lengths, recognised
+from fieldspec.explain.lengths import lengths
+from fieldspec.explain.recognition import Reading, closest, recognised
 from fieldspec.layout.bits import packed_size
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.link import Link
@@ -173,7 +174,8 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         have = response.values.get(accesses.values)
         words = len(have) if isinstance(have, list) else None
         if isinstance(want, int) and words is not None and words != want:
-            yield f"the request asks for {want} words, but the response has {words}"
+            unit = layout.device.space(accesses.space).unit
+            yield f"the request asks for {want} {unit}s, but the response has {words}"
     bits = layout.device.bit_access(message.message) if message and not response.error else None
     if bits is not None and bits.operation == "read" and bits.count:
         want, have = request.values.get(bits.count), response.values.get(bits.values)

@@ -85,7 +85,7 @@ class RegisterAccess:
 
     def intended(self, chosen: Assignment) -> Reading:
         """What would be read once a value is written."""
-        return reading(self.layout, chosen.occupant, chosen.words)
+        return reading(self.layout, chosen.space, chosen.occupant, chosen.words)
 
     def size(self, items: Iterable[Placed]) -> int:
         """The words of all requests."""

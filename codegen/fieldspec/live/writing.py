@@ -40,7 +40,8 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
         raise WriteError(f"{occupant.path} {why}")
     if occupant.reserved:
         raise WriteError(f"{occupant.path} is reserved")
-    if not is_bit(occupant) and (occupant.skip or occupant.value.size % 2):
+    size = layout.device.space(space).unit_size
+    if not is_bit(occupant) and (occupant.skip or occupant.value.size % size):
         raise WriteError(f"{occupant.path} shares a word with something else, and is not written alone")
     value = occupant.value.for_writing()
     try:
@@ -50,7 +51,7 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
     except (MeaningError, CodecError) as error:
         raise WriteError(str(error)) from None
     big = layout.device.byte_order == "big"
-    words = tuple(int.from_bytes(data[at : at + 2], "big" if big else "little") for at in range(0, len(data), 2))
+    words = tuple(int.from_bytes(data[at : at + size], "big" if big else "little") for at in range(0, len(data), size))
     return Assignment(space, occupant, words, tuple(_hazards(occupant)))
 
 
@@ -76,7 +77,8 @@ def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, ob
         raise WriteError(f"no message of the device writes {chosen.occupant.path}")
     values: dict[str, object] = {access.start: chosen.occupant.address}
     if client.layout.device.bit_access(message) is None:
-        values[access.values] = list(chosen.words) if access.count else chosen.words[0]
+        is_list = (field := message.request.named(access.values)) is not None and field.repeat is not None
+        values[access.values] = list(chosen.words) if is_list else chosen.words[0]
     elif access.set is None:
         values |= {access.count: len(chosen.words), access.values: list(packed_bits(chosen.words))}
     else:
@@ -109,7 +111,8 @@ def read_back(client: Client, chosen: Assignment) -> Reading | None:
     if occupant.trigger or occupant.access in ("wo", ""):
         return None
     try:
-        return reading(client.layout, occupant, read_words(client, chosen.space, occupant.address, occupant.words))
+        words = read_words(client, chosen.space, occupant.address, occupant.words)
+        return reading(client.layout, chosen.space, occupant, words)
     except RefusedError as error:
         return Reading(occupant, (), None, str(error))
 

@@ -228,7 +228,7 @@ def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
 
 def _register_lists(layout: DeviceLayout) -> Iterator[int]:
     for message in layout.messages.values():
-        access = layout.device.register_access(message.message)
+        access = layout.device.word_access(message.message)
         for data in message.bodies:
             field = data.named(access.values) if access is not None else None
             if field is not None and field.field.repeat is not None:

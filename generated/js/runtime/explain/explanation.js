@@ -253,8 +253,7 @@ class ExplainedFrame {
     const last = isOpen ? end : Math.min(end, start + values.offset + values.size * values.count);
     const data = values ? this.data.subarray(at, Math.max(at, last)) : this.data.subarray(0, 0);
     const isBits = access === message.bitAccess;
-    const carried = isBits ? data : data.subarray(0, data.length - (data.length % 2));
-    const span = accessedSpan(access, isBits, body.values, asked, at, carried);
+    const span = accessedSpan(access, isBits, body.values, asked, at, data);
     return { rows, registers: span ? registerRows(this.device, span, this.spot, access.operation) : [] };
   }
 

@@ -184,7 +184,8 @@ function mismatchesOf(device, request, response) {
     const want = access.count ? request.values.get(access.count) : 1;
     const have = response.values.get(access.values);
     if (isWhole(want ?? "") && Array.isArray(have) && have.length != want) {
-      texts.push(`the request asks for ${want} words, but the response has ${have.length}`);
+      const unit = access.unitSize === 1 ? "bytes" : "words";
+      texts.push(`the request asks for ${want} ${unit}, but the response has ${have.length}`);
     }
   }
   if (bitAccess?.operation === "read" && bitAccess.count) {

@@ -43,10 +43,12 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
     /** The frame of an exception response to a code. Throws CodecError. */
     encodeException(header, code, data) {
       const exception = expectedException(context);
-      if (exception.code !== undefined && code !== exception.code) {
-        throw new CodecError("unknown_code", `an exception response has the code ${exception.code}`);
+      const own = exception.code ?? code | exception.flag;
+      const bytes = encoded(context, response, header, own, exception.record, data, exception.marks);
+      if (exception.code !== undefined && code !== own) {
+        throw new CodecError("unknown_code", `an exception response has the code ${own}`);
       }
-      return encoded(context, response, header, code | exception.flag, exception.record, data, exception.marks);
+      return bytes;
     },
     /** The meaning of a request. `entry` is needed where frames carry no code. Throws CodecError. */
     decodeRequest(bytes, entry) {
