@@ -42,22 +42,27 @@ NOISE := 2000000
 WRITER := build/docs/environment
 INSTALLED_WRITER := $(WRITER)/.installed
 
-.PHONY: build test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-texts queries plants plc-sizes capabilities accept soak soak-device dist sbom docs-site bench pins clean
+.PHONY: build bytecode test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-texts queries plants plc-sizes capabilities accept soak soak-device dist sbom docs-site bench pins clean
 
-build: $(INSTALLED)
+build: $(INSTALLED) bytecode
 	$(BIN)/fieldspec build
 
 # Without npm the tests of editors are skipped; where CI is set, they fail.
-test: $(INSTALLED) $(if $(NPM),$(TOOLS))
+test: $(INSTALLED) bytecode $(if $(NPM),$(TOOLS))
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/pytest
 
-test-fast: $(INSTALLED)
+test-fast: $(INSTALLED) bytecode
 	$(BIN)/pytest --fast
 
-test-night: $(INSTALLED) $(if $(NPM),$(TOOLS))
+test-night: $(INSTALLED) bytecode $(if $(NPM),$(TOOLS))
 	FIELDSPEC_EXAMPLES=20 $(BIN)/pytest --hypothesis-profile=random
+
+# The tests start the command many times. Where Python may not write bytecode by itself, each start takes three times as
+# long without this.
+bytecode: $(INSTALLED)
+	$(BIN)/python -m compileall -q codegen
 
 fuzz: $(INSTALLED)
 	$(BIN)/python tests/c_output/fuzz.py

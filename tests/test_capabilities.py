@@ -27,7 +27,9 @@ REFUSALS = {
     "images": "plc_images_exact",
     "wide_floats": "plc_reals_fit",
     "absent_reals": "plc_reals_present",
+    "digits": "plc_numbers_binary",
     "other_frames": "plc_frames_supported",
+    "byte_registers": "plc_spaces_supported",
 }
 """Constructs that some output refuses by a rule, and whose failing case needs them."""
 

@@ -41,7 +41,7 @@ WORDS = (
     "little",
     "body",
 )
-ROUNDS = 5 * FACTOR
+ROUNDS = 2 * FACTOR
 
 
 @lru_cache(maxsize=1)

@@ -20,9 +20,11 @@ from fieldspec.classes import attributes, replace
 from fieldspec.cli import main
 from fieldspec.commands import cache_folder, layout_cache, spec_files
 from fieldspec.commands.specs import layout_of
+from fieldspec.model.attributes import descendants
 from fieldspec.model.fact import Citation, Claim, Place
 from fieldspec.reading import project
 from fieldspec.source import SourceFile, Span
+from layouts import newest
 
 NOWHERE = Span(SourceFile("x", ""), 0, 0)
 BROKEN = sorted(
@@ -89,6 +91,12 @@ def test_a_layout_read_from_the_cache_is_equal_to_the_original(folder: Path, dev
             layout_cache.to_json(layout), lambda path: SourceFile(path, files[path].decode())
         )
         assert alike(thawed, layout, set())
+
+
+def test_a_device_from_the_cache_is_walked_as_the_original(cache: Path) -> None:
+    device = layout_cache.layout(str(TEST_SPECS), "wattmeter").device
+    original = newest(TEST_SPECS, "wattmeter").device
+    assert [item.__class__ for item in descendants(device)] == [type(item) for item in descendants(original)]
 
 
 def test_an_object_that_is_not_yet_unpacked_is_equal_to_another_and_has_the_same_hash() -> None:

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fieldspec.explain.explanation import Explanation, ExplanationRow, closest, explained, recognised
+from fieldspec.explain.explanation import Explanation, ExplanationRow, explained
 from fieldspec.explain.values import decimal_text
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.texts import Example
@@ -333,36 +333,6 @@ def test_errata_are_named_at_the_fact_that_they_concern() -> None:
             named += len(touched)
             assert all(erratum.id in (*row.errata, *whole.errata) for row, whole in touched)
     assert named
-
-
-@pytest.mark.parametrize(("layout", "example"), [case for case in EXAMPLES if not case.values[1].refused])
-def test_every_example_is_recognised(layout: DeviceLayout, example: Example) -> None:
-    explanations = recognised(layout, example.frame)
-    link, message = layout.links[example.link], example.message
-    # Only the request tells what an exception response answers that has a code of its own, or one that messages share.
-    if example.exception_response and message and (mark := link.link.exception_response):
-        shared = link.subcodes("request")
-        message = "" if mark.code is not None or link.messages[message].message.code in shared else message
-    assert (example.link, example.direction, message, example.exception_response) in explanations
-
-
-def test_a_frame_that_is_equal_in_both_directions_is_ambiguous() -> None:
-    frame = bytes.fromhex("00 06 20 00 00 05 43 D8")
-    assert recognised(WIDGET, frame) == [
-        ("rtu", "request", "write_register", False),
-        ("rtu", "response", "write_register", False),
-    ]
-
-
-def test_a_frame_with_a_wrong_checksum_is_not_recognised_but_has_a_closest_reading() -> None:
-    frame = WIDGET.device.examples["wrong-crc"].frame
-    assert recognised(WIDGET, frame) == []
-    assert closest(WIDGET, frame) == [("rtu", "request", "read_registers", False)]
-
-
-def test_bytes_that_are_no_frame_are_not_recognised() -> None:
-    assert recognised(WIDGET, b"") == []
-    assert closest(WIDGET, b"no frame at all") == []
 
 
 def test_a_format_without_a_case_leaves_the_values_unexplained() -> None:

@@ -22,8 +22,10 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs fork")
 
 SPECS = Path(__file__).resolve().parent / "specs"
 MOST = 2000
-STEP = int(os.environ.get("FAULT_STEP", "7"))
+STEP = int(os.environ.get("FAULT_STEP", "11"))
 """A whole build is tested with a fault at every n-th operation; `make soak` tests every operation."""
+REPAIRS = 4 if STEP == 1 else 10
+"""Every how many of the places at which a build was killed its repair is killed too."""
 
 State = dict[str, bytes]
 
@@ -131,7 +133,7 @@ def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:
     kill = FAULTS[0]
     unfinished = 0
     for first in files.faulty(kill):
-        if not left_over(files.folder) or first % 4:
+        if not left_over(files.folder) or first % REPAIRS:
             continue
         broken = files.folder.with_name("broken")
         shutil.rmtree(broken, ignore_errors=True)
@@ -151,7 +153,7 @@ def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:
                 repaired()
                 assert state(files.folder) in (files.old, files.new), f"at operations {first} and {second}"
                 assert left_over(files.folder) == []
-    assert unfinished > 100
+    assert unfinished > 200 / REPAIRS
 
 
 def built(folder: Path, *more: str) -> int:

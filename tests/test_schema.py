@@ -25,7 +25,7 @@ ROOT = Path(__file__).parent.parent
 SCHEMA = ROOT / "codegen" / "fieldspec" / "schema" / "spec.schema.json"
 SPECS = sorted([*(ROOT / "specs").rglob("*.yaml"), *(ROOT / "tests" / "specs").rglob("*.yaml")])
 WIDTH = 120
-MUTATIONS = 30 * FACTOR
+MUTATIONS = 8 * FACTOR
 """How many mutations of each spec file are judged."""
 
 

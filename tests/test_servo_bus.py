@@ -13,9 +13,12 @@ from typing import Any
 import dynamixel_sdk as sdk
 import pytest
 
+from fieldspec.explain.explanation import explained
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.read_plan import read_plan
 from layouts import TEST_SPECS, newest
-from python_package import module_of
+from python_package import codec_error, module_of
+from simulators import Unit
 
 SERVOS: dict[float, DeviceLayout] = {1.0: newest(TEST_SPECS, "servo"), 2.0: newest(TEST_SPECS, "servo2")}
 MEMORY = 0x84
@@ -112,6 +115,9 @@ class Recorder:
     def clearPort(self) -> None:
         """There is nothing to clear."""
 
+    def setPacketTimeout(self, packet_length: int) -> None:
+        """Nothing is waited for."""
+
     def writePort(self, packet: list[int]) -> int:
         """Records a packet."""
         self.sent = bytes(packet)
@@ -140,3 +146,88 @@ def test_requests_are_the_packets_of_the_library(protocol: float) -> None:
         assert packets.writeTxOnly(port, station, address, len(data), list(data)) == sdk.COMM_SUCCESS
         assert module.bus.encode_request(station, module.WriteRequest(address=address, data=data)) == port.sent
         assert module.bus.decode_request(port.sent).message.data == data
+
+
+# The control table: registers in a space of bytes.
+
+
+class Simulated(Servo):
+    """A simulated servo at the other end of a pair of terminals."""
+
+    def __init__(self, layout: DeviceLayout, descriptor: int) -> None:
+        super().__init__(module_of(layout), descriptor)
+        self.unit = Unit(layout.device.id, "bus", folder=TEST_SPECS)
+
+    def run(self) -> None:
+        while True:
+            try:
+                data = os.read(self.descriptor, 4096)
+            except OSError:
+                return
+            for frame in self.framer.feed(data):
+                os.write(self.descriptor, self.unit.answer_to(frame).frame)
+
+
+@pytest.fixture(params=SERVOS, ids=["protocol 1.0", "protocol 2.0"])
+def simulated(request: pytest.FixtureRequest) -> Iterator[tuple[float, Simulated, Any]]:
+    """The protocol, a simulated servo, and the port of dynamixel-sdk at the other end."""
+    device, host = os.openpty()
+    tty.setraw(device)
+    tty.setraw(host)
+    servo = Simulated(SERVOS[request.param], device)
+    servo.start()
+    port = sdk.PortHandler(os.ttyname(host))
+    assert port.openPort()
+    port.tx_time_per_byte = 200.0
+    yield request.param, servo, port
+    port.closePort()
+    os.close(host)
+    os.close(device)
+
+
+def test_the_library_reads_and_writes_the_registers_of_a_simulated_servo(
+    simulated: tuple[float, Simulated, Any],
+) -> None:
+    protocol, servo, port = simulated
+    packets, module = sdk.PacketHandler(protocol), servo.module
+    goal, size = module.GOAL_POSITION, module.GOAL_POSITION.words
+    assert size == (2 if protocol == 1.0 else 4)
+    write, read = (getattr(packets, f"{verb}{size}ByteTxRx") for verb in ("write", "read"))
+    assert write(port, 1, goal.address, 700) == (sdk.COMM_SUCCESS, 0)
+    assert read(port, 1, goal.address) == (700, sdk.COMM_SUCCESS, 0)
+    assert packets.read1ByteTxRx(port, 1, module.ID.address) == (1, sdk.COMM_SUCCESS, 0)
+    assert packets.read2ByteTxRx(port, 1, module.MODEL_NUMBER.address)[0] == (12 if protocol == 1.0 else 1060)
+    assert packets.write1ByteTxRx(port, 1, module.ID.address, 7)[0] == sdk.COMM_SUCCESS
+    assert packets.read1ByteTxRx(port, 1, module.ID.address)[0] == 7
+
+
+@pytest.mark.parametrize("protocol", SERVOS)
+def test_requests_for_registers_are_the_packets_of_the_library(protocol: float) -> None:
+    packets = Stuffing() if protocol == 2.0 else sdk.PacketHandler(protocol)
+    module, chance = module_of(SERVOS[protocol]), random.Random(3)
+    for register in (entry for entry in module.REGISTERS if hasattr(entry, "words")):
+        port = Recorder()
+        assert packets.readTx(port, 1, register.address, register.words) == sdk.COMM_SUCCESS
+        assert module.bus.encode_request(1, module.read_request(register)) == port.sent
+        if register.access == "ro":
+            with pytest.raises(codec_error()):
+                module.write_request(register, 0)
+            continue
+        value = chance.randrange(*(register.ranges or ((0, 2),))[0])
+        data, port = list(value.to_bytes(register.words, "little")), Recorder()
+        assert packets.writeTxOnly(port, 1, register.address, len(data), data) == sdk.COMM_SUCCESS
+        assert module.bus.encode_request(1, module.write_request(register, value)) == port.sent
+        assert module.read_value(register, module.ReadResponse(data=data)) == value
+
+
+def test_neighbouring_bytes_are_read_together_and_explained_by_their_registers() -> None:
+    layout = SERVOS[2.0]
+    blocks = [(block.start, block.words) for block in read_plan(layout).blocks]
+    assert blocks == [(0, 10), (104, 43)]
+    unit = Unit("servo2", "bus", folder=TEST_SPECS)
+    unit.ask("write", address=116, data=[0xF6, 0xFF, 0xFF, 0xFF])
+    request = unit.codec.encode("request", "read", {**unit.head, "address": 116, "size": 6})
+    response = unit.answer_to(request).frame
+    explanation = explained(layout, "bus", "response", response, "read", request)
+    rows = [(row.path, row.address, row.words, row.unit, row.number) for row in explanation.registers]
+    assert rows == [("goal_position", 116, 4, "byte", -10), ("realtime_tick", 120, 2, "byte", 0)]

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.explain.explanation import explained, recognised
+from fieldspec.explain.explanation import explained
+from fieldspec.explain.recognition import recognised
 from fieldspec.reference.frames import codec
 from fieldspec.reference.records import CodecError
 from layouts import TEST_SPECS, newest
@@ -17,6 +18,7 @@ HOST = codec(SCANNER).links["host"]
 CLEARED = bytes.fromhex("06 02 05 08 00 0A 17")
 UNKNOWN = bytes.fromhex("06 02 05 08 00 07 14")
 SHORT = bytes.fromhex("06 02 05 08 00 0D")
+PLACE = bytes.fromhex("06 02 05 11 01 02 19")
 REFUSED = bytes.fromhex("06 02 05 88 03 90")
 
 
@@ -79,3 +81,31 @@ def test_a_simulated_device_answers_each_message_and_stays_silent_where_none_is_
     assert unit.answer("clear_counters").frame[:2] == bytes.fromhex("06 02")
     answer = unit.answer("restart")
     assert (answer.frame, answer.text) == (b"", "not answered: restart")
+
+
+def test_only_the_request_tells_what_a_response_without_a_subcode_is() -> None:
+    for message, values in (("read_level", {"level": 258}), ("read_place", {"column": 1, "row": 2})):
+        assert HOST.decode(PLACE, "response", message).values == values
+        assert explained(SCANNER, "host", "response", PLACE, message).message == message
+    reply = MODULE.host.decode_response(PLACE, MODULE.ReadPlaceRequest())
+    assert (reply.message.column, reply.message.row) == (1, 2)
+    assert MODULE.host.decode_response(PLACE, MODULE.ReadLevelRequest).message.level == 258
+    assert [reading[2] for reading in recognised(SCANNER, PLACE)] == ["read_level", "read_place"]
+
+
+@pytest.mark.parametrize("asked", [(), ("clear_counters",)])
+def test_a_response_without_a_subcode_is_refused_without_its_request(asked: tuple[str, ...]) -> None:
+    request = [MODULE.ClearCountersRequest() for _ in asked]
+    codecs = (
+        lambda: HOST.decode(PLACE, "response", *asked),
+        lambda: MODULE.host.decode_response(PLACE, *request),
+    )
+    for decode in codecs:
+        with pytest.raises((CodecError, codec_error())) as refused:
+            decode()
+        assert (refused.value.reason, refused.value.offset) == ("unknown_code", 1)
+    assert explained(SCANNER, "host", "response", PLACE, *asked).reasons == ("unknown_code",)
+
+
+def test_a_simulated_device_answers_without_the_subcode() -> None:
+    assert Unit("scanner", "host", folder=TEST_SPECS).answer("read_place").frame[2:4] == bytes.fromhex("01 11")

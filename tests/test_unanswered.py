@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from fieldspec.explain.explanation import explained, recognised
+from fieldspec.explain.explanation import explained
+from fieldspec.explain.recognition import recognised
 from fieldspec.explain.registers import occupant_at
 from fieldspec.live.client import Client, Timing
 from fieldspec.live.writing import Assignment, write

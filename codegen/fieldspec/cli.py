@@ -284,6 +284,8 @@ def _parser() -> argparse.ArgumentParser:
     for name, help in (
         ("simulate", "serve a device that is simulated from its spec"),
         ("live", "read, write, watch, scan, back up or restore a device"),
+        ("scan", "find the addresses of a device that answer, and compare them with all versions"),
+        ("redact", "write captures, dumps and scans of a unit anew, without what identifies it"),
         ("mcp", "serve decode, show, audit and reads to programs by the Model Context Protocol"),
     ):
         verb(name, help).late_arguments = ("fieldspec.commands.device_options", f"add_{name}")

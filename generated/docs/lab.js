@@ -586,13 +586,20 @@ function indexedFrame(frame) {
   };
 }
 
+/** Whether several messages have a code and nothing in their data tells them apart, so that only the request does. */
+function isAmbiguous({ ambiguous = [] }, direction, code) {
+  return direction === "response" && ambiguous.includes(code);
+}
+
 /**
- * The message with a code in one direction, and with some data where several have the code; undefined if there is none,
- * and where the data, or their absence, leave open which one it is.
+ * The message with a code in one direction, and with some data where several have the code; `asked` names the message
+ * of the request, which decides where nothing in the data does. Undefined if there is none, and where all of this leaves
+ * open which one it is.
  */
-function messageWithCode(link, direction, code, data) {
+function messageWithCode(link, direction, code, data, asked) {
   const messages = link.messagesByCode[direction].get(code) ?? [];
   if (messages.length < 2) return messages[0];
+  if (isAmbiguous(link, direction, code)) return messages.find(({ name }) => name === asked);
   const shared = link.subcodes[direction].get(code);
   if (!shared || !data) return undefined;
   // Data that are too short count as those of the first message.
@@ -638,6 +645,40 @@ function unsignedOf(bytes, order) {
   return number;
 }
 
+const DIGIT_PATTERNS = { decimal: /^[0-9]+$/, upper_hex: /^[0-9A-F]+$/, lower_hex: /^[0-9a-f]+$/, bcd: /^[0-9]+$/ };
+
+const isHexadecimal = ({ digits }) => digits === "upper_hex" || digits === "lower_hex";
+
+/** The number of digits, the most significant digit first; undefined for anything but such digits. */
+function digitsNumber(value, bytes) {
+  let text = String.fromCharCode(...bytes);
+  if (value.digits === "bcd") text = Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
+  const sign = value.hasSign ? text[0] : "";
+  if (value.hasSign && sign !== "+" && sign !== "-") return undefined;
+  if (value.hasSign) text = text.slice(1);
+  if (value.places) {
+    const point = text.length - value.places - 1;
+    if (text[point] !== ".") return undefined;
+    text = text.slice(0, point) + text.slice(point + 1);
+  }
+  if (!DIGIT_PATTERNS[value.digits].test(text)) return undefined;
+  const whole = BigInt(isHexadecimal(value) ? `0x${text}` : text);
+  const number = value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole;
+  return Number.isSafeInteger(Number(number)) ? Number(number) : number;
+}
+
+/** The bytes of the digits of a number, the most significant digit first. */
+function digitsBytes(value, number) {
+  const whole = value.bits ? BigInt.asUintN(value.bits, BigInt(number)) : BigInt(number);
+  const count = value.digits === "bcd" ? 2 * value.size : value.size - (value.hasSign ? 1 : 0) - (value.places ? 1 : 0);
+  let text = (whole < 0n ? -whole : whole).toString(isHexadecimal(value) ? 16 : 10).padStart(count, "0");
+  if (value.digits === "bcd") return Uint8Array.from({ length: value.size }, (_, at) => parseInt(text.slice(2 * at, 2 * at + 2), 16));
+  if (value.digits === "upper_hex") text = text.toUpperCase();
+  if (value.places) text = `${text.slice(0, -value.places)}.${text.slice(-value.places)}`;
+  if (value.hasSign) text = (whole < 0n ? "-" : "+") + text;
+  return Uint8Array.from(text, (character) => character.charCodeAt(0));
+}
+
 const VIEW = new DataView(new ArrayBuffer(8));
 const WIDE = 6;
 const EXACT_DIGITS = 120;
@@ -666,6 +707,7 @@ function numberOfBytes(value, bytes, order, swapped) {
   if (value.kind === "text" || value.kind === "bytes") return bytes;
   const turned = swapped ? turnedWords(bytes) : bytes;
   const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
+  if (value.digits) return digitsNumber(value, actual === "big" ? turned : Uint8Array.from(turned).reverse()) ?? bytes;
   if (value.kind !== "float") return wholeOf(turned, actual, value.signed);
   turned.forEach((byte, at) => VIEW.setUint8(at, byte));
   return bytes.length === 4 ? VIEW.getFloat32(0, actual === "little") : VIEW.getFloat64(0, actual === "little");
@@ -730,6 +772,7 @@ function decodeValue(device, value, bytes, order, swapped, reserved) {
     return decoded(latinOf(bytes).replace(/\0+$/, ""));
   }
   if (value.kind === "float") return decodedFloat(value, number);
+  if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");
   return value.kind === "bytes" ? decoded(number) : decodedWhole(device, value, number);
 }
 
@@ -971,7 +1014,7 @@ function rowData(row) {
     notes: row.notes,
     errata: row.errata,
     address: row.address,
-    [row.unit === "bit" ? "bits" : "words"]: row.words || null,
+    [row.unit === "byte" ? "size" : `${row.unit || "word"}s`]: row.words || null,
     access: row.access || null,
   };
 }
@@ -1048,7 +1091,8 @@ function lengthNumber(part, length) {
 }
 
 /** The least and the greatest whole number of a value's type; bigints for more than six bytes. */
-function typeBounds({ kind, size, signed }) {
+function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
+  if (digits) return [least, most];
   if (kind === "boolean") return [0, 1];
   const bits = BigInt(8 * size);
   const [low, high] = signed ? [-(1n << (bits - 1n)), (1n << (bits - 1n)) - 1n] : [0n, (1n << bits) - 1n];
@@ -1258,8 +1302,9 @@ function bytesAgain(value, field, row) {
   return [bytes, "big", false];
 }
 
-const PARTIAL = "The frame contains only some of its words.";
-const PARTIAL_ATOMIC = "The frame contains only some of its words, which must be accessed in one request.";
+function partialText(unit, isAtomic) {
+  return `The frame contains only some of its ${unit}s${isAtomic ? ", which must be accessed in one request" : ""}.`;
+}
 
 /** Why an access forbids an operation; empty if it does not. */
 function forbiddenText(operation, access) {
@@ -1269,21 +1314,26 @@ function forbiddenText(operation, access) {
 
 /**
  * `words` from `address` on in a space. `data` are their bytes in the frame, at `at` in its parts, or empty. In a space
- * of bits, `words` counts these, and `bits` has those that the frame carries; in a space of words it is null.
+ * of bits, `words` counts these, and `bits` has those that the frame carries; in other spaces it is null. In a space of bytes, `words` counts
+ * these, and an address has a `unitSize` of 1.
  */
 class AddressSpan {
-  constructor(space, address, words, at, data, bits = null) {
-    Object.assign(this, { space: space ?? "", address, words, at, data, bits, end: address + words });
+  constructor(space, address, words, at, data, bits = null, unitSize = 2) {
+    Object.assign(this, { space: space ?? "", address, words, at, data, bits, unitSize, end: address + words });
   }
 
   get unit() {
-    return this.bits === null ? "word" : "bit";
+    if (this.bits !== null) return "bit";
+    return this.unitSize === 2 ? "word" : "byte";
   }
 
-  /** The bytes at an address in the parts, and those of the value that they carry; undefined unless all are there. */
-  piece(address, size) {
+  /**
+   * The bytes in the parts that are `skip` bytes behind an address, and those of the value that they carry; undefined
+   * unless all are there.
+   */
+  piece(address, size, skip = 0) {
     if (this.bits !== null) return this.bitPiece(address - this.address);
-    const start = 2 * (address - this.address);
+    const start = this.unitSize * (address - this.address) + skip;
     if (start < 0 || start + size > this.data.length) return undefined;
     const raw = this.data.subarray(start, start + size);
     return { at: this.at + start, raw, content: raw };
@@ -1305,9 +1355,13 @@ function accessedSpan(access, isBits, values, asked, at, data) {
   const value = (name) => (values.has(name) ? values.get(name) : asked.get(name));
   const start = value(access.start);
   if (!isWhole(start ?? "")) return null;
-  const count = access.count ? value(access.count) : 1;
+  const size = access.unitSize ?? 2;
+  const carried = Math.floor(data.length / size);
+  const count = access.count ? value(access.count) : isBits ? 1 : Math.max(carried, 1);
   const known = isWhole(count ?? "");
-  if (!isBits) return new AddressSpan(access.space, Number(start), known ? Number(count) : data.length >> 1, at, data);
+  if (!isBits) {
+    return new AddressSpan(access.space, Number(start), known ? Number(count) : carried, at, data.subarray(0, carried * size), null, size);
+  }
   if (access.set !== undefined) {
     const number = data.length ? values.get(access.values) : undefined;
     const bit = number == access.clear ? 0 : number == access.set ? 1 : null;
@@ -1391,6 +1445,7 @@ function addFields(occupants, device, table, span) {
           fact: field,
           outer: table,
           value: field.value,
+          skip: first & 1,
           access: table.accesses[field.name] ?? "",
           reserved: Boolean(field.reserved),
           atomic: table.atomic.includes(field.name),
@@ -1408,7 +1463,7 @@ function nearElements(base, { stride, words, count }, span) {
 }
 
 function registerRow(device, span, occupant, spot, operation) {
-  const piece = span.piece(occupant.address, occupant.value.size);
+  const piece = span.piece(occupant.address, occupant.value.size, occupant.skip);
   let read;
   if (piece) {
     const value = operation === "write" ? forWriting(occupant.value) : occupant.value;
@@ -1417,7 +1472,7 @@ function registerRow(device, span, occupant, spot, operation) {
     if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
   } else {
     const inside = span.address <= occupant.address && occupant.address + occupant.words <= span.end;
-    read = decoded(null, { notes: inside ? [] : [occupant.atomic ? PARTIAL_ATOMIC : PARTIAL] });
+    read = decoded(null, { notes: inside ? [] : [partialText(span.unit, occupant.atomic)] });
   }
   const { at, raw } = piece ?? { at: 0, raw: new Uint8Array() };
   const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
@@ -1430,7 +1485,7 @@ function unlistedRow(device, span, first, end, spot) {
   const gaps = device.data.gaps.filter(({ space, addresses }) =>
     space === span.space && addresses.some(([low, high]) => low < end && first <= high));
   // Bits share bytes with others, so that theirs are not printed.
-  const piece = span.bits === null ? span.piece(first, 2 * (end - first)) : undefined;
+  const piece = span.bits === null ? span.piece(first, span.unitSize * (end - first)) : undefined;
   return rowOf({
     kind: "register",
     ...(piece?.raw.length ? { raw: piece.raw, ...spot.place(piece.at, piece.raw.length) } : {}),
@@ -1772,10 +1827,14 @@ class ExplainedFrame {
     const body = this.error ? null : this.data.subarray(this.shape.headerSize, Math.max(this.shape.headerSize, end));
     // An exception response carries no subcode; only the request tells which message it answers.
     const shared = this.error ? link.messagesByCode[carried].get(code) ?? [] : [];
-    this.message = messageWithCode(link, carried, code, body) ?? shared.find(({ name }) => name === this.named);
+    this.message = messageWithCode(link, carried, code, body, this.named) ?? shared.find(({ name }) => name === this.named);
     if (!this.message) {
       const digits = code.toString(16).padStart(2, "0");
       if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
+      if (isAmbiguous(link, carried, code)) {
+        const names = link.messagesByCode[carried].get(code).map(({ name }) => name).join(", ");
+        return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
+      }
       const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
       return judged(read, false, `one of ${known.join(", ")}`, "unknown_code");
     }
@@ -1824,8 +1883,7 @@ class ExplainedFrame {
     const last = isOpen ? end : Math.min(end, start + values.offset + values.size * values.count);
     const data = values ? this.data.subarray(at, Math.max(at, last)) : this.data.subarray(0, 0);
     const isBits = access === message.bitAccess;
-    const carried = isBits ? data : data.subarray(0, data.length - (data.length % 2));
-    const span = accessedSpan(access, isBits, body.values, asked, at, carried);
+    const span = accessedSpan(access, isBits, body.values, asked, at, data);
     return { rows, registers: span ? registerRows(this.device, span, this.spot, access.operation) : [] };
   }
 
@@ -1927,14 +1985,12 @@ function readingsOf(device, frame, close = false) {
   const faults = new Map();
   for (const link of device.links.values()) {
     for (const direction of DIRECTIONS) {
-      const guessed = !link[direction].code;
-      const names = close ? [...link.carriedMessages[direction].keys()] : guessed ? namesOfLength(link, direction, frame) : [];
-      for (const message of guessed ? names : [""]) {
+      for (const message of candidatesOf(link, direction, frame, close)) {
         const explanation = explained(device, link.name, direction, frame, message);
         const reading = readingOf(explanation);
         const key = JSON.stringify(reading);
-        if (faults.has(key)) continue;
-        faults.set(key, { reading, reasons: [...reasonsOf(explanation), ...(guessed ? [GUESSED] : [])] });
+        if (faults.has(key) || (message && explanation.error)) continue;
+        faults.set(key, { reading, reasons: [...reasonsOf(explanation), ...(message ? [GUESSED] : [])] });
       }
     }
   }
@@ -1944,6 +2000,21 @@ function readingsOf(device, frame, close = false) {
     if (fitting.length) return fitting.map(({ reading }) => reading);
   }
   return [];
+}
+
+/** The names of the messages that a frame may be; the empty one leaves it to the code in the frame. */
+function candidatesOf(link, direction, frame, close) {
+  const coded = Boolean(link[direction].code);
+  if (coded && (direction === "request" || !link.ambiguous)) return [""];
+  const names = close ? [...link.carriedMessages[direction].keys()] : namesOfLength(link, direction, frame);
+  if (!coded) return names;
+  const several = link.ambiguous.flatMap((code) => link.messagesByCode[direction].get(code).map(({ name }) => name));
+  return ["", ...several.filter((name) => names.includes(name))];
+}
+
+/** Whether a frame does not tell that it is one of a message: it carries no code, or an ambiguous one. */
+function isGuessed(device, link, direction, message) {
+  return !link[direction].code || isAmbiguous(link, direction, device.messages.get(message)?.code);
 }
 
 /** The reading of an explanation. */
@@ -2010,8 +2081,8 @@ function exampleKeys(device, frame) {
  * message is a guess, and that its length may be any.
  */
 function doubtsOf(device, reading, mark, examples) {
-  const [link, direction, message] = reading;
-  const guessed = !device.links.get(link)[direction].code;
+  const [link, direction, message, error] = reading;
+  const guessed = !error && isGuessed(device, device.links.get(link), direction, message);
   const loose = guessed && Boolean(message) && device.messages.get(message)[direction].size === undefined;
   return [mark !== "" && direction !== mark, !examples.has(JSON.stringify(reading)), guessed, loose].map(Number);
 }
@@ -2074,7 +2145,8 @@ function mismatchesOf(device, request, response) {
     const want = access.count ? request.values.get(access.count) : 1;
     const have = response.values.get(access.values);
     if (isWhole(want ?? "") && Array.isArray(have) && have.length != want) {
-      texts.push(`the request asks for ${want} words, but the response has ${have.length}`);
+      const unit = access.unitSize === 1 ? "bytes" : "words";
+      texts.push(`the request asks for ${want} ${unit}, but the response has ${have.length}`);
     }
   }
   if (bitAccess?.operation === "read" && bitAccess.count) {
@@ -2607,8 +2679,14 @@ function bytesOfValue(device, name, value, raw) {
     return Uint8Array.from({ length: size }, (_, at) => bytes[at] ?? 0);
   }
   const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
-  const bytes = kind === "float" ? bytesOfFloat(name, value, raw, actual) : bytesOfNumber(checkedNumber(device, name, value, raw), size, actual);
+  const bytes = kind === "float" ? bytesOfFloat(name, value, raw, actual) : bytesOfWhole(value, checkedNumber(device, name, value, raw), actual);
   return swapped ? turnedWords(bytes) : bytes;
+}
+
+function bytesOfWhole(value, number, order) {
+  if (!value.digits) return bytesOfNumber(number, value.size, order);
+  const bytes = digitsBytes(value, number);
+  return order === "big" ? bytes : bytes.reverse();
 }
 
 function bytesOfFloat(name, value, number, order) {
@@ -3529,12 +3607,14 @@ class MessageForm {
     const words = [];
     for (const item of items.flatMap((text) => (/^[-+0-9a-fx ]+$/i.test(text) ? text.split(/\s+/) : [text]))) {
       const count = countOf(item);
-      const occupant = count === undefined ? occupantAt(device, access.space ?? "", address + words.length) : undefined;
+      const isWord = count !== undefined && count >= 0 && count <= 0xFFFF;
+      const occupant = !isWord ? occupantAt(device, access.space ?? "", address + words.length) : undefined;
       if (!occupant) {
         words.push(rawOf(device, leaf.path, leaf.field.value, item));
         continue;
       }
       const { path, value } = occupant;
+      if (value.size % 2) throw new CodecError("wrong_type", `${path} shares a word with others; enter the whole word`);
       const bytes = encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, rawOf(device, path, value, item)]]));
       for (let at = 0; at < bytes.length; at += 2) words.push(Number(unsignedOf(bytes.subarray(at, at + 2), device.data.wordOrder)));
     }
@@ -3599,6 +3679,375 @@ class MessageForm {
   }
 }
 
+// What carries bytes to a device and back: a serial port of the browser, or the WebSocket of a simulated device.
+// `received` is called with bytes, `faulted` with what was wrong on the line, `ended` with the reason of the end.
+
+const OWN_MACHINE = /^ws:\/\/(?:localhost|127\.0\.0\.1)(?::\d{1,5})?\//;
+const OPENING = 5000;  // milliseconds
+
+class ConnectionFault extends Error {}
+
+class SocketCarrier {
+  static opened(address, events) {
+    if (!OWN_MACHINE.test(address)) {
+      throw new ConnectionFault("The address begins with ws://127.0.0.1 or ws://localhost, as the simulator prints it.");
+    }
+    return new Promise((resolve, reject) => {
+      const socket = new WebSocket(address);
+      const fail = () => reject(new ConnectionFault("Nobody answers at this address. Is the simulator running, and is the key that of its last start?"));
+      const timer = setTimeout(() => { socket.close(); fail(); }, OPENING);
+      socket.binaryType = "arraybuffer";
+      socket.addEventListener("open", () => {
+        clearTimeout(timer);
+        resolve(new SocketCarrier(socket, address, events));
+      });
+      socket.addEventListener("close", () => { clearTimeout(timer); fail(); });
+    });
+  }
+
+  constructor(socket, address, events) {
+    this.socket = socket;
+    this.link = decodeURIComponent(new URL(address).pathname.slice(1));
+    this.name = `the simulated device at ${new URL(address).host}`;
+    socket.addEventListener("message", ({ data }) => {
+      if (data instanceof ArrayBuffer) events.received(new Uint8Array(data));
+    });
+    socket.addEventListener("close", () => events.ended("The simulator has closed the connection."));
+  }
+
+  send(bytes) {
+    if (this.socket.readyState !== WebSocket.OPEN) throw new ConnectionFault("The connection is closed.");
+    this.socket.send(bytes);
+  }
+
+  close() {
+    this.socket.close();
+  }
+}
+
+class SerialCarrier {
+  static async opened(settings, events) {
+    try {
+      const port = await navigator.serial.requestPort();
+      await port.open({ ...settings, bufferSize: 4096 });
+      return new SerialCarrier(port, events);
+    } catch (error) {
+      if (error.name === "NotFoundError") throw new ConnectionFault("No port was chosen.");
+      throw new ConnectionFault(`The port cannot be opened: ${error.message}`);
+    }
+  }
+
+  constructor(port, events) {
+    this.port = port;
+    this.link = "";
+    this.name = "the serial port";
+    this.events = events;
+    this.isOpen = true;
+    this.reading = this.read();
+  }
+
+  // A wrong parity or a break ends the reader, and the port has a new one; a port that is gone has none.
+  async read() {
+    while (this.isOpen && this.port.readable) {
+      this.reader = this.port.readable.getReader();
+      try {
+        for (;;) {
+          const { value, done } = await this.reader.read();
+          if (done) break;
+          this.events.received(value);
+        }
+      } catch (error) {
+        if (this.isOpen && this.port.readable) this.events.faulted(`On the line: ${error.message}`);
+      } finally {
+        this.reader.releaseLock();
+      }
+    }
+    if (this.isOpen) {
+      this.isOpen = false;
+      this.events.ended("The serial port is gone.");
+    }
+  }
+
+  async send(bytes) {
+    if (!this.port.writable) throw new ConnectionFault("The serial port is gone.");
+    const writer = this.port.writable.getWriter();
+    try {
+      await writer.write(bytes);
+    } catch (error) {
+      throw new ConnectionFault(`The request cannot be sent: ${error.message}`);
+    } finally {
+      writer.releaseLock();
+    }
+  }
+
+  async close() {
+    if (!this.isOpen) return;
+    this.isOpen = false;
+    await this.reader.cancel().catch(() => {});
+    await this.reading;
+    await this.port.close().catch(() => {});
+    this.events.ended("Not connected.");
+  }
+}
+
+// A request and what comes as its answer, over one carrier.
+
+const QUIET = 30;  // milliseconds without a byte after which a valid answer is whole
+
+class Exchange {
+  constructor() {
+    this.carrier = null;
+    this.waiting = null;
+    this.stray = 0;
+  }
+
+  // Bytes that nobody has asked for are counted, and no answer.
+  received(bytes) {
+    if (!this.waiting) {
+      this.stray += bytes.length;
+      return;
+    }
+    this.waiting.data = Uint8Array.from([...this.waiting.data, ...bytes]);
+    clearTimeout(this.waiting.quiet);
+    if (this.waiting.isWhole(this.waiting.data)) this.waiting.quiet = setTimeout(() => this.finish(), QUIET);
+  }
+
+  finish(lost = "") {
+    const { waiting } = this;
+    if (!waiting) return;
+    clearTimeout(waiting.quiet);
+    clearTimeout(waiting.patience);
+    this.waiting = null;
+    waiting.resolve({ data: waiting.data, milliseconds: performance.now() - waiting.start, lost });
+  }
+
+  // Sends a request and returns the bytes that answer it: when they are a valid answer, else after the time-out.
+  async ask(request, isWhole, milliseconds) {
+    this.stray = 0;
+    const answer = new Promise((resolve) => {
+      this.waiting = { data: new Uint8Array(), isWhole, resolve, start: performance.now(), quiet: 0 };
+    });
+    this.waiting.patience = setTimeout(() => this.finish(), milliseconds);
+    try {
+      await this.carrier.send(request);
+    } catch (error) {
+      this.finish(error.message);
+    }
+    return answer;
+  }
+}
+
+// The panel of a device that is connected: it sends the request of the page, and explains what comes.
+
+const MOST_TRAFFIC = 200;  // lines
+const BAUD = [1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600];
+
+class DevicePanel {
+  constructor(lab) {
+    this.lab = lab;
+    this.exchange = new Exchange();
+    this.link = null;
+    this.lines = [];
+    if (!("serial" in navigator)) {
+      const choice = byId("carrier").querySelector("[value=serial]");
+      choice.disabled = true;
+      choice.textContent += ": this browser has none";
+    }
+    byId("carrier").addEventListener("change", () => this.update());
+    byId("connect").addEventListener("click", () => this.toggle());
+    byId("allow-writes").addEventListener("change", () => this.update());
+    byId("send").addEventListener("click", () => this.send());
+    byId("traffic-log").addEventListener("click", () => this.explainTraffic());
+  }
+
+  // ---- the connection ----
+
+  async toggle() {
+    const { carrier } = this.exchange;
+    if (carrier) {
+      await carrier.close();
+      return;
+    }
+    byId("exchange-fault").textContent = "";
+    byId("connect").disabled = true;
+    this.say("Connecting …");
+    const events = {
+      received: (bytes) => this.exchange.received(bytes),
+      faulted: (text) => this.fault(text),
+      ended: (reason) => this.end(reason),
+    };
+    try {
+      const isSerial = byId("carrier").value === "serial";
+      this.exchange.carrier = await (isSerial
+        ? SerialCarrier.opened(this.settings(), events)
+        : SocketCarrier.opened(byId("socket-address").value.trim(), events));
+      this.say(`Connected to ${this.exchange.carrier.name}.`);
+    } catch (error) {
+      if (!(error instanceof ConnectionFault)) throw error;
+      this.say("Not connected.");
+      this.fault(error.message);
+    } finally {
+      byId("connect").disabled = false;
+      byId("allow-writes").checked = false;  // each connection is agreed to anew
+      this.update();
+    }
+  }
+
+  end(reason) {
+    if (!this.exchange.carrier) return;
+    this.exchange.carrier = null;
+    this.exchange.finish(reason);
+    byId("allow-writes").checked = false;
+    this.say(reason);
+    this.update();
+  }
+
+  settings() {
+    const number = (id) => Number(byId(id).value);
+    return { baudRate: number("baud"), dataBits: number("data-bits"), parity: byId("parity").value, stopBits: number("stop-bits") };
+  }
+
+  say(text) {
+    byId("connection").textContent = text;
+  }
+
+  fault(text) {
+    byId("exchange-fault").textContent = text;
+  }
+
+  // ---- the request ----
+
+  // The request of the page; null where what is there is none.
+  request() {
+    const { current } = this.lab;
+    if (!current || current.explanation.direction !== "request" || reasonsOf(current.explanation).length) return null;
+    return current.explanation;
+  }
+
+  onlyReads({ link, message }) {
+    return this.lab.requests.reads[link].includes(message) && !this.hazards("read").length;
+  }
+
+  // What the spec says of an operation on the facts of the request, one text for each hazard.
+  hazards(operation) {
+    const { rows, registers, message } = this.request();
+    const names = new Map([...rows, ...registers].map((row) => [row.fact, row.path]));
+    names.set(this.lab.device.messages.get(message)?.path, message);
+    return Object.entries(this.lab.requests.hazards[operation]).flatMap(([text, paths]) => {
+      const present = paths.filter((path) => names.has(path)).map((path) => names.get(path));
+      return present.length ? [`${present.join(", ")}: ${text}`] : [];
+    });
+  }
+
+  update() {
+    const { carrier } = this.exchange;
+    const isSerial = byId("carrier").value === "serial";
+    byId("connect").textContent = carrier ? "Disconnect" : "Connect";
+    for (const id of ["carrier", "socket-address", "baud", "data-bits", "parity", "stop-bits"]) byId(id).disabled = Boolean(carrier);
+    byId("socket-choice").hidden = isSerial;
+    byId("serial-choice").hidden = !isSerial;
+    const request = this.request();
+    this.fillSettings(request?.link ?? [...this.lab.device.links.keys()][0]);
+    const writes = request !== null && !this.onlyReads(request);
+    const isAllowed = !writes || byId("allow-writes").checked;
+    const texts = writes ? [...this.hazards("write"), ...this.hazards("read")] : [];
+    byId("hazards").replaceChildren(...texts.map((text) => element("li", { textContent: text })));
+    byId("send-remark").textContent = this.remark(request, writes, isAllowed);
+    byId("send").disabled = !carrier || !request || !isAllowed || Boolean(this.exchange.waiting) || this.isElsewhere(request);
+  }
+
+  isElsewhere(request) {
+    const link = this.exchange.carrier?.link;
+    return Boolean(request && link && link !== request.link);
+  }
+
+  remark(request, writes, isAllowed) {
+    if (!request) return "There is no valid request above. Paste one, or build it.";
+    if (this.isElsewhere(request)) return `The request is one of the link ${request.link}, and the connection is to ${this.exchange.carrier.link}.`;
+    const name = request.message || "The request";
+    if (!writes) return `${name} only reads.`;
+    const why = this.lab.requests.reads[request.link].includes(request.message) ? "changes what it reads" : "writes, or the spec does not say that it only reads";
+    return `${name} ${why}. ${isAllowed ? "It is sent as it is." : "Allow it to be sent."}`;
+  }
+
+  fillSettings(name) {
+    if (this.link === name) return;
+    this.link = name;
+    const { serial = {} } = this.lab.device.links.get(name);
+    const fill = (id, values, chosen) => {
+      byId(id).replaceChildren(...values.map((value) => option(String(value), String(value))));
+      byId(id).value = String(chosen ?? values[0]);
+    };
+    const bauds = serial.baud?.length ? serial.baud : BAUD;
+    fill("baud", bauds, serial.default ?? (serial.baud?.length ? bauds[0] : 9600));
+    fill("data-bits", serial.dataBits?.length ? serial.dataBits : [7, 8], Math.max(...(serial.dataBits?.length ? serial.dataBits : [8])));
+    fill("parity", serial.parity?.length ? serial.parity : ["none", "even", "odd"]);
+    fill("stop-bits", serial.stopBits?.length ? serial.stopBits : [1, 2]);
+  }
+
+  // Whether the device answers a request: not one to all stations, and not one without a response.
+  isAnswered(request) {
+    const link = this.lab.device.links.get(request.link);
+    const broadcast = link.addresses?.broadcast;
+    const station = link.request.header.find(({ role }) => role === "unit_address");
+    if (broadcast !== undefined && station && request.values.get(station.name) === broadcast) return false;
+    return !request.message || link.carriedMessages.response.has(request.message);
+  }
+
+  async send() {
+    const { device } = this.lab;
+    const request = this.request();
+    if (!request || !this.exchange.carrier || byId("send").disabled) return;
+    const { exchange } = this;
+    const stray = exchange.stray;
+    const patience = Math.min(60000, Math.max(50, Number(byId("patience").value) || 1000));
+    const isAnswered = this.isAnswered(request);
+    const asked = { request, sure: true };
+    const readAnswer = (data) => readFrame(device, data, new FrameOptions(), "response", asked);
+    this.fault("");
+    this.say("Waiting for the answer …");
+    this.note("TX", request.frame);
+    const asking = exchange.ask(request.frame, (data) => !reasonsOf(readAnswer(data).explanation).length, isAnswered ? patience : QUIET);
+    this.update();
+    const { data, milliseconds, lost } = await asking;
+    if (data.length) this.note("RX", data);
+    const texts = [stray ? `${stray} bytes came before that nobody had asked for.` : "", lost];
+    if (data.length) texts.push(this.show(readAnswer(data), data, patience));
+    else if (!lost) texts.push(isAnswered ? `No answer within ${patience} ms.` : "");
+    this.fault(texts.filter(Boolean).join(" "));
+    const took = data.length ? ` The answer took ${Math.round(milliseconds)} ms.` : isAnswered ? "" : " The request has no answer.";
+    if (exchange.carrier) this.say(`Connected to ${exchange.carrier.name}.${took}`);
+    this.update();
+    byId("send").dataset.count = Number(byId("send").dataset.count ?? 0) + 1;
+  }
+
+  // Explains an answer, and says what is wrong with it.
+  show(reading, data, patience) {
+    const { explanation } = reading;
+    const remarks = remarksOn(this.lab.device, reading, 0, new FrameOptions());
+    this.lab.table.show({ explanation, remarks, wrong: isWrong(reading) });
+    if (reasonsOf(explanation).length) return `No valid answer within ${patience} ms, but ${data.length} bytes: ${reasonsOf(explanation).join(", ")}.`;
+    if (reading.mismatches.length) return "The answer does not fit the request.";
+    return explanation.error ? "The device refuses the request." : "";
+  }
+
+  // ---- the traffic ----
+
+  note(direction, data) {
+    this.lines.push(`${direction}: ${hexOf(data, " ")}`);
+    this.lines.splice(0, this.lines.length - MOST_TRAFFIC);
+    byId("traffic").hidden = false;
+    byId("traffic-lines").textContent = this.lines.join("\n");
+    byId("traffic-lines").scrollTop = byId("traffic-lines").scrollHeight;
+  }
+
+  explainTraffic() {
+    byId("frames").value = `${this.lines.join("\n")}\n`;
+    this.lab.read();
+    byId("frames").focus();
+  }
+}
+
 // The lab of a device: the frames that somebody enters, what is known of them, and the address that says it all.
 
 const MOST_IN_ADDRESS = 2000;  // characters of frames in the address of the page
@@ -3616,6 +4065,7 @@ class Lab {
     this.table = new FrameTable(this);
     this.list = new LogList(this);
     this.form = new MessageForm(this);
+    this.panel = new DevicePanel(this);
     byId("lab").hidden = false;
     byId("version").addEventListener("change", () => this.open(byId("version").value));
     byId("frames").addEventListener("input", () => this.soon());
@@ -3631,9 +4081,9 @@ class Lab {
 
   // ---- the data of a version ----
 
-  // Called by the data file of a version.
-  add(data) {
-    this.loads.get(data.version)?.(new ExplainedDevice(data));
+  // Called by the data file of a version; `requests` is what there is to know before a request is sent.
+  add(data, requests) {
+    this.loads.get(data.version)?.({ device: new ExplainedDevice(data), requests });
   }
 
   load(page, version) {
@@ -3653,13 +4103,16 @@ class Lab {
       this.devices ??= new Map();
       if (!this.devices.has(page)) this.devices.set(page, await this.load(page, choice.textContent));
       if (this.page !== page) return;
-      this.device = this.devices.get(page);
+      ({ device: this.device, requests: this.requests } = this.devices.get(page));
     } catch (error) {
       byId("input-fault").textContent = error.message;
       return;
     }
+    this.current = null;
+    this.panel.link = null;
     this.fillChoices();
     this.form.fill();
+    this.panel.update();
     this.read();
     byId("lab").dataset.ready = page;
   }
@@ -3697,6 +4150,8 @@ class Lab {
     clearTimeout(this.timer);
     if (!this.device) return;
     const text = byId("frames").value;
+    this.current = null;
+    this.panel.update();
     byId("input-fault").textContent = "";
     delete byId("lab").dataset.frames;
     try {
@@ -3732,6 +4187,7 @@ class Lab {
     this.table.show({ explanation, remarks: entry.remarks, wrong: entry.wrong });
     this.form.take(explanation);
     byId("built").textContent = "";
+    this.panel.update();
   }
 
   // A frame that the form makes. In a log it is shown beside the frames of the log, else it takes their place.
@@ -3748,6 +4204,7 @@ class Lab {
     byId("built").textContent = this.frameText();
     byId("input-fault").textContent = "";
     this.table.show({ explanation: reading.explanation, remarks, wrong: isWrong(reading) });
+    this.panel.update();
     if (this.list.entries.length > 1) return;
     byId("frames").value = this.frameText();
     for (const name of KNOWN) byId(`known-${name}`).value = known[name];
@@ -3828,7 +4285,7 @@ class Lab {
 }
 
 const lab = new Lab();
-window.fieldspecLab = Object.freeze({ add: (data) => lab.add(data) });
+window.fieldspecLab = Object.freeze({ add: (data, requests) => lab.add(data, requests) });
 lab.restore();
 
 })();

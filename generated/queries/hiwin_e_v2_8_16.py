@@ -139,8 +139,8 @@ def _sized(data: _pl.Expr, least: int, most: int | None, offset: int, unit: int)
     return _pl.when(fits).then(data).otherwise(None)
 
 
-def _words(payload: _pl.Expr, start: _pl.Expr, address: _pl.Expr | int, size: int) -> _pl.Expr:
-    offset = (0 - start.cast(_pl.Int64) + address) * 2
+def _words(payload: _pl.Expr, start: _pl.Expr, address: _pl.Expr | int, size: int, unit: int = 2) -> _pl.Expr:
+    offset = (0 - start.cast(_pl.Int64) + address) * unit
     inside = (offset >= 0) & (offset + size <= _size(payload))
     return payload.bin.slice(_pl.when(inside).then(offset).otherwise(None), size)
 

@@ -9127,8 +9127,8 @@ function registers.show(context, tree, span, operation)
     local space = spaces[span.space] or { widest = 1, at = {} }
     local reached = span.address
     local function unlisted(first, last)
-        local start = 2 * (first - span.address)
-        local size = 2 * (last - first + 1)
+        local start = (span.unit_size or 2) * (first - span.address)
+        local size = (span.unit_size or 2) * (last - first + 1)
         if not span.is_bits and start >= 0 and start + size <= #span.bytes then
             show_unlisted(tree, context:range(span.at + start, size), first, last)
         else
@@ -9146,7 +9146,7 @@ function registers.show(context, tree, span, operation)
             options.ranges = row.value.write_ranges
         end
         local item
-        local start = 2 * (place.address - span.address) + (row.skip or 0)
+        local start = (span.unit_size or 2) * (place.address - span.address) + (row.skip or 0)
         if span.is_bits then
             local index = place.address - span.address
             local bit = bit_at(span, index)
@@ -9507,8 +9507,12 @@ local function unwrapped(link, direction, bytes)
     return (inner:gsub("..", function(pair) return string.char(tonumber(pair, 16)) end))
 end
 
--- The message with a code and a number in its data, which several messages with one code have.
-local function message_with(shape, code, body)
+-- The message with a code and a number in its data, which several messages with one code have. Where nothing in the
+-- data tells them apart, it is that of the request.
+local function message_with(shape, code, body, asked)
+    if shape.is_ambiguous[code] then
+        return asked and asked.message and asked.message.code == code and asked.message or nil
+    end
     local subcode = shape.shared[code]
     if not subcode then
         return shape.by_code[code]
@@ -9554,7 +9558,7 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
         end
         return link.request.by_code[code], true, code
     end
-    return message_with(link[direction], code, body), false, code
+    return message_with(link[direction], code, body, asked), false, code
 end
 
 local function record_of(link, direction, message, is_refusal)
@@ -9738,21 +9742,24 @@ local function span_of(context, access)
     local place = access.values and context.places[access.values]
     local at, size = place and place.at or context.body_end, place and place.size or 0
     local bytes = context.bytes:sub(at + 1, at + size)
+    local unit_size = access.unit_size or 2
     if not access.is_bits then
-        bytes = bytes:sub(1, #bytes - #bytes % 2)
+        bytes = bytes:sub(1, #bytes - #bytes % unit_size)
     end
-    local span = { space = access.space, address = address, at = at, bytes = bytes, is_bits = access.is_bits }
+    local span = {
+        space = access.space, address = address, at = at, bytes = bytes, is_bits = access.is_bits, unit_size = unit_size,
+    }
     if access.is_bits and access.set then
         local number = #bytes > 0 and context.values[access.values]
         span.single = number == access.set and 1 or number == access.clear and 0 or false
         span.words = 1
         return span
     end
-    local count = 1
+    local count = access.is_bits and 1 or math.max(1, math.floor(#bytes / unit_size))
     if access.count then
         count = context.values[access.count] or asked[access.count]
     end
-    span.words = count or (access.is_bits and 8 * #bytes or math.floor(#bytes / 2))
+    span.words = count or (access.is_bits and 8 * #bytes or math.floor(#bytes / unit_size))
     return span
 end
 
@@ -10093,6 +10100,10 @@ for _, link in pairs(device.links) do
         for _, name in ipairs(shape.messages) do
             local message = device.messages[name]
             shape.by_code[message.code] = message
+        end
+        shape.is_ambiguous = {}
+        for _, code in ipairs(shape.ambiguous or {}) do
+            shape.is_ambiguous[code] = true
         end
         for _, subcode in ipairs(shape.subcodes) do
             shape.shared[subcode.code] = subcode

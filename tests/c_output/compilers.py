@@ -13,11 +13,11 @@ STRICT = [
 ]
 COMPILERS = {
     "gcc": ["gcc", "-std=c99", "-O1"],
-    "clang": ["clang", "-std=c99"],
     "g++": ["g++", "-std=c++11", "-x", "c++"],
     # tcc knows none of the extensions of gcc.
     "tcc": ["tcc", "-std=c99"],
-    "sanitized": ["gcc", "-std=c99", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
+    # Clang builds with sanitizers in a third of the time of GCC.
+    "sanitized": ["clang", "-std=c99", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
 }
 
 

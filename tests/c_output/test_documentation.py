@@ -20,7 +20,7 @@ TEXT = (Path(__file__).resolve().parent.parent.parent / "docs" / "c.md").read_te
 PROGRAMS = re.findall(r"```c\n(.*?)```", TEXT, re.DOTALL)
 
 
-@pytest.mark.parametrize("compiler", ["gcc", "clang", "sanitized"])
+@pytest.mark.parametrize("compiler", ["gcc", "sanitized"])
 @pytest.mark.parametrize("program", PROGRAMS, ids=[text.splitlines()[0].split('"')[1] for text in PROGRAMS])
 def test_a_program_of_the_documentation_runs(program: str, compiler: str, tmp_path: Path) -> None:
     for device in ("tc100", "hiwin-e"):

@@ -136,7 +136,8 @@ def test_addresses_that_answer_and_are_not_in_the_spec_are_named(tmp_path: Path)
 
 
 def test_a_scan_shows_what_answers_and_what_does_not(tmp_path: Path) -> None:
-    scan = {"space": "input_registers", "words": {"0x000E": 5}, "refused": ["0x000C", "0x000D"]}
+    space = {"space": "input_registers", "words": {"0x000E": 5}, "refused": ["0x000C", "0x000D"]}
+    scan = {"spaces": [space]}
     unit(tmp_path, "a", {"scan.json": json.dumps(scan).encode()})
     _, tables = report(tmp_path)
     assert {row["fact"] for row in tables["disagreements"]} == {"registers/export_share"}

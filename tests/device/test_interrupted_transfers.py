@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import subprocess
 import sys
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
+from fieldspec.commands.journal_file import JournalFile
+from fieldspec.live.client import Client
+from fieldspec.live.journal import journal_state
+from fieldspec.testing import SimulatedDevice
 from point_lists import (
     WRITES,
     command,
@@ -21,24 +28,24 @@ from point_lists import (
     writes_of,
 )
 
-from fieldspec.commands.journal_file import JournalFile
-from fieldspec.live.client import Client
-from fieldspec.live.journal import journal_state
-from fieldspec.testing import SimulatedDevice
-
 
 class Killed(BaseException):
     """The end of a process, as far as a test within it can have one."""
 
 
-def killed_at(step: int, monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
+def interrupt() -> None:
+    """Ends a run as far as a test within its process can."""
+    raise Killed
+
+
+def killed_at(step: int, monkeypatch: pytest.MonkeyPatch, end: Callable[[], None] = interrupt) -> Callable[[], int]:
     """Ends a run at its step: before or after each line of the journal, and before or after each request."""
     steps = [0]
 
     def stop() -> None:
         steps[0] += 1
         if steps[0] == step:
-            raise Killed
+            end()
 
     def around(owner: type, name: str, relevant: Callable[..., bool]) -> None:
         original = getattr(owner, name)
@@ -89,6 +96,33 @@ def test_an_upload_that_is_killed_at_any_step_is_resumed(
         assert [value_of(tc100, name) for name in delivered] == [20, 25]
         assert not journal.exists()
     assert step == 2 * 6 + 1
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs processes that can be forked")
+@pytest.mark.parametrize("step", range(1, 13))
+def test_a_process_that_is_killed_at_any_step_leaves_what_another_one_completes(
+    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path, step: int
+) -> None:
+    path = points_file(tmp_path, "tc100,2.0,points,2,20 %,25 ms")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        child = os.fork()
+    if not child:
+        with pytest.MonkeyPatch.context() as patch:
+            killed_at(step, patch, lambda: os.kill(os.getpid(), signal.SIGKILL))
+            live(tc100, "points", "upload", path, "--yes")
+        os._exit(0)
+    _, status = os.waitpid(child, 0)
+    assert os.WIFSIGNALED(status)
+    journal = Path(f"{path}.journal")
+    state = journal_state(journal.read_bytes()) if journal.exists() else None
+    assert live(tc100, "points", "upload", path, "--yes") == 0
+    error = capsys.readouterr().err
+    if state is not None:
+        assert "an earlier run was interrupted; it has written and verified: " in error
+        assert not state.path or f"it was writing {state.path}, which has" in error
+    assert [value_of(tc100, f"points[2].{name}") for name in ("speed", "wait_time")] == [20, 25]
+    assert not journal.exists()
 
 
 @pytest.mark.parametrize("number", [1, 4])

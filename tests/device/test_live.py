@@ -141,7 +141,7 @@ def test_a_failed_write_says_what_was_written(
 
 
 def test_what_starts_something_is_sent_once(tc100: SimulatedDevice, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("fieldspec.commands.live.active_states", lambda client: [])
+    monkeypatch.setattr("fieldspec.commands.live_writing.active_states", lambda access, client: [])
     requests: list[bytes] = []
     tc100.simulation.listeners.append(
         lambda now, link, way, data, text: requests.append(data) if way == "request" else None
@@ -199,6 +199,6 @@ def test_a_scan_finds_what_the_spec_does_not_have_and_what_does_not_answer(
     del memory.occupants["", 0x1005]
     assert live(tc100, "scan", "0x1000..0x103F", "--format", "json") == 0
     result = json.loads(capsys.readouterr().out)
-    assert result["unknown"] == [[0x1010, 0x1010]]
-    assert result["silent"] == ["alarm"]
+    assert result["spaces"][0]["unknown"] == [[0x1010, 0x1010]]
+    assert result["spaces"][0]["silent"] == ["alarm"]
     assert result["looks_like"] == ["before-2.0", "2.0"]

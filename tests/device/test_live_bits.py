@@ -79,4 +79,4 @@ def test_a_dump_names_the_spaces(station: SimulatedDevice, tmp_path: Path) -> No
 
 def test_a_scan_asks_for_bits(station: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
     assert live(station, "scan", "0..0x1F", "--format", "json") == 0
-    assert json.loads(capsys.readouterr().out)["silent"] == []
+    assert json.loads(capsys.readouterr().out)["spaces"][0]["silent"] == []

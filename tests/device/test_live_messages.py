@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from fieldspec.cli import main
+from fieldspec.lists.dump import dump
+from fieldspec.lists.text_sheet import text_sheet
+from fieldspec.simulator.seeding import seed
 from fieldspec.testing import SimulatedDevice, simulation
 from layouts import TEST_SPECS
 from simulators import SPECS
@@ -17,7 +21,7 @@ from simulators import SPECS
 def live(name: str, place: str, *arguments: str, folder: str = SPECS) -> int:
     """The exit code of a verb."""
     port = place.replace("tcp://", "socket://") if name == "esc11" else place
-    return main(["live", name, *arguments, "--port", port, "--timeout", "0.5", "--specs", folder])
+    return main(["live", name, *arguments, "--port", port, "--timeout", "0.5", "--pause", "0", "--specs", folder])
 
 
 @pytest.fixture
@@ -81,11 +85,65 @@ def test_a_value_that_the_drive_refuses_is_told(drive: SimulatedDevice, capsys: 
     assert "refused: exception" in capsys.readouterr().out
 
 
+def place_of(name: str, gripper: SimulatedDevice, drive: SimulatedDevice) -> str:
+    """Where the parameters of a device are read."""
+    return gripper.place if name == "esc11" else drive.places["parameter_channel"]
+
+
+@pytest.mark.parametrize(("name", "path", "raw"), [("esc11", "positive_soft_limit", 300), ("hiwin-e", "Pt533", 123)])
+def test_parameters_are_backed_up_compared_and_restored(
+    gripper: SimulatedDevice,
+    drive: SimulatedDevice,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    name: str,
+    path: str,
+    raw: int,
+) -> None:
+    place, file = place_of(name, gripper, drive), str(tmp_path / "settings.csv")
+    assert live(name, place, "backup", file) == 0
+    assert live(name, place, "write", f"{path}={raw}", "--yes") == 0
+    assert live(name, place, "compare", file, "--format", "json") == 1
+    capsys.readouterr()
+    assert live(name, place, "restore", file, "--dry-run") == 0
+    assert "1 of " in capsys.readouterr().err
+    assert live(name, place, "restore", file, "--yes") == 0
+    assert "1 value written and verified" in capsys.readouterr().err
+    assert live(name, place, "compare", file) == 0
+    assert not Path(f"{file}.journal").exists()
+
+
+def test_a_dump_of_parameters_is_what_another_device_begins_with(
+    drive: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    channel, file = drive.places["parameter_channel"], tmp_path / "dump.csv"
+    assert live("hiwin-e", channel, "write", "Pt533=4711", "--yes") == 0
+    assert live("hiwin-e", channel, "dump", str(file)) == 0
+    assert main(["audit", "hiwin-e", "--dump", str(file), "--table", "values", "--specs", SPECS]) in (0, 1)
+    assert "4711" in capsys.readouterr().out
+    with simulation("hiwin-e", ports={"parameter_channel": "udp://127.0.0.1:0"}, folder=SPECS) as other:
+        count, unused = seed(other.simulation.engine, dump(text_sheet(file.read_bytes(), ""), {}))
+        assert (count > 60, unused) == (True, 0)
+        capsys.readouterr()
+        live("hiwin-e", other.place, "read", "Pt533", "--format", "json")
+    assert rows(capsys)["point_to_point_speed_rotary"]["value"] == 4711
+
+
+def test_a_scan_of_parameters_finds_what_the_spec_does_not_have(
+    drive: SimulatedDevice, capsys: pytest.CaptureFixture[str]
+) -> None:
+    drive.simulation.engine.memory.elements["drive_parameters", 0x3FF, 0] = 7
+    channel = drive.places["parameter_channel"]
+    assert live("hiwin-e", channel, "scan", "0x3B0..0x3C0", "pnu:0x2215", "--format", "json") == 0
+    (space,) = json.loads(capsys.readouterr().out)["spaces"]
+    assert space["unknown"] == []
+    assert len(space["refused"]) > 5
+
+
 @pytest.mark.parametrize(
     ("name", "arguments", "expected"),
     [
-        ("esc11", ["dump", "x"], "needs registers, and esc11 has none; it has read, watch, write"),
-        ("esc11", ["points", "upload", "x"], "needs registers"),
+        ("esc11", ["points", "upload", "x"], "esc11 has no record table; `backup` and `restore` are for its settings"),
         ("esc11", ["read", "nonsense"], "there is no value nonsense"),
         ("esc11", ["write", "status=1"], "only parameters are written"),
         ("esc11", ["write", "positive_soft_limit=1 km"], "positive_soft_limit"),

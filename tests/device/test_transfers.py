@@ -10,6 +10,14 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
+
+from fieldspec.cli import main
+from fieldspec.live.list_reading import entries
+from fieldspec.live.reading import reading
+from fieldspec.live.register_access import RegisterAccess
+from fieldspec.live.value_files import file_content, file_sheet
+from fieldspec.live.value_lists import elements, table_list
+from fieldspec.testing import SimulatedDevice, simulation
 from point_lists import (
     HEAD,
     five_points,
@@ -19,13 +27,6 @@ from point_lists import (
     value_of,
     writes_of,
 )
-
-from fieldspec.cli import main
-from fieldspec.live.list_reading import entries
-from fieldspec.live.reading import reading
-from fieldspec.live.value_files import file_content, file_sheet
-from fieldspec.live.value_lists import elements, table_list
-from fieldspec.testing import SimulatedDevice, simulation
 from simulators import SPECS, parts_of
 
 
@@ -51,15 +52,16 @@ def test_points_go_to_a_file_and_back(tc100: SimulatedDevice, tmp_path: Path) ->
 @pytest.mark.parametrize("ending", ["csv", "xlsx", "json", "yaml"])
 def test_a_file_means_the_words_that_it_is_written_from(ending: str) -> None:
     layout, _ = parts_of("tc100")
+    access = RegisterAccess(layout)
     words = [0, 3, 0xFFFF, 0x8000, 335]
-    placed_values = [pair for pair in elements(layout, "points") if pair[1].path.startswith("points[1")]
+    placed_values = [pair for pair in elements(access, "points") if pair[1].path.startswith("points[1")]
     values = []
     for number, (_, occupant) in enumerate(placed_values):
-        value = reading(layout, occupant, [words[number % 5]] * occupant.words)
+        value = reading(layout, "", occupant, [words[number % 5]] * occupant.words)
         wrong = value.decoded is not None and value.decoded.verdict
-        values.append(reading(layout, occupant, [1] * occupant.words) if wrong else value)
-    content = file_content(f"a.{ending}", table_list(layout, "points", values))
-    wanted, findings = entries(layout, file_sheet(f"a.{ending}", content))
+        values.append(reading(layout, "", occupant, [1] * occupant.words) if wrong else value)
+    content = file_content(f"a.{ending}", table_list(access, "points", values))
+    wanted, findings = entries(access, file_sheet(f"a.{ending}", content))
     assert findings == []
     assert [(item.occupant.path, item.words) for item in wanted] == [(v.occupant.path, v.words) for v in values]
 

@@ -68,6 +68,14 @@ def search(browser: webdriver.Chrome, page: Path, text: str) -> list[str]:
     """The results of a text that is typed into the box of a page, once all data is there."""
     browser.get("about:blank")
     browser.get(page.as_uri())
+    return search_again(browser, text)
+
+
+def search_again(browser: webdriver.Chrome, text: str) -> list[str]:
+    """The results of a text that is typed into the empty box of the page that is open."""
+    browser.execute_script("""
+        const box = document.getElementById("query");
+        box.blur(); box.value = ""; box.dispatchEvent(new Event("input"));""")
     browser.find_element(By.TAG_NAME, "body").send_keys("/")
     box = browser.switch_to.active_element
     assert box.get_attribute("id") == "query"
@@ -76,11 +84,13 @@ def search(browser: webdriver.Chrome, page: Path, text: str) -> list[str]:
     return links(browser)
 
 
-@pytest.mark.parametrize(("path", "text", "link"), FACTS)
+@pytest.mark.parametrize(("path", "text", "link"), sorted(FACTS))
 def test_a_fact_is_the_first_result_of_its_names_and_numbers(
     browser: webdriver.Chrome, folder: Path, path: str, text: str, link: str
 ) -> None:
-    assert search(browser, folder / path, text)[:1] == [link]
+    page = folder / path
+    is_open = browser.current_url == page.as_uri()
+    assert (search_again(browser, text) if is_open else search(browser, page, text))[:1] == [link]
 
 
 @pytest.mark.parametrize("text", ["e", "0x3067", "the position of the motor", "no such thing at all"])

@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 import io
-import json
 import random
 import re
-import subprocess
-import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import islice
 from typing import Any
 
 import pytest
 
-from external_tools import require_tool
 from fieldspec.commands.decode import FramePrinter, Log
-from fieldspec.explain.log import LogLine
-from fieldspec.explain.readings import ChosenReading, FrameOptions, OpenRequest, read, remarks
+from fieldspec.explain.readings import ChosenReading, FrameOptions
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.texts import Example
 from fieldspec.render.explanation import as_data
+from js_output.explanations import explained_by_node, explained_by_python, portable
 from js_output.javascript import module_path
 from js_output.test_javascript_frames import frames_of
 from layouts import SPECS, TEST_SPECS, all_layouts, layouts
@@ -28,54 +24,10 @@ from test_cli_spelled import REQUESTS, RESPONSES, SPELLINGS
 
 LAYOUTS = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts() if layout.links}
 NEWEST = [versions[-1] for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]
-DIRECTIONS = ("request", "response")
 DAMAGED = 3
 """The damaged frames of each example, of the newest versions."""
 UNKNOWN = 5
 """One in so many examples, and its damaged frames, are also explained without anything known of them."""
-
-
-def explained_by_node(jobs: Sequence[Mapping[str, Any]]) -> list[list[dict[str, Any]]]:
-    node = require_tool("node")
-    with tempfile.NamedTemporaryFile("w", suffix=".jsonl", encoding="utf-8") as file:
-        file.writelines(json.dumps(job) + "\n" for job in jobs)
-        file.flush()
-        script = __file__.replace("test_javascript_explanations.py", "explanations.mjs")
-        run = subprocess.run([node, script, file.name], capture_output=True, text=True, check=False)
-    assert run.returncode == 0, run.stderr
-    return [json.loads(line, object_hook=_whole) for line in run.stdout.split("\n") if line]
-
-
-def _whole(data: dict[str, Any]) -> Any:
-    return int(data["$n"]) if list(data) == ["$n"] else data
-
-
-def portable(data: object) -> Any:
-    """Data of the compiler as JSON has them; remarks name options of the command line by hyphens."""
-    return json.loads(re.sub(r"--(?=[a-z])", "", json.dumps(data)))
-
-
-def explained_by_python(layout: DeviceLayout, job: Mapping[str, Any]) -> dict[str, Any]:
-    known = job["options"]
-    places = tuple(
-        (name, direction)
-        for name, link in layout.links.items()
-        for direction in DIRECTIONS
-        if known.get("link", name) == name and known.get("direction", direction) == direction
-        if not known.get("message") or known["message"] in link.messages
-    )
-    options = FrameOptions(places if known else (), known.get("message", ""))
-    asked = None
-    if job["request"]:
-        asks = tuple((link, "request") for link in layout.links if options.goes(link, "response"))
-        request = read(layout, bytes.fromhex(job["request"]), FrameOptions(asks, options.message))
-        asked = OpenRequest(request.explanation, True)
-    line = LogLine(bytes.fromhex(job["frame"]))
-    reading = read(layout, line.frame, options, line.direction, asked)
-    notes = [*line.remarks, *remarks(layout, reading, 0, options)]
-    data = as_data(layout, reading.explanation, reading.readings, reading.chosen, notes, reading.wrong)
-    result: dict[str, Any] = portable(data)
-    return result
 
 
 def jobs_of(layout: DeviceLayout, example: Example) -> Iterator[dict[str, Any]]:

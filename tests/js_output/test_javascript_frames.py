@@ -32,7 +32,7 @@ def job(layout: DeviceLayout, example: Example, number: int, frame: bytes) -> di
 
 def coded(layout: DeviceLayout, example: Example) -> bool:
     """Whether frames like that of an example carry the code of their message."""
-    return layout.links[example.link].frame(example.direction).role("code") is not None
+    return not layout.links[example.link].is_guessed(example.direction, example.message)
 
 
 def damaged(frame: bytes, chance: random.Random) -> bytes:

@@ -26,6 +26,7 @@ from random_devices.python_judge import Python
 from random_devices.queries import Answer, Query, queries
 from random_devices.queries_judge import Queries
 from random_devices.reference_answers import Reference
+from random_devices.script_judge import ScriptExplainer
 from random_devices.selftest_judge import Selftest
 from random_devices.spec_changes import examples_are_proven, identities_agree
 from random_devices.structured_text_judge import StructuredText
@@ -58,6 +59,7 @@ JUDGES = (
     Judge("access", 1, Access),
     Judge("javascript", 3, JavaScript),
     Judge("explainer", 1, lambda layout, folder, number: Explainer(layout, folder)),
+    Judge("script", 3, ScriptExplainer),
     Judge("tcc", 1, lambda layout, folder, number: C(layout, folder, ["tcc", "-std=c99", "-w"]), True),
     Judge("command", 5, Command),
     Judge("selftest", 25, Selftest),
@@ -104,6 +106,12 @@ def compare(spec: Spec, seed: int, frames: int, judges: tuple[Judge, ...] = JUDG
         expected = [reference.answer(query) for query in asked]
         result.disagreements += identities_agree(spec, layouts[-1], asked, expected, random.Random(seed))
     return result
+
+
+def layouts_of(text: str) -> list[DeviceLayout]:
+    """The layouts of all versions of a device that has no errors."""
+    device = read({"chance/device.yaml": text.encode()}).devices["chance"]
+    return [device_layout(device.at(version)[0]) for version in device.versions()]
 
 
 def compare_layout(layout: DeviceLayout, seed: int, frames: int, judges: tuple[Judge, ...], result: Comparison) -> None:

@@ -108,10 +108,9 @@ class Driver:
         cases += [self._value_case(kind, path, shape) for kind, path, shape in shapes(self.layout)]
         for link in self.layout.links.values():
             for direction in ("request", "response"):
-                if link.frame(direction).role("code") is not None:
-                    cases.append(self._frame_case(link, direction, ""))
-                else:
-                    cases += [self._frame_case(link, direction, message) for message in link.carried(direction)]
+                guessed = [name for name in link.carried(direction) if link.is_guessed(direction, name)]
+                coded = [""] if link.frame(direction).role("code") is not None else []
+                cases += [self._frame_case(link, direction, message) for message in (*coded, *guessed)]
         text = _MAIN.replace("FUNCTIONS", functions).replace("CASES", "\n        ".join(cases))
         return f"{included}#include <stdio.h>\n#include <string.h>\n{text}"
 
@@ -237,7 +236,7 @@ class Driver:
         printing += f' printf("|%d|", {flag}); printf({code}); printf("|");'
         bodies = []
         for name, layout_message in link.carried(direction).items():
-            if message in ("", name):
+            if message in ("", name) and (message or not link.is_guessed(direction, name)):
                 record = layout_message.data(direction)
                 encode = self.naming.function("link", link.name, "encode", name, direction)
                 test = f"opened.code == {layout_message.message.code}u" if coded else "1"
@@ -251,6 +250,8 @@ class Driver:
             encode = self.naming.function("link", link.name, "encode", "error")
             body = self._body(self.layout.records[error.record], encode, f"{heads}opened.code, ")
             bodies.append(f"if (opened.error) {{ {body} }}")
+        if link.ambiguous_codes(direction):
+            bodies.append(f"{{ status = {REASONS.index('unknown_code')}; }}")
         path = ".".join(filter(None, ("frame", link.name, direction, message)))
         return (
             f'if (strcmp(name, "{path}") == 0) {{ {kind} opened; memset(&opened, 0x55, sizeof opened);'

@@ -43,13 +43,14 @@ def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
     kind = draft.pick(("u8", "u16", "i8", "i16"))
     low, high = bounds(kind)
     numbers: set[int] = set()
+    directions = ("request", "response") if draft.chance(65) else ("request",)  # or only the requests tell them apart
     for message in drawn[: draft.number(2, 4)]:
         message["code"] = drawn[0]["code"]
         number = draft.edge(low, high)
         while number in numbers:
             number = number + 1 if number < high else low
         numbers.add(number)
-        for direction in ("request", "response"):
+        for direction in directions:
             message[direction] = [draft.fact(type=kind, const=number), *message[direction]]
 
 
@@ -80,13 +81,14 @@ def _repeat_field(draft: Draft, message: Spec) -> None:
 
 
 def _accesses(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
-    """The messages that read and write each space of words."""
-    spaces = [space["name"] for space in draft.spec.get("spaces", []) if space.get("unit", "word") == "word"] or [""]
+    """The messages that read and write each space of words or bytes."""
+    units = {space["name"]: space.get("unit", "word") for space in draft.spec.get("spaces", [])}
+    spaces = [name for name, unit in units.items() if unit != "bit"]
     drawn = []
-    for space in spaces:
+    for space in spaces if "word" in units.values() else ["", *spaces]:
         most = draft.number(1, 60)
         for operation in ("read", "write"):
-            message = _access(draft, operation, space, most)
+            message = _access(draft, operation, space, most, "u8" if units.get(space) == "byte" else "u16")
             message["code"] = _code(draft, codes)
             if links:
                 message["links"] = list(links)
@@ -121,14 +123,14 @@ def _bit_access(draft: Draft, operation: str, space: str) -> Spec:
     return draft.fact(request=asked, response=answered, accesses=access)
 
 
-def _access(draft: Draft, operation: str, space: str, most: int) -> Spec:
+def _access(draft: Draft, operation: str, space: str, most: int, unit: str) -> Spec:
     address = draft.fact(type="u16")
     count = draft.fact(type=draft.pick(("u16", "u8")), range=f"1..{most}")
-    words = draft.fact(type="u16", repeat=f"1..{most}")
+    words = draft.fact(type=unit, repeat=f"1..{most}")
     size = draft.fact(type="u8", measures={"bytes": words["name"]})
     sized = [size, words] if draft.chance(60) else [words]
     access: Spec = {"operation": operation, "start": address["name"], "values": words["name"]}
-    if space and draft.chance(80):
+    if space and (unit == "u8" or draft.chance(80)):
         access["space"] = space
     if operation == "read":
         access["count"] = count["name"]

@@ -28,10 +28,23 @@ def register_groups(draft: Draft) -> list[Spec]:
     words = [space["name"] for space in draft.spec.get("spaces", []) if space.get("unit", "word") == "word"]
     free = dict.fromkeys(words or [""], draft.number(0, 0x2000))
     bits = [space["name"] for space in draft.spec.get("spaces", []) if space.get("unit") == "bit"]
+    memories = [space["name"] for space in draft.spec.get("spaces", []) if space.get("unit") == "byte"]
     return [
         *(_group(draft, free) for _ in range(draft.number(0, 3))),
+        *(_byte_group(draft, space) for space in memories if draft.chance(80)),
         *(_bit_group(draft, space) for space in bits if draft.chance(80)),
     ]
+
+
+def _byte_group(draft: Draft, space: str) -> Spec:
+    """A group of registers in a space of bytes, some of them at odd addresses."""
+    at = draft.number(0, 0x2000)
+    group: Spec = {"group": draft.name(), "source": draft.source(), "space": space, "rows": []}
+    for _ in range(draft.number(1, 6)):
+        row, size = _register(draft, at, 1)
+        group["rows"].append(row)
+        at += size
+    return group
 
 
 def _bit_group(draft: Draft, space: str) -> Spec:
@@ -83,11 +96,11 @@ def _group(draft: Draft, free: dict[str, int]) -> Spec:
     return group
 
 
-def _register(draft: Draft, at: int) -> tuple[Spec, int]:
+def _register(draft: Draft, at: int, unit_size: int = 2) -> tuple[Spec, int]:
     keys = value(draft, "register")
-    words = (size_of(keys) + 1) // 2
+    words = -(-size_of(keys) // unit_size)
     access = draft.pick(ACCESSES)
-    row = {"at": at, **draft.fact(), **keys, "words": words, "access": access}
+    row = {"at": at, **draft.fact(), **keys, "access": access} | ({"words": words} if unit_size == 2 else {})
     if "write_range" in keys:
         row["access"] = access = "rw"
     if draft.chance(12) and access != "ro":

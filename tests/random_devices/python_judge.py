@@ -70,6 +70,8 @@ class Python:
         if direction == "request" or message:
             return
         for layout_message in self.layout.links[link].messages.values():
+            if self.layout.links[link].is_guessed("response", layout_message.name):
+                continue  # it was not asked for, and nothing else refuses it
             request = record_class(self.module, layout_message.request)
             try:
                 link_of(self.module, link).decode_response(query.data, request)
@@ -128,7 +130,7 @@ class Python:
         link, direction, message = query.path
         shape, line = self.layout.links[link].frame(direction), link_of(self.module, link)
         asked: list[Any] = []
-        if message and shape.role("code") is None:
+        if message:
             asked = [record_class(self.module, self.layout.messages[message].request)]
         decoded = getattr(line, f"decode_{direction}")(query.data, *asked)
         head: dict[str, Any] = {}

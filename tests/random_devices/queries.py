@@ -187,7 +187,8 @@ def _frame_queries(
 ) -> Iterator[Query]:
     shape, line = layout.links[link].frame(direction), layout.links[link].link
     coded = shape.role("code") is not None
-    asked = "" if coded else message
+    ambiguous = coded and layout.links[link].is_guessed(direction, message)
+    asked = message if not coded or (ambiguous and dice.random() < 0.9) else ""
     if message not in layout.links[link].carried(direction):
         yield _unanswered(layout, link, message, dice)
         return
@@ -255,7 +256,7 @@ def shapes(layout: DeviceLayout) -> Iterator[tuple[str, tuple[str, ...], Any]]:
         yield (
             "register",
             (register.name,),
-            (value, register.order, register.swapped, register.register.trigger, value.size + value.size % 2),
+            (value, register.order, register.swapped, register.register.trigger, register.size),
         )
     device = layout.device
     orders = Orders(device.byte_order, device.word_order)

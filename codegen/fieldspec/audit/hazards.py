@@ -152,7 +152,8 @@ def _of_register(device: Device, register: Register, alone: frozenset[str]) -> I
     if register.atomic and register.width > 1:
         last = register.address + register.width - 1
         span = f"{register.address:04X}h..{last:04X}h{place}"
-        yield _hazard("atomic", register, span, f"{register.width} words", key="atomic")
+        unit = device.space(register.space).unit
+        yield _hazard("atomic", register, span, f"{register.width} {unit}s", key="atomic")
     if register.restart:
         yield _hazard("restart", register, where, "restart", key="restart")
     yield from _handled(register, register.handling, where, device)

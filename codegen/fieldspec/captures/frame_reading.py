@@ -98,13 +98,13 @@ class FrameReader:
             at + self.shape.header_size, np.maximum(size - self.least, 0), [],
         )  # fmt: skip
         for part in self.shape.header:
-            self._part(part, frames)
+            self._part(part, frames, asked, judges_body)
         if not self.has_code and judges_body:
             self._choose(frames, asked)
         if self.has_code or judges_body:
             self._read_bodies(frames)
         for part in self.shape.trailer:
-            self._part(part, frames)
+            self._part(part, frames, asked, judges_body)
         return frames
 
     def _unwrapped(
@@ -130,7 +130,7 @@ class FrameReader:
         sent = _spans(pieces)
         return (_spans(originals) if self.shape.escape is not None else sent), sent
 
-    def _part(self, part: PartLayout, frames: ReadFrames) -> None:
+    def _part(self, part: PartLayout, frames: ReadFrames, asked: Numbers | None, judges_body: bool) -> None:
         """Judges one part, and takes from it what the table has."""
         at, length, verdict = frames.at, frames.length, frames.verdict
         place = at + part.offset if part.offset >= 0 else at + length + part.offset
@@ -150,7 +150,7 @@ class FrameReader:
             measured = length if part.escaped else frames.sent.length
             blame(verdict, number * part.unit_size + part.base != measured, WRONG_LENGTH)
         elif part.role == "code":
-            self._code(frames, number)
+            self._code(frames, number, asked, judges_body)
         elif part.role == "unit_address":
             frames.unit_address[:] = np.where(short, NONE, number)
         elif part.constant is not None or part.value.enum or part.value.flags or not part.part.same_as:
@@ -168,8 +168,8 @@ class FrameReader:
         if part.constant is None and has_meaning:
             frames.fields.append(FieldRows(rows, part.name, part.value.unit, values))
 
-    def _code(self, frames: ReadFrames, code: Numbers) -> None:
-        """The message of each frame by its code, and by its subcode where several messages have the code."""
+    def _code(self, frames: ReadFrames, code: Numbers, asked: Numbers | None, judges_body: bool) -> None:
+        """The message of each frame by its code, and by its subcode or its request where several messages have it."""
         refusal = self.link.link.exception_response
         if refusal is not None and self.direction == "response":
             frames.is_refused[:] = self._refused(frames, code, refusal)
@@ -178,16 +178,23 @@ class FrameReader:
         if refusal is not None and refusal.code is not None:
             frames.code[frames.is_refused] = NONE  # it answers any request
         places = {message.name: place for place, message in enumerate(self.messages)}
+        is_open = np.zeros(len(code), np.bool_)
         for is_refused, carried in ((False, self.direction), (True, "request")):
             for number in {message.message.code for message in self.link.carried(carried).values()} - {None}:
                 assert number is not None
                 rows = np.flatnonzero((code == number) & (frames.is_refused == is_refused))
                 messages = self.link.messages_with_code(number, carried)
+                shared = subcode(messages, carried)
                 if len(messages) == 1:
                     frames.message[rows] = places[messages[0].name]
-                elif not is_refused and (shared := subcode(messages, carried)) is not None:
+                elif not is_refused and shared is not None:
                     self._by_subcode(frames, rows, shared, places)
-        blame(frames.verdict, (frames.message == NONE) & ~frames.is_refused, UNKNOWN_CODE)
+                elif not is_refused:
+                    own = numbers([places[message.name] for message in messages])
+                    is_open[rows] = not judges_body
+                    if asked is not None:
+                        frames.message[rows] = np.where(np.isin(asked[rows], own), asked[rows], NONE)
+        blame(frames.verdict, (frames.message == NONE) & ~frames.is_refused & ~is_open, UNKNOWN_CODE)
 
     def _refused(self, frames: ReadFrames, code: Numbers, refusal: ExceptionResponse) -> Mask:
         """Which frames are exception responses."""

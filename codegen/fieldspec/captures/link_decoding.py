@@ -46,7 +46,8 @@ class LinkDecoder:
         repeated = [part for part in response.header if part.part.same_as and part.role == "plain"]
         asked = {part.name: part for part in link.frame("request").header}
         self.repeated = [(asked[part.part.same_as], part) for part in repeated if part.part.same_as in asked]
-        self.asks = readers[REQUEST].has_code and not readers[RESPONSE].has_code
+        names_nothing = readers[REQUEST].has_code and not readers[RESPONSE].has_code
+        self.asks = names_nothing or bool(link.ambiguous_codes("response"))
 
     def state(self) -> dict[str, Any]:
         """What another object needs to go on."""
@@ -232,7 +233,10 @@ class LinkDecoder:
                         at = rows.body[own] + field.offset
                         column[own] = number_at(rows.buffer(way), at, field.size, field.order)
                 if not access.count:
+                    values = record.named(access.values)
                     rows.count[own] = 1
+                    if values is not None and values.field.repeat is not None:
+                        rows.count[own] = np.maximum((rows.body_size[own] - values.offset) // values.size, 1)
 
     def _place(self, rows: _Rows, direction: Numbers, targets: Numbers, address: Numbers, count: Numbers) -> None:
         """Gives responses the registers of their requests, and finds the data of all frames that carry some."""
@@ -261,7 +265,8 @@ class LinkDecoder:
                 rows.data_size[own] = sizes
                 if way == RESPONSE:
                     count_of = rows.count[own]
-                    wanted = (count_of + 7) // 8 if is_bits else 2 * count_of
+                    size = 0 if field.value is None else field.value.size
+                    wanted = (count_of + 7) // 8 if is_bits else size * count_of
                     rows.verdict[own[(sizes != wanted)]] = MISMATCH
                 if access.set is not None:  # another number than those of 1 and 0 says nothing about the bit
                     number = number_at(rows.buffer(way), rows.data[own], field.size, field.order)

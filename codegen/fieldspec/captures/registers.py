@@ -12,7 +12,7 @@ from fieldspec.captures.verdicts import PARTIAL, UNLISTED
 from fieldspec.classes import dataclass
 from fieldspec.explain.registers import Occupant, Span, occupants
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.address_space import BIT, WORD
+from fieldspec.model.address_space import BIT
 from fieldspec.model.value import PRIMITIVES, Value
 
 ADDRESSES = 1 << 16
@@ -63,13 +63,14 @@ class RegisterMap:
         self.decoders = decoders
         self._known: dict[tuple[object, ...], int] = {}
         self.is_bits = layout.device.space(space).unit == BIT
+        self.unit_size = layout.device.space(space).unit_size
         present = sorted(occupants(layout, Span(space, 0, ADDRESSES, 0, b"")), key=lambda each: each.address)
         own = [each for each in present if 0 <= each.address < ADDRESSES]
         covered = np.zeros(ADDRESSES, np.bool_)
         for each in own:
             covered[each.address : each.address + each.words] = True
         free = np.flatnonzero(~covered)
-        bare = decoders.place(_bare("bit" if self.is_bits else "u16"), "big", False)
+        bare = decoders.place(_bare("bit" if self.is_bits else f"u{8 * self.unit_size}"), "big", False)
         addresses = np.concatenate([numbers([each.address for each in own]), free])
         order = np.argsort(addresses, kind="stable")
         self.names = [each.path for each in own]
@@ -77,7 +78,8 @@ class RegisterMap:
         self.own_count = len(own)
         self.address = addresses[order]
         self.words = self._column(own, [each.words for each in own], free, 1, order)
-        self.size = self._column(own, [each.value.size for each in own], free, 1 if self.is_bits else 2, order)
+        size = 1 if self.is_bits else self.unit_size
+        self.size = self._column(own, [each.value.size for each in own], free, size, order)
         self.skip = self._column(own, [each.skip for each in own], free, 0, order)
         self.widest = int(self.words.max())
         reads = [self._decoder(each, False) for each in own]
@@ -116,7 +118,8 @@ class RegisterMap:
     def rows(self, buffer: Bytes, accesses: Accesses) -> RegisterRows:
         """All registers that the accessed words touch. One of which the frame has only a part is `partial`."""
         start = accesses.address
-        end = start + np.minimum(accesses.count, accesses.available * 8 if self.is_bits else accesses.available // 2)
+        available = accesses.available * 8 if self.is_bits else accesses.available // self.unit_size
+        end = start + np.minimum(accesses.count, available)
         first = np.searchsorted(self.address, start - self.widest + 1, "left")
         last = np.searchsorted(self.address, end, "left")
         frame, number = spread(np.maximum(last - first, 0))
@@ -133,7 +136,7 @@ class RegisterMap:
             at = accesses.data[frame] + relative // 8
             whole = np.ones(len(place), np.bool_)
         else:
-            at = accesses.data[frame] + 2 * relative + self.skip[place]
+            at = accesses.data[frame] + self.unit_size * relative + self.skip[place]
             whole = (relative >= 0) & (address + self.words[place] <= end[frame])
         for key, rows in runs(np.where(whole, decoder, -1).astype(np.int16)):
             if key < 0:
@@ -153,4 +156,4 @@ def spaces_of(layout: DeviceLayout) -> list[str]:
     device = layout.device
     accesses = (message.message.accesses for message in layout.messages.values())
     names = (device.space_name(access.space) for access in accesses if access is not None)
-    return [name for name in dict.fromkeys(names) if device.space(name).unit in (WORD, BIT)]
+    return list(dict.fromkeys(names))

@@ -1,1 +1,1 @@
-"""Carriers of bytes: serial ports, pseudo-terminals, TCP and UDP. They know no frames."""
+"""Carriers of bytes: serial ports, pseudo-terminals, TCP, UDP and WebSockets. They know no frames."""

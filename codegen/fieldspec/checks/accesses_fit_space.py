@@ -1,5 +1,5 @@
-"""A message that accesses a space carries its units: words as `u16`, bits packed into a repeated `u8`, or a single bit
-as a number of which `set` states when it is 1.
+"""A message that accesses a space carries its units: words as `u16`, bytes as `u8`, bits packed into a repeated `u8`,
+or a single bit as a number of which `set` states when it is 1.
 
 Why: outputs take the value of a register out of what the message carries. They need to know where each word or bit
 is, and which number stands for a bit that is 1.
@@ -15,7 +15,7 @@ from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.model.address_space import BIT, WORD, AddressSpace
+from fieldspec.model.address_space import BIT, BYTE, AddressSpace
 from fieldspec.model.device import Device
 from fieldspec.model.record import Field, Message, RegisterAccess
 from fieldspec.model.value import Kind
@@ -32,7 +32,7 @@ def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
         field, space = holder.named(access.values), device.space(access.space)
         if field is None or field.value is None:
             continue
-        if space.unit == WORD:
+        if space.unit != BIT:
             yield from _words(message, access, field, space)
         elif space.unit == BIT and field.repeat is not None:
             yield from _packed(message, access, field, space)
@@ -42,11 +42,15 @@ def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
 
 def _words(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:
     if access.set is not None:
-        text = f"`set` and `clear` have no effect in {message.name}, which accesses words"
+        text = f"`set` and `clear` have no effect in {message.name}, which accesses {space.unit}s"
         yield _of(message, text, "remove them", space)
-    if field.value is not None and (field.value.type.kind is not Kind.INTEGER or field.value.size != 2):
-        text = f"{field.name} is {field.value.type.name}, but {message.name} accesses words"
-        yield finding(_CODE, field.place, "type", text, "use `u16`, and give the registers their types")
+    if field.value is not None and (field.value.type.kind is not Kind.INTEGER or field.value.size != space.unit_size):
+        text = f"{field.name} is {field.value.type.name}, but {message.name} accesses {space.unit}s"
+        help = f"use `u{8 * space.unit_size}`, and give the registers their types"
+        yield finding(_CODE, field.place, "type", text, help)
+    elif field.value is not None and field.value.type.signed and space.unit == BYTE:
+        text = f"{field.name} is {field.value.type.name}, but the bytes of a register have no sign"
+        yield finding(_CODE, field.place, "type", text, "use `u8`, and give the registers their types")
 
 
 def _packed(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:

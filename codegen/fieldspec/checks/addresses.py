@@ -103,8 +103,9 @@ class Addressed:
 
     @property
     def words(self) -> int:
-        """The words that it takes; one where it is not a single value."""
-        return max(1, (self.value.size + 1) // 2) if self.value is not None else 1
+        """The addresses that it takes; one where it is not a single value."""
+        size = self.fact.unit_size if isinstance(self.fact, Register) else 2
+        return max(1, -(-self.value.size // size)) if self.value is not None else 1
 
 
 class Addresses:
@@ -165,15 +166,27 @@ class Addresses:
             taken = words[index : index + occupant.words] if occupant is not None else []
             if occupant is not None and occupant.value is not None and len(taken) == occupant.words:
                 if occupant.value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
-                    yield start + index, occupant, self._joined(taken, occupant.value)
+                    yield start + index, occupant, self._joined(taken, occupant, occupant.value)
                 index += occupant.words
             else:
                 index += 1
 
-    def _joined(self, words: Sequence[int], value: Value) -> int:
+    def _of_bytes(self, units: Sequence[int], value: Value) -> int:
+        """The unsigned number in neighbouring bytes."""
+        data = bytes(unit & 0xFF for unit in units)
+        order = value.byte_order or self._device.byte_order
+        words = value.word_order or self._device.word_order or order
+        if value.has_words and words != order:
+            data = b"".join(data[at : at + 2] for at in range(len(data) - 2, -1, -2))
+        return int.from_bytes(data, "little" if order == "little" else "big")
+
+    def _joined(self, words: Sequence[int], occupant: Addressed, value: Value) -> int:
         number = 0
-        for word in words if self._device.word_order == "big" else reversed(words):
-            number = number << 16 | (word & 0xFFFF)
+        if isinstance(occupant.fact, Register) and occupant.fact.unit_size == 1:
+            number = self._of_bytes(words, value)
+        else:
+            for word in words if self._device.word_order == "big" else reversed(words):
+                number = number << 16 | (word & 0xFFFF)
         bits = 8 * value.type.size
         number &= (1 << bits) - 1
         return number - (1 << bits) if value.type.signed and number >> (bits - 1) else number

@@ -53,7 +53,7 @@ def _elements_overlap(device: Device) -> Iterator[Diagnostic]:
                 "addresses_disjoint",
                 register.place,
                 "stride",
-                f"elements of {register.name} have {plural(register.width, 'word')}"
+                f"elements of {register.name} have {plural(register.width, device.space(register.space).unit)}"
                 f", but the stride is {register.stride}",
                 "correct the stride or the type",
             )

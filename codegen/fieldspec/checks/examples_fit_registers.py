@@ -109,7 +109,7 @@ def _words(device: Device, message: Message, example: Example) -> list[int]:
     layer = message.response if reads else message.request
     field: Field | None = next((f for f in layer.fields if f.name == message.accesses.values), None)
     value = example.values.get(message.accesses.values)
-    if field is None or field.value is None or field.value.size != 2:
+    if field is None or field.value is None or field.value.size != device.space(message.accesses.space).unit_size:
         return []
     counts = [in_counts(device, field.value, item) for item in (value if isinstance(value, list) else [value])]
     return [count for count in counts if count is not None] if None not in counts else []

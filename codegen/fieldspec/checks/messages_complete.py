@@ -7,7 +7,8 @@ Why: a decoder identifies a message by its code, and people identify it by its n
 Example: two commands with the code 0x44 on one link, or two telegrams with the number 111.
 
 Cure: Add the code, or correct one of them and write an erratum if the manual prints it that way. Where commands
-share a code and have subcodes, give each the field with its subcode as a `const`, at the same place. A message
+share a code and have subcodes, give each request the field with its subcode as a `const`, at the same place. The
+responses need none: without it, the request tells which response is expected. A message
 that is sent only on links without codes names them under `links`. What reads is answered wherever it is sent.
 """
 
@@ -45,29 +46,25 @@ def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
         by_code.setdefault(message.code, []).append(message)
     sizes = RecordSizes(device)
     for messages in by_code.values():
-        yield from _shared(device, link, sizes, messages)
+        yield from _shared(device, sizes, messages)
 
 
-def _shared(device: Device, link: Link, sizes: RecordSizes, messages: list[Message]) -> Iterator[Diagnostic]:
-    """Several messages have a code: a constant in their data tells them apart in each direction."""
-    for direction in ("request", "response"):
-        sent = [message for message in messages if direction == "request" or message.is_answered_on(link.name)]
-        constants = [_constants(device, sizes, message, direction) for message in sent]
-        if len(sent) < 2 or distinct_place(constants) is not None:
-            continue
-        message, other = sent[-1], sent[0]
-        text = f"{message.name} and {other.name} have the code {message.code:#04x}"
-        help = "correct one of the codes, or give each message its subcode: a field with a `const` at the same place"
-        if any(map(distinct_place, ([numbers] for numbers in constants))) or direction == "response":
-            text += f", and no constant at the same place of each {direction} tells them apart"
-            help = "give each of them a field of one or two bytes with its own `const` at the same place"
-        yield finding(_CODE, message.place, "code", text, help, label(other.place, "code", other.name))
+def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iterator[Diagnostic]:
+    """Several messages have a code: a constant in the data of their requests tells them apart."""
+    constants = [_constants(device, sizes, message) for message in messages]
+    if len(messages) < 2 or distinct_place(constants) is not None:
         return
+    message, other = messages[-1], messages[0]
+    text = f"{message.name} and {other.name} have the code {message.code:#04x}"
+    help = "correct one of the codes, or give each message its subcode: a field with a `const` at the same place"
+    if any(map(distinct_place, ([numbers] for numbers in constants))):
+        text += ", and no constant at the same place of each request tells them apart"
+        help = "give each of them a field of one or two bytes with its own `const` at the same place"
+    yield finding(_CODE, message.place, "code", text, help, label(other.place, "code", other.name))
 
 
-def _constants(device: Device, sizes: RecordSizes, message: Message, direction: str) -> dict[Place, int]:
-    record = message.request if direction == "request" else message.response
-    constants = (constant_at(field, offset, device.byte_order) for field, offset in sizes.offsets(record))
+def _constants(device: Device, sizes: RecordSizes, message: Message) -> dict[Place, int]:
+    constants = (constant_at(field, offset, device.byte_order) for field, offset in sizes.offsets(message.request))
     return dict(place_and_number for place_and_number in constants if place_and_number is not None)
 
 

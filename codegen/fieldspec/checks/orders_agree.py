@@ -61,10 +61,12 @@ def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
 
 def _has_words(device: Device) -> bool:
     """Whether anything of a device is counted in words of 16 bits."""
-    if device.tables or any(True for _ in device.registers()):
+    if device.tables or any(register.unit_size == 2 for register in device.registers()):
         return True
     if any(
-        message.accesses is not None or message.request_words is not None or message.response_words is not None
+        device.word_access(message) is not None
+        or device.bit_access(message) is not None
+        or message.request_words is not None or message.response_words is not None
         for message in device.messages.values()
     ):
         return True

@@ -1,5 +1,5 @@
-"""An address space with registers consists of words or bits, and one with tables of words. If it contains
-values that can be read, a message reads it, and if it contains values that can be written, a message writes it.
+"""An address space with tables consists of words. If a space contains values that can be read, a message reads it,
+and if it contains values that can be written, a message writes it.
 
 Why: a register that no message reaches has no request in any output, and a message for another space would
 read another register.
@@ -7,7 +7,7 @@ read another register.
 Example: a group of input registers in a device whose only reading message accesses holding registers.
 
 Cure: Add the message that reads or writes the space, with `space` under its `accesses`, or move the group to
-the space that the message accesses. State what is in a space of bytes as data of the messages that carry it.
+the space that the message accesses.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.model.address_space import BIT, WORD
+from fieldspec.model.address_space import WORD
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Table
@@ -34,10 +34,9 @@ def spaces_reachable(device: Device) -> Iterator[Diagnostic]:
     }
     for fact, name, accesses in _holders(device):
         space = device.space(name)
-        if space.unit != WORD and (space.unit != BIT or isinstance(fact, Table)):
-            what = "the table" if isinstance(fact, Table) else "the group"
-            text = f"{fact.name} has values of words, but an address of {space.name} is a {space.unit}"
-            help = f"state each {space.unit} as data of the messages that carry it, or move {what} to a space of words"
+        if space.unit != WORD and isinstance(fact, Table):
+            text = f"{fact.name} has records of words, but an address of {space.name} is a {space.unit}"
+            help = "list the fields of its records as registers, or move the table to a space of words"
             yield finding(_CODE, fact.place, "space", text, help, label(space.place, "unit", "the unit of the space"))
             continue
         for operation, needs in (("read", {"ro", "rw"}), ("write", {"rw", "wo"})):

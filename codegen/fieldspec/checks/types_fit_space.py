@@ -1,4 +1,5 @@
-"""In a space of bits, every register has the type `bit`, and no other value has it.
+"""In a space of bits, every register has the type `bit`, and no other value has it. Only registers of words have
+`words`.
 
 Why: an address of such a space is one bit, which messages pack into bytes. A number needs words, and in a record
 or in words a bit has no place of its own.
@@ -15,7 +16,7 @@ from collections.abc import Iterator
 from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.model.address_space import BIT
+from fieldspec.model.address_space import BIT, WORD
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Register
@@ -26,15 +27,17 @@ _CODE = "types_fit_space"
 def types_fit_space(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
         space = device.space(register.space)
-        if space.unit != BIT:
+        if space.unit == WORD:
             continue
         there = label(space.place, "unit", "the unit of the space")
+        if register.words is not None:
+            text = f"{register.name} has `words`, but an address of {space.name} is a {space.unit}"
+            yield finding(_CODE, register.place, "words", text, "remove `words`", there)
+        if space.unit != BIT:
+            continue
         if register.value.type.name != BIT:
             text = f"{register.name} is {register.value.type.name}, but an address of {space.name} is a bit"
             yield finding(_CODE, register.place, "type", text, "use the type `bit`", there)
-        if register.words is not None:
-            text = f"{register.name} has `words`, but an address of {space.name} is a bit"
-            yield finding(_CODE, register.place, "words", text, "remove `words`", there)
     for fact, value in values(device):
         if value.type.name == BIT and not _in_bits(device, fact):
             text = f"{fact.name} is a bit, but it is not a register in a space of bits"

@@ -22,7 +22,8 @@ from fieldspec.model.sizes import RecordSizes
 
 def words_match_type(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
-        yield from _compare_words(register, register.words, 2 * register.width, register.value.type.name)
+        if register.unit_size == 2:
+            yield from _compare_words(register, register.words, 2 * register.width, register.value.type.name)
     sizes = RecordSizes(device)
     for layer in layers(device):
         for field in layer.fields:

@@ -10,6 +10,8 @@ def add_simulate(simulate: argparse.ArgumentParser) -> None:
     simulate.add_argument("device", metavar="DEVICE[@VERSION]")
     where = "pty, tcp://HOST:PORT, udp://HOST:PORT or a serial port; may be repeated (default: as the link allows)"
     simulate.add_argument("--port", metavar="[LINK=]WHERE", action="append", help=where)
+    browsers = "serve all links to the frame lab in a browser on this machine, at this port (0: any)"
+    simulate.add_argument("--websocket", type=int, metavar="PORT", help=browsers)
     simulate.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
     simulate.add_argument(
         "--baud", type=int, metavar="NUMBER", help="the baud rate of a serial port (default: as delivered)"
@@ -48,18 +50,7 @@ def add_live(live: argparse.ArgumentParser) -> None:
         "`download FILE` or `upload FILE` for points, the FILE of the other verbs"
     )
     live.add_argument("arguments", nargs="*", metavar="ARGUMENT", help=names)
-    where = "a serial port, socket://HOST:PORT, tcp://HOST:PORT or udp://HOST:PORT"
-    live.add_argument("--port", metavar="WHERE", help=where)
-    live.add_argument("--link", metavar="NAME", help="the link (default: the first)")
-    live.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
-    live.add_argument("--baud", type=int, metavar="NUMBER", help="the baud rate (default: as delivered)")
-    live.add_argument("--parity", choices=("none", "even", "odd"), help="the parity (default: as delivered)")
-    live.add_argument(
-        "--timeout", type=float, default=1.0, metavar="SECONDS", help="how long a response may take (default: 1)"
-    )
-    live.add_argument(
-        "--retries", type=int, default=2, metavar="NUMBER", help="how often a read is sent again (default: 2)"
-    )
+    _add_connection(live)
     live.add_argument("--every", type=float, default=0.5, metavar="SECONDS", help="watch: the time between reads")
     live.add_argument("--count", type=int, default=0, metavar="NUMBER", help="watch: end after so many reads")
     live.add_argument("--dry-run", action="store_true", help="show what would be written, and write nothing")
@@ -72,6 +63,46 @@ def add_live(live: argparse.ArgumentParser) -> None:
     )
     live.add_argument("--trace", action="store_true", help="print all frames to standard error")
     live.add_argument("--format", choices=("text", "json"), default="text")
+
+
+def add_scan(scan: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `scan`."""
+    scan.add_argument("device", metavar="DEVICE[@VERSION]")
+    ranges = "addresses such as 0x1000..0x10FF, or SPACE:0..255 (default: the pages of 256 that have registers)"
+    scan.add_argument("arguments", nargs="*", metavar="RANGE", help=ranges)
+    _add_connection(scan)
+    scan.add_argument("--trace", action="store_true", help="print all frames to standard error")
+    scan.add_argument("--format", choices=("text", "json"), default="text", help="json is evidence for audit")
+
+
+def add_redact(redact: argparse.ArgumentParser) -> None:
+    """Adds the arguments of `redact`."""
+    redact.add_argument("device", metavar="DEVICE[@VERSION]")
+    paths = "captures, logs, dumps and scans; the folder of a unit; or a folder with folders of units"
+    redact.add_argument("paths", nargs="+", metavar="PATH", help=paths)
+    redact.add_argument("--out", metavar="FOLDER", required=True, help="an empty folder for what is written")
+    secret = "a number or a text that must not be in the output, in any encoding; may be repeated"
+    redact.add_argument("--secret", metavar="TEXT", action="append", help=secret)
+    spare = "a text that says nothing of the unit, and is taken over; may be repeated"
+    redact.add_argument("--spare", metavar="NAME", action="append", help=spare)
+
+
+def _add_connection(verb: argparse.ArgumentParser) -> None:
+    """Adds the options that say where a device is, and how it is asked."""
+    where = "a serial port, socket://HOST:PORT, tcp://HOST:PORT or udp://HOST:PORT"
+    verb.add_argument("--port", metavar="WHERE", help=where)
+    verb.add_argument("--link", metavar="NAME", help="the link (default: the first)")
+    verb.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
+    verb.add_argument("--baud", type=int, metavar="NUMBER", help="the baud rate (default: as delivered)")
+    verb.add_argument("--parity", choices=("none", "even", "odd"), help="the parity (default: as delivered)")
+    verb.add_argument(
+        "--timeout", type=float, default=1.0, metavar="SECONDS", help="how long a response may take (default: 1)"
+    )
+    verb.add_argument(
+        "--retries", type=int, default=2, metavar="NUMBER", help="how often a read is sent again (default: 2)"
+    )
+    pause = "how long the line is silent before a request (default: as printed for the link)"
+    verb.add_argument("--pause", type=float, metavar="SECONDS", help=pause)
 
 
 def add_mcp(mcp: argparse.ArgumentParser) -> None:

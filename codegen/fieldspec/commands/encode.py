@@ -179,7 +179,8 @@ def _with_words(layout: DeviceLayout, message: str, texts: dict[str, object]) ->
     if words is None or field is None:
         return
     if not field.is_list and len(words) != 1:
-        raise UsageError(f"{text} takes {len(words)} words, and {message} writes one")
+        unit = layout.device.space(access.space).unit
+        raise UsageError(f"{text} takes {len(words)} {unit}s, and {message} writes one")
     texts[access.values] = words if field.is_list else words[0]
 
 
@@ -197,8 +198,9 @@ def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -
     if accesses is None:
         return
     words = values.get(accesses.values)
-    carried = bytes(2 * (len(words) if isinstance(words, list) else 0 if words is None else 1))
-    span = accessed(accesses, values, {}, 0, carried)
+    size = layout.device.space(accesses.space).unit_size
+    carried = bytes(size * (len(words) if isinstance(words, list) else 0 if words is None else 1))
+    span = accessed(accesses, values, {}, 0, carried, size)
     why = forbidden(layout, span, accesses.operation) if span is not None else ""
     if why:
         raise UsageError(f"{why}; no frame is written")
@@ -291,17 +293,18 @@ def register_words(layout: DeviceLayout, access: RegisterAccess, start: int, tex
 
 
 def _words(layout: DeviceLayout, access: RegisterAccess, address: int, item: str) -> Iterator[int]:
-    count = count_of(item)
-    if count is not None and 0 <= count <= 0xFFFF:
+    count, space = count_of(item), layout.device.space(access.space)
+    if count is not None and 0 <= count < 1 << 8 * space.unit_size:
         yield count
         return
     occupant = occupant_at(layout, access.space, address)
-    if occupant is None or occupant.value.size % 2:
-        raise UsageError(f"no register or field of words begins at 0x{address:04X}, so that `{item}` has no meaning")
+    if occupant is None or occupant.value.size % space.unit_size:
+        text = f"no register or field of {space.unit}s begins at 0x{address:04X}, so that `{item}` has no meaning"
+        raise UsageError(text)
     data = _bytes(layout, occupant, item)
     big = layout.device.byte_order == "big"
-    for at in range(0, len(data), 2):
-        yield int.from_bytes(data[at : at + 2], "big" if big else "little")
+    for at in range(0, len(data), space.unit_size):
+        yield int.from_bytes(data[at : at + space.unit_size], "big" if big else "little")
 
 
 def _bytes(layout: DeviceLayout, occupant: Occupant, item: str) -> bytes:

@@ -22,6 +22,7 @@ from fieldspec.evidence.unit_evidence import UnitEvidence
 from fieldspec.lists.dump import dump, object_sheet
 from fieldspec.lists.sheet import ListError
 from fieldspec.lists.workbook import MAGIC
+from fieldspec.spreadsheet import csv_text
 
 if TYPE_CHECKING:
     from fieldspec.audit.section import Report
@@ -117,7 +118,7 @@ def _unit_evidence(path: Path, note: UnitNote, layout: DeviceLayout, observables
                 head = file.read(_HEAD)
         except OSError as error:
             raise UsageError(f"cannot read {each}: {error.strerror}") from None
-        if _is_dump(head):
+        if is_dump(head):
             _add_dump(unit, observables, each, source, number << _FILES)
         else:
             _add_capture(unit, observables, each, source, number << _FILES)
@@ -125,7 +126,7 @@ def _unit_evidence(path: Path, note: UnitNote, layout: DeviceLayout, observables
     return unit
 
 
-def _is_dump(head: bytes) -> bool:
+def is_dump(head: bytes) -> bool:
     """Whether a file holds values of one moment: a workbook, JSON, or rows of addresses and values without times."""
     if head.startswith(MAGIC) or head.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] in (b"{", b"["):
         return True
@@ -140,10 +141,10 @@ def _add_dump(unit: UnitEvidence, observables: Observables, path: Path, source: 
     scan = _scan(data)
     try:
         if scan is not None:
-            space, words, refused = scan
-            data = json.dumps(words).encode()
-            add_scan(unit, observables, space, refused)
-            if not words:
+            data, refused = scan
+            for space, addresses in refused.items():
+                add_scan(unit, observables, space, addresses)
+            if not data:
                 return
         sheet = object_sheet(data) or list_files.sheet(data, "", "")
         add_dump(unit, observables, compared(observables.layout, dump(sheet, {})), source, moment)
@@ -151,15 +152,25 @@ def _add_dump(unit: UnitEvidence, observables: Observables, path: Path, source: 
         raise UsageError(f"{path} {error}") from None
 
 
-def _scan(data: bytes) -> tuple[str, dict[str, int], frozenset[int]] | None:
-    """The space, the words and the refused addresses in what `live scan --format json` prints; None for other files."""
+def _scan(data: bytes) -> tuple[bytes, dict[str, frozenset[int]]] | None:
+    """What `scan --format json` prints, as a dump and the refused addresses by space; None for other files.
+
+    The dump is empty where nothing has answered.
+    """
     try:
         content = json.loads(data)
-        if not isinstance(content, dict) or not {"space", "words", "refused"} <= content.keys():
+        if not isinstance(content, dict) or "spaces" not in content:
             return None
-        refused = frozenset(int(address, 16) for address in content["refused"])
-        return str(content["space"]), dict(content["words"]), refused
-    except (ValueError, TypeError, RecursionError):
+        rows, refused = [], {}
+        for part in content["spaces"]:
+            space = str(part["space"])
+            refused[space] = frozenset(int(address, 16) for address in part["refused"])
+            for address, value in part["words"].items():
+                counts = value if isinstance(value, list) else [value]
+                rows.append((space, f"0x{int(address, 16):04X}", " ".join(str(int(count)) for count in counts)))
+        text = csv_text([("space", "address", "value"), *rows])
+        return (text.encode() if rows else b""), refused
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return None
 
 

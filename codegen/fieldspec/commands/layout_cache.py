@@ -163,7 +163,8 @@ def _parse_line(line: str) -> list[Any]:
 class _Thawing:
     """Makes objects by the numbers of their lines, each only once.
 
-    At first an object has no attributes; its class reads them from its line when one is accessed.
+    At first an object has no attributes; a class of its own reads them from its line when one is accessed. To whoever
+    asks for its `__class__`, it is of the final class from the start.
     """
 
     def __init__(
@@ -193,12 +194,13 @@ class _Thawing:
         final = self.cls(number)
         names = attributes(final)
 
+        set_class = object.__dict__["__class__"].__set__
         puts = [getattr(final, name).__set__ for name in names]  # the class itself forbids assignment
 
         def fill(instance: Any) -> Any:
             for put, value in zip(puts, _parse_line(self.lines[self.numbers[instance]]), strict=True):
                 put(instance, self.value(value) if value.__class__ is list else value)
-            object.__setattr__(instance, "__class__", final)
+            set_class(instance, final)
             return instance
 
         waiting = type(
@@ -207,6 +209,7 @@ class _Thawing:
             {
                 "__slots__": (),
                 "__module__": final.__module__,
+                "__class__": property(lambda instance: final),
                 "__getattr__": lambda instance, name: (
                     getattr(fill(instance), name) if name in names else _none(instance, name)
                 ),

@@ -8,11 +8,14 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
+from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
 from fieldspec.explain.values import DecodedValue
-from fieldspec.live.reading import Reading
 from fieldspec.render.blocks import Table
+
+if TYPE_CHECKING:
+    from fieldspec.live.access import Access, Reading
 
 
 @contextmanager
@@ -54,13 +57,13 @@ def number_of(decoded: DecodedValue | None) -> str:
     return "" if number is None or isinstance(number, str) else str(number)
 
 
-def print_values(values: Sequence[Reading], form: str) -> int:
+def print_values(access: Access, values: Sequence[Reading], form: str) -> int:
     """Prints values as a table or as JSON: exit code 1 where the device refused one."""
     if form == "json":
         rows = [
             {
-                "name": value.occupant.path,
-                "address": value.occupant.address,
+                "name": value.path,
+                access.heading: access.number(value),
                 "words": list(value.words),
                 "value": None if value.decoded is None else _json(value.decoded.number),
                 "meaning": meaning(value),
@@ -70,8 +73,8 @@ def print_values(values: Sequence[Reading], form: str) -> int:
         ]
         print(json.dumps(rows, ensure_ascii=False, indent=1), flush=True)
     else:
-        table = tuple((v.occupant.path, f"0x{v.occupant.address:04X}", number(v), meaning(v)) for v in values)
-        print_blocks([Table(("name", "address", "value", "meaning"), table)])
+        table = tuple((v.path, access.number_text(access.number(v)), number(v), meaning(v)) for v in values)
+        print_blocks([Table(("name", access.heading, "value", "meaning"), table)])
         sys.stdout.flush()
     return int(any(value.refusal for value in values))
 

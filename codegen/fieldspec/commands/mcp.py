@@ -13,14 +13,14 @@ from collections.abc import Sequence
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.commands import specs
 from fieldspec.commands.usage import UsageError
-from fieldspec.live.messages import named_signals, signals
-from fieldspec.live.reading import all_occupants
-from fieldspec.live.writing import find
+from fieldspec.live.parameter_access import ParameterAccess
+from fieldspec.live.register_access import RegisterAccess
 
 if TYPE_CHECKING:
     from mcp.server.mcpserver import MCPServer
 
     from fieldspec.model.fact import Fact
+
 
 SECONDS = 120
 """How long a verb may take."""
@@ -148,12 +148,11 @@ def _refuse_hazards(places: Places, device: str, names: Sequence[str]) -> None:
     _place(places, device)
     spec, version = specs.spec_at(places.options[1] if places.options else None, device)
     layout = specs.layout_of(spec, version)
-    facts: list[Fact] = [
-        fact for _, occupant in find(names, list(all_occupants(layout)))[0] for fact in (occupant.fact, occupant.outer)
-    ]
+    registers = RegisterAccess(layout)
+    facts: list[Fact] = [fact for name in names for _, own in registers.named(name) for fact in (own.fact, own.outer)]
     for link in layout.links.values():
-        known = list(signals(layout, link))
-        facts += [signal.fact for name in names for signal in named_signals(layout, known, name)]
+        parameters = ParameterAccess(layout, link)
+        facts += [signal.fact for name in names for signal in parameters.named(name)]
     for fact in facts:
         handling = getattr(fact, "handling", None)
         if handling is not None and handling.clears_on_read:

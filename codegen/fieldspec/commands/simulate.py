@@ -1,4 +1,4 @@
-"""`fieldspec simulate`: a device made from its spec, on a pseudo-terminal, a serial port, TCP or UDP."""
+"""`fieldspec simulate`: a device made from its spec, on a pseudo-terminal, a serial port, TCP, UDP or WebSockets."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
     )
     if arguments.dump:
         _seed(simulation, arguments.dump)
-    places = list(_places(layout, arguments.port))
+    places = list(_places(layout, arguments.port)) if arguments.port or arguments.websocket is None else []
     recording: TextIO | None = None
     try:
         if arguments.record:
@@ -60,6 +60,9 @@ def run(arguments: argparse.Namespace) -> int:
             settings = settings_of(layout.links[link].link, arguments.baud, arguments.parity)
             name = simulation.serve(link, place, settings)
             print(f"{layout.device.id} {layout.device.version}, {link}: {name}", file=sys.stderr, flush=True)
+        if arguments.websocket is not None:
+            for link, name in _serve_browsers(simulation, arguments.websocket).items():
+                print(f"{layout.device.id} {layout.device.version}, {link}: {name}", file=sys.stderr, flush=True)
         if arguments.view:
             from fieldspec.commands.simulation_view import show
 
@@ -77,6 +80,14 @@ def run(arguments: argparse.Namespace) -> int:
         if recording is not None:
             recording.close()
     return 0
+
+
+def _serve_browsers(simulation: Simulation, port: int) -> dict[str, str]:
+    """The addresses of the links. Raises UsageError and CarrierError."""
+    try:
+        return simulation.serve_browsers(port)
+    except ModuleNotFoundError:
+        raise UsageError("--websocket needs more packages: pip install 'fieldspec[live]'") from None
 
 
 def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str, str]]:

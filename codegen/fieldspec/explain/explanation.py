@@ -27,23 +27,14 @@ from fieldspec.explain.row import (
 from fieldspec.explain.values import DecodedValue, Meaning, decode_value, whole
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.escapes import EscapeError, original_places
-from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.frame import MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.layout.values import Raw
 
-__all__ = ["Explanation", "ExplanationRow", "Meaning", "closest", "explained", "lengths", "recognised"]
-
-Reading = tuple[str, str, str, bool]
-"""What a frame may be: its link, its direction, its message, and whether it is an exception response."""
+__all__ = ["Explanation", "ExplanationRow", "Meaning", "explained", "explained_after"]
 
 # Reasons with which a codec still accepts the frame: the manual prints narrower bounds than the type has.
 _ACCEPTED = ("", "out_of_range")
-_OF_VALUES = frozenset({"unknown_value", "wrong_const", "wrong_measure"})
-# The frame carries no code, so its message is a guess. That is no fault, but a broken frame needs better evidence.
-_GUESSED = "guessed"
-# The faults that a reading may have. The readings of the first step that any of them passes are the result.
-_FITTING = (frozenset({_GUESSED}), _OF_VALUES | {_GUESSED})
-_CLOSE = (_OF_VALUES | {"wrong_check", _GUESSED}, _OF_VALUES | {"wrong_check", "wrong_length", "incomplete"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,58 +82,6 @@ def explained_after(
 ) -> Explanation:
     """The explanation of a frame that answers a request which is explained already. Raises as `explained` does."""
     return _Frame(layout, link, direction, frame, message, request).explanation()
-
-
-def recognised(layout: DeviceLayout, frame: bytes) -> list[Reading]:
-    """The readings of a frame that fit, in the order of the spec.
-
-    Their delimiters, length, checksum and length of the body are right. Readings with values that a codec refuses
-    are returned only if every reading has some. The message is empty for an exception response to a code that the
-    device does not have.
-    """
-    return _readings(layout, frame, _FITTING)
-
-
-def closest(layout: DeviceLayout, frame: bytes) -> list[Reading]:
-    """The readings of a frame that fit, else those with a wrong checksum, else those with a wrong length too."""
-    return _readings(layout, frame, _FITTING + _CLOSE)
-
-
-def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], ...]) -> list[Reading]:
-    reasons_of: dict[Reading, frozenset[str]] = {}
-    for link in layout.links.values():
-        for direction in ("request", "response"):
-            guessed = link.frame(direction).role("code") is None
-            names = _of_length(link, direction, frame) if steps is _FITTING else list(link.carried(direction))
-            for message in names if guessed else ("",):
-                explanation = explained(layout, link.name, direction, frame, message)
-                reasons = frozenset((*explanation.reasons, _GUESSED) if guessed else explanation.reasons)
-                reasons_of.setdefault((link.name, direction, explanation.message, explanation.error), reasons)
-    for accepted in steps:
-        fitting = [
-            reading for reading, reasons in reasons_of.items() if reasons <= accepted and (reading[2] or reading[3])
-        ]
-        if fitting:
-            return fitting
-    return []
-
-
-def _of_length(link: LinkLayout, direction: str, frame: bytes) -> list[str]:
-    """The messages whose body can be as long as that of the frame."""
-    length = len(unwrapped(link.link, direction, frame).data)
-    escape = link.frame(direction).escape
-    if escape is not None:
-        bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
-        return [name for name, (_, most) in bounds if most is None or length <= escape.most(most)]
-    bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
-    return [name for name, (least, most) in bounds if least <= length and (most is None or length <= most)]
-
-
-def lengths(link: LinkLayout, direction: str, message: str) -> tuple[int, int | None]:
-    """The least and the greatest size of a message's frames without delimiters, in bytes; None is unbounded."""
-    shape, body = link.frame(direction), link.messages[message].data(direction)
-    around = shape.header_size + shape.trailer_size
-    return body.least + around, None if body.most is None else body.most + around
 
 
 class _Frame:
@@ -312,13 +251,17 @@ class _Frame:
         carried = "request" if self.error else self.direction
         link = self.layout.links[self.link.name]
         body = None if self.error else self.data[self.shape.header_size : len(self.data) - self.shape.trailer_size]
-        self.message = link.message_with_code(code, carried, body)
+        self.message = link.message_with_code(code, carried, body, self.named)
         if self.error and self.message is None and link.messages_with_code(code, carried):
             # An exception response carries no subcode; only the request tells which message it answers.
             self.message = next((m for m in link.messages_with_code(code, carried) if m.name == self.named), None)
         if self.message is None:
             if self.error:
                 return replace(read, meanings=(Meaning("", "", f"the code {code:#04x} is refused", ""),))
+            several = link.ambiguous_codes(carried).get(code)
+            if several is not None:
+                names = ", ".join(message.name for message in several)
+                return read.judged(False, f"that of {names}, which only the request tells apart", "unknown_code")
             known = ", ".join(link.code_text(message, self.direction) for message in self.sent.values())
             return read.judged(False, f"one of {known}", "unknown_code")
         message = self.message.message
@@ -370,7 +313,7 @@ class _Frame:
         if bits is not None:
             span = accessed_bits(bits, body.values, asked, at, data)
         else:
-            span = accessed(access, body.values, asked, at, data[: len(data) // 2 * 2])
+            span = accessed(access, body.values, asked, at, data, self.layout.device.space(access.space).unit_size)
         return rows, tuple(register_rows(self.layout, span, self.spot, access.operation)) if span else ()
 
     def _unknown(self, start: int, end: int) -> Iterator[ExplanationRow]:

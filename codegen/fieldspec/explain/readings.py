@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.classes import dataclass
-from fieldspec.explain.explanation import Explanation, Reading, closest, explained, lengths, recognised
+from fieldspec.explain.explanation import Explanation, explained
+from fieldspec.explain.lengths import lengths
+from fieldspec.explain.recognition import Reading, closest, recognised
 from fieldspec.layout.bits import packed_size
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.link import Link
@@ -117,8 +119,8 @@ def _doubts(
     """What speaks against a reading, the gravest first: the mark in the log, that no example is such a frame, that the
     message is a guess, and that its length may be any.
     """
-    link, direction, message, _ = reading
-    guessed = layout.links[link].frame(direction).role("code") is None
+    link, direction, message, error = reading
+    guessed = not error and layout.links[link].is_guessed(direction, message)
     loose = guessed and bool(message) and layout.messages[message].data(direction).size is None
     return bool(mark) and direction != mark, reading not in examples, guessed, loose
 
@@ -172,7 +174,8 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         have = response.values.get(accesses.values)
         words = len(have) if isinstance(have, list) else None
         if isinstance(want, int) and words is not None and words != want:
-            yield f"the request asks for {want} words, but the response has {words}"
+            unit = layout.device.space(accesses.space).unit
+            yield f"the request asks for {want} {unit}s, but the response has {words}"
     bits = layout.device.bit_access(message.message) if message and not response.error else None
     if bits is not None and bits.operation == "read" and bits.count:
         want, have = request.values.get(bits.count), response.values.get(bits.values)

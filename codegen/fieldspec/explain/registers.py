@@ -11,14 +11,14 @@ from fieldspec.layout.bits import unpacked_bits
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout, RegisterLayout
 from fieldspec.layout.values import Raw
-from fieldspec.model.address_space import BIT, WORD
+from fieldspec.model.address_space import BIT, BYTE, WORD
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import RegisterAccess
 from fieldspec.model.value import Value
 
 _PARTIAL = {
-    False: "The frame contains only some of its words.",
-    True: "The frame contains only some of its words, which must be accessed in one request.",
+    False: "The frame contains only some of its {}s.",
+    True: "The frame contains only some of its {}s, which must be accessed in one request.",
 }
 
 
@@ -40,7 +40,8 @@ class Span:
     """`words` from `address` on in a space. `data` are their bytes in the frame, at `at` in its parts, or empty.
 
     In a space of bits, `words` counts these, and `bits` has those that the frame carries, in order. A single one is
-    None if its number means neither 0 nor 1. In a space of words, `bits` is None.
+    None if its number means neither 0 nor 1. In other spaces, `bits` is None. In a space of bytes, `words` counts
+    bytes, and an address has a `unit_size` of 1.
     """
 
     space: str
@@ -49,6 +50,7 @@ class Span:
     at: int
     data: bytes
     bits: tuple[int | None, ...] | None = None
+    unit_size: int = 2
 
     @property
     def end(self) -> int:
@@ -58,13 +60,14 @@ class Span:
     @property
     def unit(self) -> str:
         """The unit at one address."""
-        return WORD if self.bits is None else BIT
+        return BIT if self.bits is not None else WORD if self.unit_size == 2 else BYTE
 
-    def piece(self, address: int, size: int) -> Piece | None:
-        """The piece of the frame with a value of `size` bytes; None unless the frame has all of it."""
+    def piece(self, address: int, size: int, skip: int = 0) -> Piece | None:
+        """The piece of the frame with a value of `size` bytes, `skip` bytes behind an address; None unless the frame
+        has all of it."""
         if self.bits is not None:
             return self._bit(address - self.address, self.bits)
-        start = 2 * (address - self.address)
+        start = self.unit_size * (address - self.address) + skip
         if start < 0 or start + size > len(self.data):
             return None
         content = self.data[start : start + size]
@@ -79,7 +82,7 @@ class Span:
 
     def unlisted(self, first: int, end: int) -> tuple[int, bytes]:
         """The offset and the bytes of neighbouring words; none for bits, which share bytes with others."""
-        piece = self.piece(first, 2 * (end - first)) if self.bits is None else None
+        piece = self.piece(first, self.unit_size * (end - first)) if self.bits is None else None
         return (piece.at, piece.raw) if piece is not None else (0, b"")
 
 
@@ -103,18 +106,26 @@ class Occupant:
 
 
 def accessed(
-    access: RegisterAccess, values: Mapping[str, Raw], asked: Mapping[str, Raw], at: int, data: bytes
+    access: RegisterAccess,
+    values: Mapping[str, Raw],
+    asked: Mapping[str, Raw],
+    at: int,
+    data: bytes,
+    unit_size: int = 2,
 ) -> Span | None:
     """The words that a message accesses, by its own values or those of the request that it answers; None if unknown.
 
-    `data` are the bytes of the words, at `at` in the parts; empty if the message does not carry them.
+    `data` are the bytes of the words, at `at` in the parts; empty if the message does not carry them. In a space of
+    bytes, the `unit_size` is 1.
     """
     start = values.get(access.start, asked.get(access.start))
-    count = values.get(access.count, asked.get(access.count)) if access.count else 1
+    whole = data[: len(data) // unit_size * unit_size]
+    carried = len(whole) // unit_size
+    count = values.get(access.count, asked.get(access.count)) if access.count else max(carried, 1)
     if not isinstance(start, int):
         return None
-    words = count if isinstance(count, int) else len(data) // 2
-    return Span(access.space, start, words, at, data)
+    words = count if isinstance(count, int) else carried
+    return Span(access.space, start, words, at, whole, unit_size=unit_size)
 
 
 def accessed_bits(
@@ -252,7 +263,7 @@ def _near(base: int, stride: int, words: int, count: int, span: Span) -> range:
 
 
 def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, operation: str) -> ExplanationRow:
-    piece = span.piece(occupant.address, occupant.value.size)
+    piece = span.piece(occupant.address, occupant.value.size, occupant.skip)
     at, raw = (piece.at, piece.raw) if piece else (0, b"")
     if piece:
         value = occupant.value.for_writing() if operation == "write" else occupant.value
@@ -261,7 +272,7 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
             read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     else:
         inside = span.address <= occupant.address and occupant.address + occupant.words <= span.end
-        read = DecodedValue(None, notes=() if inside else (_PARTIAL[occupant.atomic],))
+        read = DecodedValue(None, notes=() if inside else (_PARTIAL[occupant.atomic].format(span.unit),))
     row = fact_row(layout.device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer)
     if not piece:
         row = replace(row, offset=0)

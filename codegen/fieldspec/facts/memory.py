@@ -39,11 +39,15 @@ def _register(register: Register) -> Iterator[FactRow]:
     return of_fact("register", register, register.value, **_cells(register))
 
 
+def _has_words(register: Register) -> bool:
+    return register.unit_size > 1 and register.value.type.name != BIT
+
+
 def _cells(register: Register) -> FactRow:
     return {
         "address": register.address,
         "position": register.space,
-        "words": register.width if register.value.type.name != BIT else None,
+        "words": register.width if _has_words(register) else None,
         "access": register.access,
         "number": register.number,
         "restart": of_flag(register.restart),
@@ -52,7 +56,7 @@ def _cells(register: Register) -> FactRow:
 
 def _series(register: Register) -> Iterator[FactRow]:
     """A row for several equal registers, and one for each of them, with its own source if the spec has it."""
-    words = register.end - register.address if register.value.type.name != BIT else None
+    words = register.end - register.address if _has_words(register) else None
     whole: FactRow = {"address": register.address, "words": words, "count": register.count}
     whole |= {"position": register.space}
     yield from of_fact("register_series", register, register.value, **whole)

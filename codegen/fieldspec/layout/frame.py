@@ -176,17 +176,46 @@ class LinkLayout:
         return [message for message in self.carried(direction).values() if message.message.code == code]
 
     def message_with_code(
-        self, code: int, direction: str = "request", data: bytes | None = None
+        self, code: int, direction: str = "request", data: bytes | None = None, asked: str = ""
     ) -> MessageLayout | None:
         """The message with a code in one direction, and with some data where several have the code.
 
-        None if there is none, and where the data, or their absence, leave open which one it is.
+        `asked` names the message of the request, which decides where nothing in the data does. None if there is none,
+        and where all of this leaves open which one it is.
         """
         messages = self.messages_with_code(code, direction)
         if len(messages) < 2:
             return messages[0] if messages else None
         shared = subcode(messages, direction)
-        return shared.message(data) if shared is not None and data is not None else None
+        if shared is None:
+            return next((message for message in messages if message.name == asked), None)
+        return shared.message(data) if data is not None else None
+
+    def shared_codes(self, direction: str) -> list[int]:
+        """The codes that several messages have in one direction."""
+        seen: set[int] = set()
+        shared: set[int] = set()
+        for message in self.carried(direction).values():
+            if (code := message.message.code) is not None:
+                (shared if code in seen else seen).add(code)
+        return sorted(shared)
+
+    def ambiguous_codes(self, direction: str) -> dict[int, list[MessageLayout]]:
+        """The messages by the code that they share where nothing in their data tells them apart.
+
+        These are responses: their requests tell which one a response is.
+        """
+        if self.frame(direction).role("code") is None:
+            return {}
+        each = ((code, self.messages_with_code(code, direction)) for code in self.shared_codes(direction))
+        return {code: messages for code, messages in each if subcode(messages, direction) is None}
+
+    def is_guessed(self, direction: str, message: str) -> bool:
+        """Whether a frame does not tell that it is one of a message: it carries no code, or an ambiguous one."""
+        if self.frame(direction).role("code") is None:
+            return True
+        code = self.messages[message].message.code if message in self.messages else None
+        return code in self.ambiguous_codes(direction)
 
     def announced(self, code: int | None, data: bytes, message: str) -> MessageLayout | None:
         """The message of a request with a code and some data, or the named one where frames carry no code."""
@@ -194,9 +223,8 @@ class LinkLayout:
 
     def subcodes(self, direction: str) -> dict[int, Subcode]:
         """What tells messages apart, by the code that they share."""
-        codes = [message.message.code for message in self.carried(direction).values()]
-        shared = {code for code in codes if code is not None and codes.count(code) > 1}
-        each = ((code, subcode(self.messages_with_code(code, direction), direction)) for code in sorted(shared))
+        shared = self.shared_codes(direction)
+        each = ((code, subcode(self.messages_with_code(code, direction), direction)) for code in shared)
         return {code: shared_code for code, shared_code in each if shared_code is not None}
 
     def code_text(self, message: MessageLayout, direction: str) -> str:

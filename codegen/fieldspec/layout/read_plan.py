@@ -32,8 +32,8 @@ WRITE_ONLY, CLEARED, ACCESS_UNKNOWN, TOO_LONG = (
 class ReadLimit:
     """The most words that one request of a message reads, None where the spec does not say, and the place of the limit.
 
-    In a space of bits, `unit` is `bit`, and words are bits. The limit is `from_manual` where the spec of the device
-    sets it, and not the protocol. `sources` are its citations.
+    In a space of bits, `unit` is `bit`, and words are bits; in a space of bytes, words are bytes. The limit is
+    `from_manual` where the spec of the device sets it, and not the protocol. `sources` are its citations.
     """
 
     message: str

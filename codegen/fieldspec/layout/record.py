@@ -113,7 +113,9 @@ class Orders:
     word: str
 
     def of(self, value: Value | None) -> tuple[str, bool]:
-        """The byte order of a value, and whether its words are swapped."""
+        """The byte order of a value, and whether its words are swapped; digits that are characters are big-endian."""
+        if value is not None and value.has_characters:
+            return "big", False
         byte = value.byte_order if value and value.byte_order else self.byte
         word = value.word_order if value and value.word_order else self.word
         return byte, bool(value and value.has_words and word and word != byte)
@@ -193,7 +195,10 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders) 
 
 @dataclass(frozen=True, slots=True)
 class RegisterLayout:
-    """A register with its addresses. `order` and `swapped` are as in `FieldLayout`."""
+    """A register with its addresses, of which one element has `words`: words of 16 bits, or bytes in their spaces.
+
+    `order` and `swapped` are as in `FieldLayout`.
+    """
 
     register: Register
     name: str
@@ -203,3 +208,8 @@ class RegisterLayout:
     stride: int
     order: str
     swapped: bool
+
+    @property
+    def size(self) -> int:
+        """The bytes at the addresses of one element; a value of odd size is filled up to whole words."""
+        return self.register.unit_size * self.words

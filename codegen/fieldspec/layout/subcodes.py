@@ -50,12 +50,17 @@ class Subcode:
 
 
 def subcode(messages: Sequence[MessageLayout], direction: str) -> Subcode | None:
-    """What tells messages of one code apart in one direction; None for a single message."""
+    """What tells messages of one code apart in one direction.
+
+    None for a single message, and for responses that only their requests tell apart.
+    """
     if len(messages) < 2:
         return None
     constants = [_constants(message.data(direction)) for message in messages]
     place = distinct_place(constants)
-    assert place is not None, "messages with one code differ, as a check sees to"
+    assert place is not None or direction == "response", "requests with one code differ, as a check sees to"
+    if place is None:
+        return None
     offset, size, order = place
     by_number = {numbers[place]: message for numbers, message in zip(constants, messages, strict=True)}
     return Subcode(offset, size, order, by_number)

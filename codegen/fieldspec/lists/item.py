@@ -22,7 +22,7 @@ REGISTERS = "registers"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Item:
-    """A value at `address` with a size of `words` of 16 bits, None for a parameter and for a bit.
+    """A value at `address` with a size of `words` of 16 bits, None for a parameter, a bit and a register of bytes.
 
     A field of a table, and a parameter with several elements, stand for `count` values: the first has the number
     `first`, and they are `stride` addresses apart, or all at one address if that is 0. `access` is empty if the manual
@@ -70,6 +70,11 @@ def _code(device: Device, value: Value | None) -> str:
     return unit.ucum if unit is not None else ""
 
 
+def _type(value: Value) -> str:
+    """The type, and the form of the digits of a number that is sent as such: `u16 bcd`."""
+    return f"{value.type.name} {value.digits}".strip()
+
+
 def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> Iterator[Item]:
     for number in range(register.count):
         index = register.index_from + number
@@ -80,8 +85,8 @@ def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> 
             space=_space(device, register.space),
             address=register.address + number * register.stride,
             name=f"{register.name}_{index}" if many else register.name,
-            words=register.width if register.value.type.name != BIT else None,
-            type=register.value.type.name,
+            words=register.width if register.unit_size > 1 and register.value.type.name != BIT else None,
+            type=_type(register.value),
             access=register.access,
             value=register.value,
             printed_name=printed,
@@ -100,7 +105,7 @@ def _table(device: Device, table_layout: TableLayout, enums: Mapping[str, Enum])
             address=table.base + byte // 2,
             name=f"{table.name}.{name}",
             words=(byte % 2 + field.size + 1) // 2,
-            type=field.value.type.name if field.value else "bytes",
+            type=_type(field.value) if field.value else "bytes",
             access=access,
             value=field.value,
             count=table.count,

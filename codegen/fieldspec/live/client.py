@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from fieldspec.carriers.carrier import Carrier
 from fieldspec.classes import TYPE_CHECKING, dataclass
@@ -30,7 +30,10 @@ class RefusedError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """The seconds of an exchange: how long a response may take, and how long the line is silent before a request."""
+    """The seconds of an exchange: how long a response may take, and how long the line is silent before a request.
+
+    `retries` says how often a request is sent again where no answer comes.
+    """
 
     timeout: float = 1.0
     pause: float = 0.0
@@ -41,8 +44,21 @@ Trace = Callable[[str, bytes], None]
 """Called with `request` or `response` and the bytes."""
 
 
+@dataclass(frozen=True, slots=True)
+class _Request:
+    """A request that is asked, perhaps several times."""
+
+    message: str
+    values: Mapping[str, Any]
+
+
 class Client:
-    """Exchanges frames with one unit on one link. It is not for several threads at once."""
+    """Exchanges frames with one unit on one link. It is not for several threads at once.
+
+    An answer that comes after its request was given up is not taken for that to the next one: this waits until all late
+    answers have come, or can no longer come within another time-out. Requests whose frames have a number that the
+    response repeats need not wait.
+    """
 
     def __init__(
         self,
@@ -61,7 +77,13 @@ class Client:
         self.framer = codecs.framer(codecs.device_module(layout), link, "response")
         addressed = self.frames.link.request.role("unit_address")
         self.head = {addressed.name: unit_address} if addressed is not None else {}
+        answered = {part.name for part in self.frames.link.response.header}
         self.counters = [part for part in self.frames.link.request.header if part.role == "plain" and part.is_argument]
+        self.is_numbered = any(part.name in answered for part in self.counters)
+        self._silent_until = self.clock.now() + self.timing.pause
+        self._owed = 0
+        self._owed_until = 0.0
+        self._owed_request: _Request | None = None
 
     def request(self, message: str, values: Mapping[str, Any]) -> bytes:
         """The frame of a request. Parts that only mark it have another number in each. Raises CodecError."""
@@ -77,8 +99,9 @@ class Client:
     def send(self, message: str, values: Mapping[str, Any]) -> None:
         """Sends a request that the device does not answer. Raises CodecError and CarrierError."""
         frame = self.request(message, values)
-        self._drain()
+        self._prepare(None)
         self._write(frame)
+        self._silent_until = self.clock.now() + self.timing.pause
 
     def ask(self, message: str, values: Mapping[str, Any], retries: int | None = None) -> Decoded:
         """The response to a request.
@@ -86,58 +109,96 @@ class Client:
         Raises NoAnswerError where the last of all tries has failed, RefusedError, CodecError for values that no
         request can carry, and CarrierError.
         """
-        frame = self.request(message, values)
+        asked = _Request(message, values)
         left = self.timing.retries if retries is None else retries
-        try:
-            return self._answer(message, frame)
-        except NoAnswerError:
-            if left <= 0:
-                raise
-        return self.ask(message, values, left - 1)
+        while True:
+            try:
+                return self._answer(asked, self.request(message, values))
+            except NoAnswerError:
+                if left <= 0:
+                    raise
+            left -= 1
 
-    def _answer(self, message: str, frame: bytes) -> Decoded:
-        self._drain()
-        self._write(frame)
-        deadline = self.clock.now() + self.timing.timeout
+    def _answer(self, asked: _Request, frame: bytes) -> Decoded:
+        self._prepare(asked)
         if self.framer is not None:
             self.framer.reset()
+        self._write(frame)
+        deadline = self.clock.now() + self.timing.timeout
+        if not self.is_numbered:
+            self._owed, self._owed_request, self._owed_until = self._owed + 1, asked, deadline
         received = 0
-        while (left := deadline - self.clock.now()) > 0:
-            data = self.carrier.read(left)
-            received += len(data)
-            framed = not self.carrier.datagrams and self.framer is not None
-            for answer in self.framer.feed(data) if framed and self.framer is not None else [data] if data else []:
-                if self.trace is not None:
-                    self.trace("response", answer)
-                decoded = self._decoded(message, answer)
-                if decoded is not None:
+        try:
+            while (left := deadline - self.clock.now()) > 0:
+                data = self.carrier.read(left)
+                received += len(data)
+                for decoded in self._answers(asked, data):
+                    self._owed -= self._owed > 0
+                    if decoded.error:
+                        raise self._refusal(decoded)
                     return decoded
+        finally:
+            self._silent_until = self.clock.now() + self.timing.pause
+        self._owed_until = deadline + self.timing.timeout
         raise NoAnswerError(f"{received} bytes came, and no answer" if received else "no answer")
 
+    def _answers(self, asked: _Request, data: bytes) -> Iterator[Decoded]:
+        """The answers to a request that some bytes complete, refusals among them."""
+        framer = None if self.carrier.datagrams else self.framer
+        for frame in [data] if framer is None and data else framer.feed(data) if framer is not None else ():
+            if self.trace is not None:
+                self.trace("response", frame)
+            decoded = self._decoded(asked, frame)
+            if decoded is not None:
+                yield decoded
+
+    def _prepare(self, asked: _Request | None) -> None:
+        """Waits until the line may be used, and drops what earlier requests have left on it."""
+        if self._owed and asked is not self._owed_request:
+            self._take_late_answers()
+        while self.carrier.read(0.0005):
+            pass
+        self.clock.sleep(self._silent_until - self.clock.now())
+
+    def _take_late_answers(self) -> None:
+        """Waits for the answers that are still to come: none of them may be taken for that to the next request."""
+        assert self._owed_request is not None
+        while self._owed > 0 and (left := self._owed_until - self.clock.now()) > 0:
+            for _ in self._answers(self._owed_request, self.carrier.read(left)):
+                self._owed -= 1
+                self._silent_until = self.clock.now() + self.timing.pause
+        self._owed = 0
+
     def _write(self, frame: bytes) -> None:
-        self.clock.sleep(self.timing.pause)
         if self.trace is not None:
             self.trace("request", frame)
         self.carrier.write(frame)
 
-    def _drain(self) -> None:
-        """Drops what an earlier request has left on the line."""
-        while self.carrier.read(0.0005):
-            pass
-
-    def _decoded(self, message: str, frame: bytes) -> Decoded | None:
-        """The meaning of a response to a message; None for a frame of another unit or message. Raises RefusedError."""
+    def _decoded(self, asked: _Request, frame: bytes) -> Decoded | None:
+        """The meaning of a response to a request; None for a frame that answers something else."""
         try:
-            decoded = self.frames.decode(frame, "response", message)
+            decoded = self.frames.decode(frame, "response", asked.message)
         except CodecError:
             return None
         if any(decoded.head.get(name) != number for name, number in self.head.items() if name in decoded.head):
             return None
-        if decoded.message is not None and decoded.message.name != message:
+        if decoded.message is not None and decoded.message.name != asked.message:
             return None
-        if decoded.error:
-            raise self._refusal(decoded)
-        return decoded
+        return decoded if decoded.error or self._fits(asked, decoded) else None
+
+    def _fits(self, asked: _Request, decoded: Decoded) -> bool:
+        """Whether a response is about the registers that were asked for: as many words, or the same address."""
+        message = self.layout.messages[asked.message].message
+        access = message.accesses
+        if access is None:
+            return True
+        if access.operation == "write":
+            same = [name for name in (access.start, access.count) if name in decoded.values and name in asked.values]
+            return all(decoded.values[name] == asked.values[name] for name in same)
+        content = decoded.values.get(access.values)
+        count = asked.values.get(access.count)
+        is_words = self.layout.device.bit_access(message) is None and isinstance(content, list)
+        return not is_words or count is None or len(list(content or ())) == count
 
     def _refusal(self, decoded: Decoded) -> RefusedError:
         mark = self.frames.link.link.exception_response

@@ -5,12 +5,14 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator, Mapping
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.lists.sheet import Sheet, SheetRow
-from fieldspec.live.reading import all_occupants
-from fieldspec.live.value_lists import DEVICE, INDEX, NAME, TABLE, VALUE, VERSION, Placed, objection
-from fieldspec.live.writing import Assignment, WriteError, assignment
+from fieldspec.live.value_lists import DEVICE, INDEX, NAME, TABLE, VALUE, VERSION
+from fieldspec.live.writing import WriteError
+
+if TYPE_CHECKING:
+    from fieldspec.live.access import Access, Assignment, Item
 
 _CAPITALS = (DEVICE, VERSION, TABLE, INDEX, NAME, VALUE)
 
@@ -36,13 +38,14 @@ class _Demand:
 
 
 def entries(
-    layout: DeviceLayout, sheet: Sheet, table: str = "", any_version: bool = False
+    access: Access, sheet: Sheet, table: str = "", any_version: bool = False
 ) -> tuple[list[Assignment], list[ListFinding]]:
     """The values that a list asks for, in its order, and all findings. Nothing may be written where there are any.
 
     A list has the headings `Name` and `Value`, or `Index` and names of fields. Then the table is `table`, the one that
     the column `Table` names, or the only one of the device. An empty cell asks for nothing.
     """
+    layout = access.layout
     head, *rows = sheet.rows
     columns = {text: number for number, text in enumerate(head.cells) if text}
     findings = list(_of_head(head, columns))
@@ -55,7 +58,7 @@ def entries(
         for row, column in sorted(sheet.formulas)
         if row != head.number
     ]
-    known = {pair[1].path: pair for pair in all_occupants(layout)}
+    known = {access.path(item): item for item in access.items()}
     demands: list[_Demand] = []
     for row in rows:
         new, wrong = _of_row(layout, row, columns, table)
@@ -64,14 +67,13 @@ def entries(
     result: list[Assignment] = []
     seen: dict[str, int] = {}
     for demand in demands:
-        text = _problem(layout, demand, known, seen)
+        text = _problem(access, demand, known, seen)
         if text:
             findings.append(ListFinding(demand.row, demand.name + 1, text))
             continue
-        space, occupant = known[demand.path]
         seen[demand.path] = demand.row
         try:
-            result.append(assignment(layout, space, occupant, demand.text))
+            result.append(access.assignment(known[demand.path], demand.text))
         except WriteError as error:
             findings.append(ListFinding(demand.row, demand.whole + 1, str(error)))
     if not result and not findings:
@@ -131,12 +133,12 @@ def _of_row(
     return demands, []
 
 
-def _problem(layout: DeviceLayout, demand: _Demand, known: Mapping[str, Placed], seen: Mapping[str, int]) -> str:
+def _problem(access: Access, demand: _Demand, known: Mapping[str, Item], seen: Mapping[str, int]) -> str:
     """Why a path cannot be set by a list; empty where it can."""
     if demand.path not in known:
         near = difflib.get_close_matches(demand.path, known, 1, 0.6)
         return f"there is no {demand.path}" + (f"; did you mean {near[0]}?" if near else "")
     if demand.path in seen:
         return f"{demand.path} stands in row {seen[demand.path]} too"
-    why = objection(layout, known[demand.path][1])
+    why = access.objection(known[demand.path])
     return f"{demand.path} {why}" if why else ""

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.explain.hazards import is_query, is_single, write_hazards
 from fieldspec.explain.values import DecodedValue, decode_value
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
-from fieldspec.layout.record import FieldLayout, Orders, RecordLayout
+from fieldspec.layout.record import Orders, RecordLayout
 from fieldspec.layout.values import MeaningError, raw_value
 from fieldspec.live.client import Client, RefusedError
 from fieldspec.live.writing import WriteError
@@ -43,20 +44,32 @@ class Signal:
 
 @dataclass(frozen=True, slots=True)
 class SignalReading:
-    """A value that was read, or the reason why the device refused it."""
+    """A value that was read, or the reason why the device refused it. `words` are its bytes on the wire."""
 
     signal: Signal
+    words: tuple[int, ...]
     decoded: DecodedValue | None
     refusal: str = ""
+
+    @property
+    def path(self) -> str:
+        """The path of the value."""
+        return self.signal.path
 
 
 @dataclass(frozen=True, slots=True)
 class ParameterAssignment:
-    """A value for a parameter: its raw value, and what a person should know before it is written."""
+    """A value for a parameter: its raw value, its bytes, and what a person should know before it is written."""
 
     signal: Signal
     raw: Any
+    words: tuple[int, ...]
     hazards: tuple[str, ...]
+
+    @property
+    def path(self) -> str:
+        """The path of the value."""
+        return self.signal.path
 
 
 def link_of(layout: DeviceLayout) -> LinkLayout | None:
@@ -69,8 +82,8 @@ def signals(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:
     if not (link.request.header or link.request.trailer):
         return  # a cyclic exchange does not only read
     for message in link.carried("response").values():
-        for field in message.response.fields if _is_query(message) else ():
-            if _is_single(field) and field.value is not None:
+        for field in message.response.fields if is_query(message) else ():
+            if is_single(field) and field.value is not None:
                 path = f"{message.name}.{field.name}"
                 yield Signal(path, field.field, field.value, field.order, field.swapped, query=message.name)
     yield from _parts(link)
@@ -103,7 +116,7 @@ def _elements(name: str, row: Parameter) -> Iterator[tuple[str, Fact, Value, int
 
 def _parts(link: LinkLayout) -> Iterator[Signal]:
     """The parts of a response that say something about the device, such as a status."""
-    query = next((message.name for message in link.carried("response").values() if _is_query(message)), "")
+    query = next((message.name for message in link.carried("response").values() if is_query(message)), "")
     asked = {part.name for part in link.request.parts}
     for part in link.response.header:
         if (
@@ -114,21 +127,6 @@ def _parts(link: LinkLayout) -> Iterator[Signal]:
             and part.value is not None
         ):
             yield Signal(part.name, part.part, part.value, part.order, False, query=query)
-
-
-def _is_query(message: MessageLayout) -> bool:
-    """Whether a message only asks: without arguments, and with an answer that has values."""
-    asked = any(_is_argument(field) for field in message.request.fields)
-    return not asked and any(_is_single(field) for field in message.response.fields)
-
-
-def _is_argument(field: FieldLayout) -> bool:
-    constant = field.value is not None and field.value.const is not None
-    return not (field.field.reserved or field.field.measures or constant)
-
-
-def _is_single(field: FieldLayout) -> bool:
-    return field.value is not None and not field.is_list and _is_argument(field)
 
 
 def parameter_message(link: LinkLayout, parameter_set: ParameterSet, operation: str) -> MessageLayout | None:
@@ -155,11 +153,11 @@ def named_signals(layout: DeviceLayout, known: Sequence[Signal], name: str) -> l
         for signal in known
         if signal.path.startswith((f"{name}.", f"{name}["))
         or (signal.fact.printed_name and name == signal.fact.printed_name)
-        or name in _roles(layout, signal)
+        or name in roles_of(layout, signal)
     ]
 
 
-def _roles(layout: DeviceLayout, signal: Signal) -> set[str]:
+def roles_of(layout: DeviceLayout, signal: Signal) -> set[str]:
     """The roles of a value and of its bits."""
     word = layout.device.flags.get(signal.value.flags)
     return {*signal.fact.roles, *(role for bit in (word.bits if word is not None else ()) for role in bit.roles)}
@@ -171,15 +169,15 @@ def read_signals(client: Client, chosen: Sequence[Signal]) -> Iterator[SignalRea
     for signal in chosen:
         try:
             if signal.parameter_set is not None:
-                yield SignalReading(signal, _decoded(client.layout, signal, read_parameter(client, signal)))
+                yield signal_reading(client.layout, signal, read_parameter(client, signal))
                 continue
             if signal.query not in answers:
                 answers[signal.query] = client.ask(signal.query, {})
             answer = answers[signal.query]
             name = signal.fact.name
-            yield SignalReading(signal, _decoded(client.layout, signal, {**answer.values, **answer.head}[name]))
+            yield signal_reading(client.layout, signal, {**answer.values, **answer.head}[name])
         except RefusedError as error:
-            yield SignalReading(signal, None, str(error))
+            yield SignalReading(signal, (), None, str(error))
 
 
 def read_parameter(client: Client, signal: Signal) -> Any:
@@ -190,14 +188,14 @@ def read_parameter(client: Client, signal: Signal) -> Any:
     assert signal.parameter_set is not None
     message = parameter_message(client.frames.link, signal.parameter_set, "read")
     assert message is not None
-    answer = client.ask(message.name, _address(message.request, signal))
+    answer = client.ask(message.name, parameter_address(message.request, signal))
     carried = part_of(message.response, "value")
     assert carried is not None
     content = answer.values[carried.name]
     return content[0] if isinstance(content, list) else content
 
 
-def _address(request: RecordLayout, signal: Signal) -> dict[str, Any]:
+def parameter_address(request: RecordLayout, signal: Signal) -> dict[str, Any]:
     """The fields of a request that name a parameter: its number, the element, and how many elements."""
     number, index = part_of(request, "number"), part_of(request, "subindex")
     assert number is not None
@@ -210,16 +208,24 @@ def _address(request: RecordLayout, signal: Signal) -> dict[str, Any]:
     return values
 
 
-def _decoded(layout: DeviceLayout, signal: Signal, raw: Any) -> DecodedValue:
+def signal_reading(layout: DeviceLayout, signal: Signal, raw: Any) -> SignalReading:
+    """The meaning of a raw value."""
+    data = _bytes_of(signal, raw)
+    value = signal.value.as_answer(False)
+    decoded = decode_value(layout.device, value, data, signal.order, signal.swapped)
+    return SignalReading(signal, tuple(data), decoded)
+
+
+def _bytes_of(signal: Signal, raw: Any) -> bytes:
+    """A raw value as it goes over the wire."""
     value = signal.value
     order: Literal["big", "little"] = "big" if signal.order == "big" else "little"
-    if isinstance(raw, int) and value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and not signal.swapped:
-        data = (int(raw) & ((1 << 8 * value.size) - 1)).to_bytes(value.size, order)
-    elif isinstance(raw, str):
-        data = raw.encode("ascii", "replace").ljust(value.size, b"\0")
-    else:
-        data = bytes(value_construct(value, signal.order, signal.swapped).build(raw))
-    return decode_value(layout.device, value.as_answer(False), data, signal.order, signal.swapped)
+    is_binary = value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and not (signal.swapped or value.digits)
+    if isinstance(raw, int) and is_binary:
+        return (int(raw) & ((1 << 8 * value.size) - 1)).to_bytes(value.size, order)
+    if isinstance(raw, str):
+        return raw.encode("ascii", "replace").ljust(value.size, b"\0")
+    return bytes(value_construct(value, signal.order, signal.swapped).build(raw))
 
 
 def parameter_assignment(layout: DeviceLayout, link: LinkLayout, signal: Signal, text: str) -> ParameterAssignment:
@@ -239,22 +245,13 @@ def parameter_assignment(layout: DeviceLayout, link: LinkLayout, signal: Signal,
         raw = encoded_value(signal.path, value, raw_value(layout.device, signal.path, value, text), layout.device)
     except (MeaningError, CodecError) as error:
         raise WriteError(str(error)) from None
-    return ParameterAssignment(signal, raw, tuple(_hazards(fact, message)))
+    return ParameterAssignment(signal, raw, tuple(_bytes_of(signal, raw)), tuple(_hazards(fact, message)))
 
 
 def _hazards(fact: Parameter, message: MessageLayout) -> Iterator[str]:
-    if fact.trigger:
-        yield "writing it starts something"
-    if fact.access == "":
-        yield "the manual does not say that it can be written"
-    if fact.restart:
-        yield "it takes effect after a restart"
-    handlings = (fact.handling, message.message.handling)
-    if any(handling.memory == "nonvolatile" for handling in handlings):
-        yield "it is stored for good"
-    endurance = next((handling.endurance for handling in handlings if handling.endurance), "")
-    if endurance not in ("", "unlimited"):
-        yield f"its memory endures {'a limited number of' if endurance == 'limited' else endurance} writes"
+    # A message that stores what it writes does so for every parameter.
+    handlings = sorted((fact.handling, message.message.handling), key=lambda own: own.memory != "nonvolatile")
+    return write_hazards(trigger=fact.trigger, access=fact.access, restart=fact.restart, handlings=handlings)
 
 
 def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str, dict[str, Any], bytes]:
@@ -264,7 +261,7 @@ def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str,
     message = parameter_message(client.frames.link, signal.parameter_set, "write")
     assert message is not None
     request = message.request
-    values = _address(request, signal)
+    values = parameter_address(request, signal)
     carried = part_of(request, "value")
     assert carried is not None
     values[carried.name] = [chosen.raw] if carried.is_list else chosen.raw
@@ -287,13 +284,3 @@ def _form(request: RecordLayout, value: Value) -> int | None:
             if kind is not None and kind.type.name == name:
                 return number
     return None
-
-
-def write_parameter(client: Client, chosen: ParameterAssignment) -> SignalReading:
-    """Writes a parameter once, and reads it back.
-
-    Raises WriteError, NoAnswerError, RefusedError and CarrierError.
-    """
-    name, values, _ = parameter_request(client, chosen)
-    client.ask(name, values, retries=0)
-    return SignalReading(chosen.signal, _decoded(client.layout, chosen.signal, read_parameter(client, chosen.signal)))

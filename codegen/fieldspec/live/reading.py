@@ -11,7 +11,7 @@ from fieldspec.layout.bits import unpacked_bits
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.read_plan import ReadBlock, read_plan
 from fieldspec.live.client import Client, NoAnswerError, RefusedError
-from fieldspec.model.record import Message
+from fieldspec.model.record import Message, RegisterAccess
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -27,6 +27,11 @@ class Reading:
     words: tuple[int, ...]
     decoded: DecodedValue | None
     refusal: str = ""
+
+    @property
+    def path(self) -> str:
+        """The path of the value."""
+        return self.occupant.path
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,9 +82,16 @@ def message_for(layout: DeviceLayout, operation: str, space: str, words: int) ->
     for message in device.messages.values():
         access = device.register_access(message) or device.bit_access(message)
         if access is not None and access.operation == operation and device.space_name(access.space) == space:
-            known.append((not access.count, message))
+            known.append((not _is_list(message, access), message))
     alone = next((message for single, message in known if single and words == 1), None)
     return alone or next((message for single, message in known if not single), None)
+
+
+def _is_list(message: Message, access: RegisterAccess) -> bool:
+    """Whether a message carries several words, bytes or bits."""
+    layer = message.response if access.operation == "read" else message.request
+    field = layer.named(access.values)
+    return bool(access.count) or (field is not None and field.repeat is not None)
 
 
 def is_bit(occupant: Occupant) -> bool:
@@ -113,7 +125,7 @@ def _read_block(client: Client, block: Block) -> Iterator[Reading]:
         return
     for occupant in block.occupants:
         at = occupant.address - block.start
-        yield reading(client.layout, occupant, words[at : at + occupant.words])
+        yield reading(client.layout, block.space, occupant, words[at : at + occupant.words])
 
 
 def read_words(client: Client, space: str, start: int, count: int) -> list[int]:
@@ -132,10 +144,10 @@ def read_words(client: Client, space: str, start: int, count: int) -> list[int]:
     return list(content) if isinstance(content, list) else [content]
 
 
-def reading(layout: DeviceLayout, occupant: Occupant, words: Sequence[int]) -> Reading:
-    """The meaning of the words of a value, or of the 0 or 1 of a bit."""
+def reading(layout: DeviceLayout, space: str, occupant: Occupant, words: Sequence[int]) -> Reading:
+    """The meaning of the words or bytes of a value, or of the 0 or 1 of a bit."""
     order: Literal["big", "little"] = "big" if layout.device.byte_order == "big" else "little"
-    width = 1 if is_bit(occupant) else 2
+    width = 1 if is_bit(occupant) else layout.device.space(space).unit_size
     data = b"".join(word.to_bytes(width, order) for word in words)
     data = data[occupant.skip : occupant.skip + occupant.value.size]
     value = occupant.value.as_answer(occupant.trigger)

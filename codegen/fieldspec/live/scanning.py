@@ -2,69 +2,127 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.read_plan import read_plan
 from fieldspec.live.client import Client, RefusedError
-from fieldspec.live.reading import all_occupants, read_words
-from fieldspec.model.registers import Register
+from fieldspec.live.messages import parameter_message
+from fieldspec.live.reading import all_occupants, message_for, read_words
+from fieldspec.model.registers import ParameterSet
+from fieldspec.simulator.parameters import count_field, part_of
 
 _PAGE = 0x100
 
 
 @dataclass(frozen=True, slots=True)
-class Scan:
-    """The addresses that were asked for, those that answer with their words, and those that were left out."""
+class ScannedItem:
+    """A value that a version has at some addresses. `spared` values are not read by a scan."""
 
-    space: str
+    path: str
+    addresses: range
+    readable: bool
+    spared: bool
+
+
+@dataclass(frozen=True, slots=True)
+class ScanSpace:
+    """Addresses that a scan can read: those of a space of registers, or the numbers of `parameters`. `end` is behind
+    the last one, and one request reads `most` of them."""
+
+    name: str
+    end: int
+    most: int
+    parameters: ParameterSet | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Scan:
+    """The addresses that were asked for, those that answer with their counts, and those that were left out."""
+
+    space: ScanSpace
     asked: frozenset[int]
-    words: dict[int, int]
+    words: Mapping[int, tuple[int, ...]]
     left_out: frozenset[int]
+
+    @property
+    def refused(self) -> list[int]:
+        """The addresses that do not answer."""
+        return sorted(self.asked - self.words.keys())
 
 
 @dataclass(frozen=True, slots=True)
 class ScanComparison:
     """A scan compared with a version: intervals that answer and are unknown, and names of values that do not answer."""
 
-    version: str
     unknown: tuple[tuple[int, int], ...]
     silent: tuple[str, ...]
 
     @property
     def differences(self) -> int:
-        """How many words and values differ."""
+        """How many addresses and values differ."""
         return sum(last - first + 1 for first, last in self.unknown) + len(self.silent)
 
 
-def usual_ranges(layout: DeviceLayout, space: str) -> list[range]:
-    """The pages of 256 addresses that have registers."""
-    pages = sorted({occupant.address // _PAGE for own, occupant in all_occupants(layout) if own == space})
-    return [range(page * _PAGE, (page + 1) * _PAGE) for page in pages]
+def scan_spaces(layout: DeviceLayout, link: LinkLayout) -> list[ScanSpace]:
+    """Everything that messages of a link can read by an address or a number."""
+    device, plan = layout.device, read_plan(layout)
+    result = []
+    for name in dict.fromkeys([*device.spaces, device.space_name("")]):
+        limit = plan.limit(name) or plan.limit("")
+        most = limit.words if limit is not None and limit.words is not None else 1
+        message = message_for(layout, "read", name, most) or message_for(layout, "read", name, 1)
+        if message is not None and message.name in link.carried("response"):
+            result.append(ScanSpace(name, 0x10000, most))
+    spaces: dict[str, ParameterSet] = {}
+    for parameter_set in device.parameters.values():
+        message_layout = parameter_message(link, parameter_set, "read")
+        number = part_of(message_layout.request, "number") if message_layout is not None else None
+        if number is not None and number.value is not None and parameter_set.space not in spaces:
+            spaces[parameter_set.space] = parameter_set
+            result.append(ScanSpace(parameter_set.space, number.value.type.high + 1, 1, parameter_set))
+    return result
 
 
-def scan(client: Client, space: str, ranges: list[range], done: Callable[[int], None] | None = None) -> Scan:
+def scanned_items(layout: DeviceLayout, space: ScanSpace) -> Iterator[ScannedItem]:
+    """What a version has in a space."""
+    if space.parameters is None:
+        for name, occupant in all_occupants(layout):
+            if name == space.name:
+                handlings = [getattr(fact, "handling", None) for fact in (occupant.fact, occupant.outer)]
+                spared = any(handling is not None and handling.clears_on_read for handling in handlings)
+                addresses = range(occupant.address, occupant.address + occupant.words)
+                readable = occupant.access != "wo" and not occupant.reserved
+                yield ScannedItem(occupant.path, addresses, readable, spared)
+        return
+    for parameter_set in layout.device.sets(space.name):
+        for row in parameter_set.parameters:
+            first = parameter_set.base + row.number
+            readable = row.access != "wo" and not row.reserved
+            yield ScannedItem(row.name, range(first, first + row.count), readable, row.handling.clears_on_read)
+
+
+def usual_ranges(layout: DeviceLayout, space: ScanSpace) -> list[range]:
+    """The pages of 256 addresses that have something."""
+    pages = sorted({address // _PAGE for item in scanned_items(layout, space) for address in item.addresses})
+    return [range(page * _PAGE, min((page + 1) * _PAGE, space.end)) for page in pages]
+
+
+def scan(client: Client, space: ScanSpace, ranges: Sequence[range], done: Callable[[int], None] | None = None) -> Scan:
     """Reads all addresses of some ranges, in large requests where the device answers them.
 
-    What is cleared by reading, or starts something, is left out. Raises NoAnswerError and CarrierError.
+    What is cleared by reading is left out. Raises NoAnswerError and CarrierError.
     """
-    layout = client.layout
-    spared = {
-        address
-        for own, occupant in all_occupants(layout)
-        if own == space and isinstance(occupant.fact, Register) and occupant.fact.handling.clears_on_read
-        for address in range(occupant.address, occupant.address + occupant.words)
-    }
-    plan = read_plan(layout)
-    limit = plan.limit(space) or plan.limit("")
-    most = limit.words if limit is not None and limit.words is not None else 1
-    words: dict[int, int] = {}
+    items = scanned_items(client.layout, space)
+    spared = {address for item in items if item.spared for address in item.addresses}
+    words: dict[int, tuple[int, ...]] = {}
     asked: set[int] = set()
     for addresses in ranges:
         for run in _runs(addresses, spared):
-            for start in range(run.start, run.stop, most):
-                part = range(start, min(start + most, run.stop))
+            for start in range(run.start, run.stop, space.most):
+                part = range(start, min(start + space.most, run.stop))
                 asked.update(part)
                 _scan_part(client, space, part, words)
                 if done is not None:
@@ -83,10 +141,14 @@ def _runs(addresses: range, spared: set[int]) -> Iterator[range]:
         yield range(start, addresses.stop)
 
 
-def _scan_part(client: Client, space: str, part: range, words: dict[int, int]) -> None:
+def _scan_part(client: Client, space: ScanSpace, part: range, words: dict[int, tuple[int, ...]]) -> None:
     """Reads a part, and divides it where the device refuses it."""
     try:
-        words.update(zip(part, read_words(client, space, part.start, len(part)), strict=True))
+        if space.parameters is not None:
+            words[part.start] = _parameter_counts(client, space.parameters, part.start)
+            return
+        counts = read_words(client, space.name, part.start, len(part))
+        words.update((address, (count,)) for address, count in zip(part, counts, strict=True))
     except RefusedError:
         if len(part) > 1:
             middle = part.start + len(part) // 2
@@ -94,22 +156,38 @@ def _scan_part(client: Client, space: str, part: range, words: dict[int, int]) -
             _scan_part(client, space, range(middle, part.stop), words)
 
 
+def _parameter_counts(client: Client, parameter_set: ParameterSet, number: int) -> tuple[int, ...]:
+    """The counts of the parameter with a number. Raises RefusedError, NoAnswerError and CarrierError."""
+    message = parameter_message(client.frames.link, parameter_set, "read")
+    assert message is not None
+    numbered, indexed = part_of(message.request, "number"), part_of(message.request, "subindex")
+    assert numbered is not None
+    values = {numbered.name: number}
+    if indexed is not None:
+        values[indexed.name] = 0
+        amount = count_field(message.request)
+        if amount is not None:
+            values[amount.name] = 0
+    carried = part_of(message.response, "value")
+    assert carried is not None
+    content = client.ask(message.name, values).values[carried.name]
+    own = content if isinstance(content, list) else [content]
+    return tuple(int(count) for count in own if isinstance(count, int))
+
+
 def compared(layout: DeviceLayout, result: Scan) -> ScanComparison:
     """A scan compared with the spec of a version."""
     known: set[int] = set()
     silent = []
-    for space, occupant in all_occupants(layout):
-        if space != result.space:
-            continue
-        own = range(occupant.address, occupant.address + occupant.words)
-        known.update(own)
-        readable = occupant.access != "wo" and not occupant.reserved
-        if readable and result.asked.issuperset(own) and not all(address in result.words for address in own):
-            silent.append(occupant.path)
+    for item in scanned_items(layout, result.space):
+        known.update(item.addresses)
+        lacking = any(address not in result.words for address in item.addresses)
+        if item.readable and result.asked.issuperset(item.addresses) and lacking:
+            silent.append(item.path)
     unknown: list[tuple[int, int]] = []
     for address in sorted(address for address in result.words if address not in known):
         if unknown and unknown[-1][1] == address - 1:
             unknown[-1] = (unknown[-1][0], address)
         else:
             unknown.append((address, address))
-    return ScanComparison(layout.device.version, tuple(unknown), tuple(silent))
+    return ScanComparison(tuple(unknown), tuple(silent))

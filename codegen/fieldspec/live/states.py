@@ -4,42 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.explain.registers import Occupant
+from fieldspec.classes import TYPE_CHECKING
 from fieldspec.live.client import Client
-from fieldspec.live.reading import Reading, all_occupants, blocks, read
-from fieldspec.model.access import readable
+
+if TYPE_CHECKING:
+    from fieldspec.live.access import Access, Item, Reading
 
 _ROLES = ("servo_state", "busy")
 
 
-def active_states(client: Client) -> list[str]:
+def active_states(access: Access, client: Client) -> list[str]:
     """The signals with the roles `servo_state` and `busy` that are not 0, as texts.
 
     A state that the device refuses to show is among them, since nobody knows it. Raises NoAnswerError and CarrierError.
     """
-    layout = client.layout
-    chosen = [
-        (space, occupant)
-        for space, occupant in all_occupants(layout)
-        if readable(occupant.access) and any(_signals(client, occupant))
-    ]
-    return [text for value in read(client, blocks(layout, chosen)) for text in _texts(client, value)]
+    chosen = [item for item in access.items() if any(access.signals(item, _ROLES))]
+    values = access.read(client, chosen)
+    return [text for item, value in zip(chosen, values, strict=True) for text in _texts(access, item, value)]
 
 
-def _signals(client: Client, occupant: Occupant) -> Iterator[tuple[str, int]]:
-    """The roles of a value or of its bits, each with its mask; -1 for all bits."""
-    for role in _ROLES:
-        if role in occupant.fact.roles:
-            yield role, -1
-        if occupant.value.flags:
-            for bit in client.layout.device.flags[occupant.value.flags].bits:
-                if role in bit.roles:
-                    yield role, bit.mask
-
-
-def _texts(client: Client, value: Reading) -> Iterator[str]:
-    path, decoded = value.occupant.path, value.decoded
-    for role, mask in _signals(client, value.occupant):
+def _texts(access: Access, item: Item, value: Reading) -> Iterator[str]:
+    path, decoded = value.path, value.decoded
+    for role, mask in access.signals(item, _ROLES):
         what = "the servo is on" if role == "servo_state" else "the device may be busy"
         if decoded is None:
             yield f"{path} is refused ({value.refusal}): nobody knows its {role}"

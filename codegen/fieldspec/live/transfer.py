@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from fieldspec.carriers.carrier import CarrierError
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.live.access import differs
 from fieldspec.live.client import Client, NoAnswerError, RefusedError
-from fieldspec.live.reading import Reading, blocks, read
-from fieldspec.live.writing import Assignment, WriteError, differs, read_back, write
+from fieldspec.live.writing import WriteError
+
+if TYPE_CHECKING:
+    from fieldspec.live.access import Access, Assignment, Reading
 
 Progress = Callable[[int], None]
 
@@ -23,7 +26,7 @@ class Change:
     @property
     def path(self) -> str:
         """The path of the value."""
-        return self.chosen.occupant.path
+        return self.chosen.path
 
 
 class TransferError(Exception):
@@ -34,19 +37,21 @@ class TransferError(Exception):
         self.uncertain = uncertain
 
 
-def changes(client: Client, wanted: Sequence[Assignment], done: Progress | None = None) -> list[Change]:
+def changes(access: Access, client: Client, wanted: Sequence[Assignment], done: Progress | None = None) -> list[Change]:
     """The values that differ from what the device has, in the order of the list.
 
     A value that the device refuses to show is among them, with its refusal. Raises NoAnswerError and CarrierError.
     """
-    plan = blocks(client.layout, [(chosen.space, chosen.occupant) for chosen in wanted])
-    present = {value.occupant.path: value for value in read(client, plan, done)}
-    pairs = [(present[chosen.occupant.path], chosen) for chosen in wanted]
-    return [Change(value, chosen) for value, chosen in pairs if differs(chosen, value)]
+    present = access.read(client, [access.item(chosen) for chosen in wanted], done)
+    return [Change(value, chosen) for value, chosen in zip(present, wanted, strict=True) if differs(chosen, value)]
 
 
 def transfer(
-    client: Client, plan: Sequence[Change], before: Callable[[Change], None], after: Callable[[Change], None]
+    access: Access,
+    client: Client,
+    plan: Sequence[Change],
+    before: Callable[[Change], None],
+    after: Callable[[Change], None],
 ) -> None:
     """Writes all changes in their order, each verified before the next one.
 
@@ -56,7 +61,7 @@ def transfer(
     for change in plan:
         before(change)
         try:
-            _settle(client, change)
+            _settle(access, client, change)
         except (NoAnswerError, CarrierError) as error:
             raise TransferError(change.path, f"may be written or not: {error}", uncertain=True) from None
         except (RefusedError, WriteError) as error:
@@ -64,14 +69,14 @@ def transfer(
         after(change)
 
 
-def _settle(client: Client, change: Change) -> None:
+def _settle(access: Access, client: Client, change: Change) -> None:
     """Writes a value once. Where no answer comes, the device itself says whether it has the value."""
     lost = ""
     try:
-        write(client, change.chosen)
+        access.write(client, change.chosen)
     except NoAnswerError as error:
         lost = str(error)
-    now = read_back(client, change.chosen)
+    now = access.read_back(client, change.chosen)
     if now is None or not differs(change.chosen, now):
         return
     if now.refusal:

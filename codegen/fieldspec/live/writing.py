@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from fieldspec.classes import dataclass
+from fieldspec.explain.hazards import write_hazards
 from fieldspec.explain.registers import FORBIDS, Occupant
 from fieldspec.layout.bits import packed_bits
 from fieldspec.layout.device import DeviceLayout
@@ -28,6 +27,11 @@ class Assignment:
     words: tuple[int, ...]
     hazards: tuple[str, ...]
 
+    @property
+    def path(self) -> str:
+        """The path of the value."""
+        return self.occupant.path
+
 
 def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) -> Assignment:
     """The assignment of a value as people write it: a count, a quantity, a member. Raises WriteError."""
@@ -36,7 +40,8 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
         raise WriteError(f"{occupant.path} {why}")
     if occupant.reserved:
         raise WriteError(f"{occupant.path} is reserved")
-    if not is_bit(occupant) and (occupant.skip or occupant.value.size % 2):
+    size = layout.device.space(space).unit_size
+    if not is_bit(occupant) and (occupant.skip or occupant.value.size % size):
         raise WriteError(f"{occupant.path} shares a word with something else, and is not written alone")
     value = occupant.value.for_writing()
     try:
@@ -46,7 +51,7 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
     except (MeaningError, CodecError) as error:
         raise WriteError(str(error)) from None
     big = layout.device.byte_order == "big"
-    words = tuple(int.from_bytes(data[at : at + 2], "big" if big else "little") for at in range(0, len(data), 2))
+    words = tuple(int.from_bytes(data[at : at + size], "big" if big else "little") for at in range(0, len(data), size))
     return Assignment(space, occupant, words, tuple(_hazards(occupant)))
 
 
@@ -55,19 +60,13 @@ def _hazards(occupant: Occupant) -> list[str]:
     fact = occupant.outer if isinstance(occupant.outer, Register) else None
     facts = (occupant.fact, occupant.outer)
     handlings = [own for item in facts if (own := getattr(item, "handling", None)) is not None]
-    endurance = next((own.endurance for own in handlings if own.endurance), "")
-    hazards = []
-    if occupant.trigger:
-        hazards.append("writing it starts something")
-    if occupant.access == "":
-        hazards.append("the manual does not say that it can be written")
-    if fact is not None and fact.restart:
-        hazards.append("it takes effect after a restart")
-    if next((own.memory for own in handlings if own.memory), "") == "nonvolatile":
-        hazards.append("it is stored for good")
-    if endurance not in ("", "unlimited"):
-        hazards.append(f"its memory endures {'a limited number of' if endurance == 'limited' else endurance} writes")
-    return hazards
+    hazards = write_hazards(
+        trigger=occupant.trigger,
+        access=occupant.access,
+        restart=fact.restart if fact is not None else None,
+        handlings=handlings,
+    )
+    return list(hazards)
 
 
 def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, object], bytes]:
@@ -78,7 +77,8 @@ def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, ob
         raise WriteError(f"no message of the device writes {chosen.occupant.path}")
     values: dict[str, object] = {access.start: chosen.occupant.address}
     if client.layout.device.bit_access(message) is None:
-        values[access.values] = list(chosen.words) if access.count else chosen.words[0]
+        is_list = (field := message.request.named(access.values)) is not None and field.repeat is not None
+        values[access.values] = list(chosen.words) if is_list else chosen.words[0]
     elif access.set is None:
         values |= {access.count: len(chosen.words), access.values: list(packed_bits(chosen.words))}
     else:
@@ -111,33 +111,14 @@ def read_back(client: Client, chosen: Assignment) -> Reading | None:
     if occupant.trigger or occupant.access in ("wo", ""):
         return None
     try:
-        return reading(client.layout, occupant, read_words(client, chosen.space, occupant.address, occupant.words))
+        words = read_words(client, chosen.space, occupant.address, occupant.words)
+        return reading(client.layout, chosen.space, occupant, words)
     except RefusedError as error:
         return Reading(occupant, (), None, str(error))
 
 
-def differs(chosen: Assignment, now: Reading) -> bool:
-    """Whether the device holds other words than were written."""
-    return bool(now.refusal) or tuple(now.words) != chosen.words
-
-
-def find(names: Sequence[str], known: Sequence[tuple[str, Occupant]]) -> tuple[list[tuple[str, Occupant]], list[str]]:
-    """What is at the addresses that names mean, and the names that mean nothing.
-
-    A name is that of a register, of all elements of an array or a table, of a field such as `points[3].speed`, a role,
-    or an address.
-    """
-    result: list[tuple[str, Occupant]] = []
-    unknown = []
-    for name in names:
-        own = [pair for pair in known if _means(name, pair[1])]
-        if not own:
-            unknown.append(name)
-        result += [pair for pair in own if pair not in result]
-    return result, unknown
-
-
-def _means(name: str, occupant: Occupant) -> bool:
+def means(name: str, occupant: Occupant) -> bool:
+    """Whether a name is that of a register, of the array, table or record that it is in, its role or its address."""
     path = occupant.path
     if name == path or path.startswith((f"{name}[", f"{name}.")) or name in occupant.fact.roles:
         return True

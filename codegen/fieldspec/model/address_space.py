@@ -10,6 +10,9 @@ from fieldspec.source import SourceFile, Span
 WORD = "word"
 """The unit of the spaces of registers and tables."""
 
+BYTE = "byte"
+"""The unit of the control tables of bus servos and other memories of bytes."""
+
 BIT = "bit"
 """The unit of the spaces of coils and discrete inputs, and the type of the registers there."""
 
@@ -29,6 +32,11 @@ class AddressSpace(Fact):
     unit: str
     bounds: Ranges
     first_number: int
+
+    @property
+    def unit_size(self) -> int:
+        """The bytes of a value at one address: 2 in words, and 1 in bytes. A bit counts as a word."""
+        return 1 if self.unit == BYTE else 2
 
 
 WORDS = AddressSpace(

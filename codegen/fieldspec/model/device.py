@@ -152,7 +152,12 @@ class Device:
         return name or next(iter(self.spaces), "")
 
     def register_access(self, message: Message) -> RegisterAccess | None:
-        """How a message accesses registers; None where it accesses none, or a space of bits or bytes."""
+        """How a message accesses registers of words or bytes; None where it accesses none, or a space of bits."""
+        access = message.accesses
+        return access if access is not None and self.space(access.space).unit != BIT else None
+
+    def word_access(self, message: Message) -> RegisterAccess | None:
+        """How a message accesses registers of words; None where it accesses none, or a space of bits or bytes."""
         access = message.accesses
         return access if access is not None and self.space(access.space).unit == WORD else None
 

@@ -9,7 +9,9 @@ from fieldspec.model.value import Handling, Ranges, Value
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Register(Fact):
-    """One register, or `count` equal ones that are `stride` words apart, numbered from `index_from`.
+    """One register, or `count` equal ones that are `stride` addresses apart, numbered from `index_from`.
+
+    An address has `unit_size` bytes: 2 in a space of words, and 1 in a space of bytes.
 
     `space` is empty where the spec names none, which means the first one of the device. `words`, `decimal` and `number`
     are what the manual prints; `copy_of` names the register of which this one is a copy, else empty; `access` is empty,
@@ -36,6 +38,7 @@ class Register(Fact):
     index_from: int
     element_name: str
     element_sources: tuple[Citation, ...]
+    unit_size: int = 2
 
     @property
     def answer(self) -> Value:
@@ -44,12 +47,12 @@ class Register(Fact):
 
     @property
     def width(self) -> int:
-        """The words of one element."""
-        return (self.value.size + 1) // 2
+        """The addresses of one element: its words, or its bytes in a space of bytes."""
+        return -(-self.value.size // self.unit_size)
 
     @property
     def end(self) -> int:
-        """The address after the last word."""
+        """The address after the last one."""
         return self.address + (self.count - 1) * self.stride + self.width
 
 

@@ -14,6 +14,7 @@ CONSTRUCTS = {
     "wide_numbers": "whole numbers of 64 bits",
     "wide_lists": "lists of whole numbers of 64 bits",
     "odd_numbers": "whole numbers of 24, 40, 48 and 56 bits",
+    "digits": "whole numbers that are sent as digits",
     "floats": "floating-point numbers of 32 bits",
     "wide_floats": "floating-point numbers of 64 bits",
     "absent_reals": "sentinels of floating-point numbers that are no number",
@@ -31,6 +32,7 @@ CONSTRUCTS = {
     "choices": "fields whose type another field decides",
     "groups": "groups of registers",
     "bits": "registers of single bits",
+    "byte_registers": "registers in spaces of bytes",
     "tables": "tables of records in registers",
     "frames": "frames: head, length, check, refusals",
     "other_frames": "frames with escapes, several checksums, or others than CRC-16/MODBUS, LRC and the sum of 8 bits",
@@ -76,6 +78,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
         )
         capabilities["wide_lists"] = refused("the halves of an element cannot stand beside each other: plc_numbers_fit")
         capabilities["odd_numbers"] = lossy("of 24 bits are exact; wider ones are refused: plc_numbers_fit")
+    capabilities["digits"] = refused("there are no functions that convert them: plc_numbers_binary")
     if not dialect.nested_arrays:
         capabilities["text_lists"] = refused("there are no arrays of arrays: plc_arrays_flat")
     if not dialect.enums:
@@ -88,6 +91,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["wide_floats"] = refused("the functions do not convert their bits: plc_reals_fit")
     capabilities["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
     capabilities["other_frames"] = refused("there are no functions for them: plc_frames_supported")
+    capabilities["byte_registers"] = refused("there are no functions for them: plc_spaces_supported")
     capabilities["choices"] = lossy("are bit strings as wide as the widest type, with a function that says which it is")
     capabilities["bit_numbers"] = lossy("are masks with the sign and the scale in a comment")
     if dialect.bits == "packed":

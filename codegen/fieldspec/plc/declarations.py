@@ -15,6 +15,7 @@ from fieldspec.names import Name
 from fieldspec.plc.absent import absent_reals
 from fieldspec.plc.constants import LISTS, Constant, ConstantList, Draft
 from fieldspec.plc.dialects import Dialect, Scope
+from fieldspec.plc.digits import digits_findings, without_digits
 from fieldspec.plc.enums import EnumDeclaration, EnumMember, TextTable, available, coded
 from fieldspec.plc.frames import with_supported_links
 from fieldspec.plc.layout import fitting
@@ -30,6 +31,7 @@ from fieldspec.plc.routines.registers import registers_of
 from fieldspec.plc.routines.remarks import cited, member_remark, printed
 from fieldspec.plc.routines.routine import BASE, STATUSES, Status
 from fieldspec.plc.routines.world import Names, World
+from fieldspec.plc.spaces import with_supported_spaces
 from fieldspec.plc.structs import Struct, StructMember, fixed
 from fieldspec.plc.wide_enums import wide_enums
 
@@ -72,13 +74,15 @@ class Declarations:
 
 def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     """The declarations of a device that has passed the checks."""
-    supported, frame_findings = with_supported_links(layout, dialect)
+    with_spaces, space_findings = with_supported_spaces(layout, dialect)
+    supported, frame_findings = with_supported_links(with_spaces, dialect)
     narrowed_layout, findings = narrowed(supported, dialect)
-    declaring = _Declaring(
-        narrowed_layout,
-        dialect,
-        [*findings, *absent_reals(layout, dialect), *frame_findings, *wide_enums(layout, dialect)],
-    )
+    binary_findings = digits_findings(with_spaces, dialect)
+    if binary_findings:
+        narrowed_layout, _ = narrowed(without_digits(supported), dialect)
+    findings += [*absent_reals(with_spaces, dialect), *binary_findings]
+    findings += [*space_findings, *frame_findings, *wide_enums(layout, dialect)]
+    declaring = _Declaring(narrowed_layout, dialect, findings)
     enums = tuple(declaring.enums())
     structs = tuple(declaring.structs())
     images = tuple(declaring.images())

@@ -19,6 +19,14 @@ Example: a link whose frames end with `algorithm: crc32_iso_hdlc`.
 
 Cure: Exclude the output for the device (`--to`).
 """,
+    "plc_spaces_supported": """The functions for controllers convert the registers of spaces of words and of bits.
+
+Why: a program that took bytes for words would read every second value from the wrong address.
+
+Example: the control table of a servo, in a space with `unit: byte`.
+
+Cure: Exclude the output for the device (`--to`).
+""",
     "plc_images_exact": """A struct that overlays process data has its members at the offsets of the wire, and
 no extra bytes.
 
@@ -60,6 +68,14 @@ Why: a member is compared with the number on the wire in one type, and lists of 
 Example: an enum with -1 and 0x8000000000000000.
 
 Cure: Exclude the output for the device (`--to`), or state two enums.
+""",
+    "plc_numbers_binary": """Every number is binary on the wire.
+
+Why: the functions of controllers do not convert digits, so the characters would be taken for a number.
+
+Example: a field with `type: u16, digits: decimal, length: 5`.
+
+Cure: Exclude the output for the device (`--to`), or state the digits as a text.
 """,
     "plc_reals_fit": """Floating-point numbers have 32 bits.
 

@@ -68,7 +68,7 @@ class FrameCodec:
     def decode(self, frame: bytes, direction: str, message: str = "") -> Decoded:
         """The meaning of a whole frame.
 
-        `message` names the message where the frame does not carry a code. Raises CodecError.
+        `message` names the message where the frame does not tell which one it is. Raises CodecError.
         """
         data = self.parts(frame, direction)
         shape = self.link.frame(direction)
@@ -166,7 +166,10 @@ class FrameCodec:
         if error is not None and shape.direction == "response" and error.is_marked(code, head):
             head[part.name] = code & ~error.flag
             return self.link.message_with_code(code & ~error.flag), self.layout.records[error.record], True
-        announced = self.link.message_with_code(code, shape.direction, inner)
+        announced = self.link.message_with_code(code, shape.direction, inner, message)
+        if announced is None and code in self.link.ambiguous_codes(shape.direction):
+            text = f"several messages have the code {code:#04x}, and only the request tells which one this is"
+            raise CodecError("unknown_code", text, part.offset)
         if announced is None:
             shared = self.link.subcodes(shape.direction).get(code)
             if shared is not None:

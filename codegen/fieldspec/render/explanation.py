@@ -9,10 +9,11 @@ from itertools import groupby
 
 from fieldspec.classes import replace
 from fieldspec.explain.examples import printed
-from fieldspec.explain.explanation import Explanation, ExplanationRow, Meaning, Reading
+from fieldspec.explain.explanation import Explanation, ExplanationRow, Meaning
+from fieldspec.explain.recognition import Reading
 from fieldspec.explain.row import citations
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.address_space import BIT
+from fieldspec.model.address_space import BYTE, WORD
 from fieldspec.model.texts import Example
 from fieldspec.render.blocks import Table, narrowed
 
@@ -92,7 +93,7 @@ def _in_digits(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
 
 def register_table(explanation: Explanation) -> Table:
     """The registers that the frame reads or writes."""
-    counts = "bits" if any(row.unit == BIT for row in explanation.registers) else "words"
+    counts = next((_count_name(row) for row in explanation.registers if row.unit), "words")
     headings = ("address", counts, "bytes", "register", "label", "access", "raw", "value", *_JUDGED)
     lines: list[tuple[tuple[str, ...], bool]] = []
     for row in explanation.registers:
@@ -264,6 +265,11 @@ def _reading(reading: Reading) -> dict[str, object]:
     return {"link": link, "direction": direction, "message": message or None, "error": error}
 
 
+def _count_name(row: ExplanationRow) -> str:
+    """The name of how many addresses a register has: those of bytes would look like the bytes themselves."""
+    return "size" if row.unit == BYTE else f"{row.unit or WORD}s"
+
+
 def _row(row: ExplanationRow) -> dict[str, object]:
     return {
         "kind": row.kind,
@@ -293,7 +299,7 @@ def _row(row: ExplanationRow) -> dict[str, object]:
         "notes": list(row.notes),
         "errata": list(row.errata),
         "address": row.address,
-        ("bits" if row.unit == BIT else "words"): row.words or None,
+        _count_name(row): row.words or None,
         "access": row.access or None,
     }
 

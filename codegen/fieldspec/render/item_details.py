@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.classes import replace
 from fieldspec.explain.body import references_text
-from fieldspec.explain.explanation import lengths
+from fieldspec.explain.lengths import lengths
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import RecordLayout
@@ -89,8 +89,8 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
 
 def _register(layout: DeviceLayout, register: Register, address: int | None) -> Details:
     many = f", {register.count} of them, {register.stride} apart" if register.count > 1 else ""
-    words = "1 word" if register.width == 1 else f"{register.width} words"
-    words = "1 bit" if register.value.type.name == BIT else words
+    unit = layout.device.space(register.space).unit
+    words = f"1 {unit}" if register.width == 1 or unit == BIT else f"{register.width} {unit}s"
     yield "space", _space(layout.device, register.space)
     number = layout.device.space(register.space).first_number + register.address
     yield "address", f"0x{register.address:04X} ({number}), {words}{many}"

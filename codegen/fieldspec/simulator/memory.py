@@ -88,7 +88,8 @@ class Memory:
     def read(self, space: str, occupant: Occupant) -> Raw:
         """The raw value of an occupant."""
         span = range(occupant.address, occupant.address + occupant.words)
-        data = b"".join(self.words[space, address].to_bytes(2, self.order) for address in span)
+        size = self.layout.device.space(space).unit_size
+        data = b"".join(self.words[space, address].to_bytes(size, self.order) for address in span)
         skip = occupant.skip
         return number_of(occupant.value, data[skip : skip + occupant.value.size], occupant.order, occupant.swapped)
 
@@ -96,17 +97,18 @@ class Memory:
         """Sets the raw value of an occupant, with no more than its bits."""
         data = self.bytes_of(occupant.value, raw, occupant.order, occupant.swapped)
         span = range(occupant.address, occupant.address + occupant.words)
-        old = b"".join(self.words[space, address].to_bytes(2, self.order) for address in span)
+        size = self.layout.device.space(space).unit_size
+        old = b"".join(self.words[space, address].to_bytes(size, self.order) for address in span)
         new = old[: occupant.skip] + data + old[occupant.skip + len(data) :]
         for number, address in enumerate(span):
-            self.words[space, address] = int.from_bytes(new[2 * number : 2 * number + 2], self.order)
+            self.words[space, address] = int.from_bytes(new[size * number : size * (number + 1)], self.order)
 
     def bytes_of(self, value: Value, raw: Raw, order: str, swapped: bool) -> bytes:
         """The bytes of a raw value; a number that is too great for its type is cut to the type's bounds."""
         if isinstance(raw, bytes):
             return raw.ljust(value.size, b"\0")[: value.size]
         if value.type.kind is not Kind.FLOAT and isinstance(raw, int | float | Decimal):
-            raw = min(max(round(raw), value.type.low), value.type.high)
+            raw = min(max(round(raw), value.low), value.high)
         key = id(value)
         codec = self._constructs.get(key)
         if codec is None:

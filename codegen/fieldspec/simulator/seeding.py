@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from fieldspec.lists.dump import Dump
+from fieldspec.lists.dump import Dump, Entry
 from fieldspec.simulator.engine import Engine
 
 
 def seed(engine: Engine, dump: Dump) -> tuple[int, int]:
     """Writes the words of a dump, also to what outlasts the power.
 
-    Addresses are read in the way that leaves the fewest unknown. Returns how many words were written, and how many
-    addresses the device does not have.
+    Addresses are read in the way that leaves the fewest unknown; without registers they are numbers of parameters.
+    Returns how many words or elements were written, and how many addresses the device does not have.
     """
     memory = engine.memory
     spaces = {space for space, _ in memory.occupants}
@@ -22,6 +22,10 @@ def seed(engine: Engine, dump: Dump) -> tuple[int, int]:
     base = min(dump.bases, key=unknown)
     count = unused = 0
     for entry in dump.entries(base):
+        if not memory.occupants or (entry.space and entry.space not in spaces):
+            elements = _seed_parameter(engine, entry)
+            count, unused = count + elements, unused + (not elements)
+            continue
         space = entry.space if entry.space in spaces else first
         present = memory.at(space, entry.address)
         if not present:
@@ -48,3 +52,18 @@ def seed(engine: Engine, dump: Dump) -> tuple[int, int]:
     engine.follow()
     engine.refresh()
     return count, unused
+
+
+def _seed_parameter(engine: Engine, entry: Entry) -> int:
+    """Gives a parameter the values of its elements: how many it has taken."""
+    device = engine.layout.device
+    known = dict.fromkeys(parameter_set.space for parameter_set in device.parameters.values())
+    for space in [entry.space] if entry.space in known else known:
+        match = device.parameter_at(space, entry.address)
+        keys = [(match[0].name, match[1], index) for index in range(len(entry.values))] if match is not None else []
+        own = [(key, raw) for key, raw in zip(keys, entry.values, strict=False) if key in engine.memory.elements]
+        for key, raw in own:
+            engine.memory.elements[key] = engine.saved_elements[key] = raw
+        if own:
+            return len(own)
+    return 0

@@ -105,6 +105,22 @@ class Simulation:
         self.places.append((link, name))
         return name
 
+    def serve_browsers(self, port: int) -> dict[str, str]:
+        """Serves all links to browsers on this machine; 0 chooses a port. Returns the address of each link.
+
+        Raises CarrierError.
+        """
+        from fieldspec.carriers.web import WebServer
+
+        links = self.layout.links
+        datagrams = {name: usual_place(link).startswith("udp://") for name, link in links.items()}
+        settings = {name: settings_of(link.link) for name, link in links.items()}
+        server = WebServer(port, datagrams, lambda link, carrier: self._run(link, carrier, settings[link]))
+        self._closers.append(server.close)
+        addresses = {name: server.address(name) for name in links}
+        self.places += addresses.items()
+        return addresses
+
     def _carrier(self, place: str, settings: LineSettings) -> Carrier:
         if place == "pty":
             terminal = PseudoTerminal()

@@ -496,4 +496,13 @@ fieldspecLab.add({
   {"id": "save-position-subject", "fact": "registers/save_position", "printed": {}, "reason": "The title has the number of the point table, the sentence and the row of 2.6 the position and the point table. What is kept is not decided."},
   {"id": "pulse-width-ranges", "fact": "registers/compare_pulse_width", "printed": {}, "reason": "The width of a pulse goes from 1 to 1000 ms for the compare output, and from 0 to 65535 ms for the trigger outputs of a point. Whether both are the same pulse, with one range, is not printed; 2.7 calls the second one the compare output time."},
  ],
+}, {
+ "reads": {
+  "rtu": ["read_registers"],
+  "ascii": ["read_registers"],
+ },
+ "hazards": {
+  "read": {},
+  "write": {"writing it starts something": ["registers/start_move", "registers/start_jog", "registers/start_push_motion", "registers/start_homing", "registers/stop", "registers/clear_position", "registers/reset_alarm", "registers/save_point_table", "registers/run_point_table", "registers/save_all_parameters", "registers/clear_alarm_history"], "it is stored for good": ["registers/save_point_table", "registers/save_all_parameters"], "it takes effect after a restart": ["registers/operation_mode", "registers/baud_rate"]},
+ },
 });

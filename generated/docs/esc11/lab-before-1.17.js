@@ -203,4 +203,12 @@ fieldspecLab.add({
   {"id": "resend-request-bit", "fact": "notes/response_to_damaged_packet/statements/2", "printed": {"says": "sometimes"}, "reason": "Status bit 4 asks for the command again and bit 7 tells of a communication error, which a controller that stays silent cannot do. They may speak of the packet before; that is not printed."},
   {"id": "sign-of-opening", "fact": "messages/move_positive_distance", "printed": {}, "reason": "Whether the positive direction opens or closes the gripper is printed nowhere: 12h and 13h speak of plus and minus, 14h and 15h of open and close, and parameter 5 of the direction of homing."},
  ],
+}, {
+ "reads": {
+  "serial": ["read_io_status", "read_version", "read_current_position", "read_current_point_number", "read_parameter", "read_homing_state", "read_motor_excitation", "read_alarm_code", "read_accumulated_time"],
+ },
+ "hazards": {
+  "read": {},
+  "write": {"it is stored for good": ["messages/write_points"], "its memory endures a limited number of writes": ["messages/write_points"], "the manual does not say that it can be written": ["parameters/parameters/actuator_type", "parameters/parameters/positive_soft_limit", "parameters/parameters/negative_soft_limit", "parameters/parameters/stroke", "parameters/parameters/preset_4", "parameters/parameters/homing_direction", "parameters/parameters/homing_speed", "parameters/parameters/home_offset", "parameters/parameters/acceleration", "parameters/parameters/maximum_program_speed", "parameters/parameters/gripping_speed", "parameters/parameters/constant_speed_distance", "parameters/parameters/limit_width", "parameters/parameters/positioning_complete_pulses", "parameters/parameters/preset_14", "parameters/parameters/preset_15", "parameters/parameters/homing_method", "parameters/parameters/preset_17", "parameters/parameters/unregistered_18", "parameters/parameters/unregistered_19", "parameters/parameters/unregistered_20", "parameters/parameters/preset_21", "parameters/parameters/preset_22", "parameters/parameters/preset_23", "parameters/parameters/preset_24", "parameters/parameters/preset_25", "parameters/parameters/preset_26", "parameters/parameters/preset_27", "parameters/parameters/preset_28", "parameters/parameters/preset_29", "parameters/parameters/actuator_maximum_speed", "parameters/parameters/preset_31"]},
+ },
 });

@@ -332,4 +332,13 @@ fieldspecLab.add({
   {"id": "control-by-plc-message", "fact": "flags/message_word/controlled_by_plc", "printed": {}, "reason": "MELDW.11 has the label of STW1.10, which the controller sends. Whether it returns that bit, or ZSW1.9, which permits control, is not printed."},
   {"id": "ramp-generator-without-bits", "fact": "enums/operating_mode/speed_with_ramp_generator", "printed": {}, "reason": "The mode with a ramp function generator has none of its bits: in the telegrams of speed the bits 4 to 6 of STW1, where PROFIdrive has them, are reserved."},
  ],
+}, {
+ "reads": {
+  "cyclic": [],
+  "parameter_channel": ["read_parameter"],
+ },
+ "hazards": {
+  "read": {},
+  "write": {"writing it starts something": ["parameters/drive_parameters/position_trigger_array_control", "parameters/drive_parameters/gantry_parameter_command", "parameters/drive_parameters/absolute_encoder_initialization", "parameters/drive_parameters/drive_reset", "parameters/drive_parameters/parameter_save"], "the manual does not say that it can be written": ["parameters/drive_parameters/alarm_states", "parameters/servo_parameters/basic_function_switch_1", "parameters/servo_parameters/quick_stop_deceleration_time", "parameters/servo_parameters/maximum_speed_rotary", "parameters/servo_parameters/reference_speed_rotary", "parameters/servo_parameters/maximum_speed_linear", "parameters/servo_parameters/reference_speed_linear", "parameters/servo_parameters/positive_torque_limit", "parameters/servo_parameters/negative_torque_limit", "parameters/servo_parameters/reference_torque", "parameters/servo_parameters/positive_fixed_stop_tolerance", "parameters/servo_parameters/negative_fixed_stop_tolerance", "parameters/servo_parameters/positive_fixed_stop_torque", "parameters/servo_parameters/negative_fixed_stop_torque", "parameters/servo_parameters/fixed_stop_following_error", "parameters/servo_parameters/reference_force", "parameters/servo_parameters/positive_force_limit", "parameters/servo_parameters/negative_force_limit", "parameters/servo_parameters/point_to_point_speed_rotary", "parameters/servo_parameters/point_to_point_acceleration_time", "parameters/servo_parameters/point_to_point_deceleration_time", "parameters/servo_parameters/point_to_point_emergency_deceleration_time", "parameters/servo_parameters/point_to_point_distance", "parameters/servo_parameters/jog_direction_reversed", "parameters/servo_parameters/point_to_point_speed_linear"], "it is stored for good": ["parameters/drive_parameters/parameter_save"], "it takes effect after a restart": ["parameters/servo_parameters/basic_function_switch_1", "parameters/servo_parameters/maximum_speed_rotary", "parameters/servo_parameters/maximum_speed_linear"]},
+ },
 });

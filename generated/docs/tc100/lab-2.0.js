@@ -289,4 +289,13 @@ fieldspecLab.add({
   {"id": "executed-point-example", "fact": "lookups/output_functions/rows/6", "printed": {}, "reason": "The seven digits are 41, as in the example of the inputs; the rows below them have bit 2 too and add up to 45."},
   {"id": "error-output-bits", "fact": "lookups/output_functions/rows/15", "printed": {}, "reason": "Four outputs tell 16 states; alarms go to 17 and faults to 13. Which of the two the outputs show, and what they show for alarm 17, is not printed."},
  ],
+}, {
+ "reads": {
+  "rtu": ["read_registers"],
+  "ascii": ["read_registers"],
+ },
+ "hazards": {
+  "read": {},
+  "write": {"it takes effect after a restart": ["registers/jog_positive_input", "registers/jog_negative_input", "registers/manual_mode_input", "registers/teach_input", "registers/lock_input", "registers/point_select_bit_4_input", "registers/point_select_bit_5_input", "registers/point_select_bit_6_input", "registers/homing_sensor_input", "registers/brake_input", "registers/full_count_input", "registers/in_position_output", "registers/alarm_output", "registers/ready_output", "registers/moving_output", "registers/servo_on_output", "registers/point_select_bit_0_output", "registers/point_select_bit_1_output", "registers/point_select_bit_2_output", "registers/point_select_bit_3_output", "registers/point_select_bit_4_output", "registers/point_select_bit_5_output", "registers/point_select_bit_6_output", "registers/torque_limit_output", "registers/error_bit_0_output", "registers/error_bit_1_output", "registers/error_bit_2_output", "registers/error_bit_3_output", "registers/zone_output", "registers/near_output", "registers/soft_limit_output", "registers/electronic_gear_numerator", "registers/electronic_gear_denominator", "registers/pulse_rotation_direction", "registers/pulse_input_form", "registers/torque_limit_time", "registers/total_revolutions_enabled", "registers/baud_rate", "registers/data_bits", "registers/parity", "registers/protocol"], "writing it starts something": ["registers/motion_command", "registers/parameter_storage", "registers/write_enable_key"], "the manual does not say that it can be written": ["registers/motion_command", "registers/parameter_storage", "records/point/reserved_5"], "it is stored for good": ["registers/parameter_storage"]},
+ },
 });

@@ -18,7 +18,8 @@ export function frames({ name, hex, request, response, unitAddresses }) {
 /**
  * A link with its frames and the messages that it carries. `exception` has the flag in the code and the record of an
  * exception response, or is null. `unanswered` are the messages to which the device sends no response. `subcodes` has
- * for each direction the number in the data that tells messages with one code apart, by this code.
+ * for each direction the number in the data that tells messages with one code apart, by this code; or the messages whose
+ * `answers` nothing in the data tells apart, so that only the request does.
  */
 export function link(shapes, messages, exception, unanswered = [], subcodes = {}) {
   const silent = new Set(unanswered);
@@ -42,10 +43,12 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
     /** The frame of an exception response to a code. Throws CodecError. */
     encodeException(header, code, data) {
       const exception = expectedException(context);
-      if (exception.code !== undefined && code !== exception.code) {
-        throw new CodecError("unknown_code", `an exception response has the code ${exception.code}`);
+      const own = exception.code ?? code | exception.flag;
+      const bytes = encoded(context, response, header, own, exception.record, data, exception.marks);
+      if (exception.code !== undefined && code !== own) {
+        throw new CodecError("unknown_code", `an exception response has the code ${own}`);
       }
-      return encoded(context, response, header, code | exception.flag, exception.record, data, exception.marks);
+      return bytes;
     },
     /** The meaning of a request. `entry` is needed where frames carry no code. Throws CodecError. */
     decodeRequest(bytes, entry) {
@@ -301,7 +304,7 @@ function decoded(context, shape, bytes, entry, direction) {
     const answered = answeredBy(context, asked, entry);
     return { kind: "exception", name: answered?.name ?? null, header, message: answered, code: asked, data: record };
   }
-  const known = knownBy(context, shape, direction, code, data.subarray(shape.headerSize, end));
+  const known = knownBy(context, shape, direction, code, data.subarray(shape.headerSize, end), entry, offset);
   if (known === undefined) {
     throw new CodecError("unknown_code", `no message has the code 0x${code.toString(16).padStart(2, "0")}`, offset);
   }
@@ -325,10 +328,17 @@ function answeredBy({ byCode, subcodes }, code, entry) {
   return [...shared.messages.values()].find((message) => message === entry) ?? null;
 }
 
-/** The message with a code, and with a number in its data where several have the code. Throws CodecError. */
-function knownBy({ byCode, subcodes }, shape, direction, code, body) {
+/**
+ * The message with a code, and with a number in its data where several have the code; or that of the request, `entry`,
+ * where only the request tells. Throws CodecError.
+ */
+function knownBy({ byCode, subcodes }, shape, direction, code, body, entry, offset) {
   const shared = subcodes[direction]?.get(code);
   if (shared === undefined) return byCode[direction].get(code);
+  if (shared.answers !== undefined) {
+    if (shared.answers.includes(entry)) return entry;
+    throw new CodecError("unknown_code", "several messages have the code: pass the one that was asked", offset);
+  }
   if (body.length < shared.offset + shared.size) return shared.messages.values().next().value;
   const number = readPart(body, shared.offset, shared);
   const known = shared.messages.get(number);

@@ -143,16 +143,19 @@ class RegisterWork:
             values.add(register, content)
             return
         for single in block:
-            at = 2 * (single.address - register.address)
-            values.add(single, _decoded(single.decode, content[at : at + 2 * single.words]))
+            size = single.unit_size
+            at = size * (single.address - register.address)
+            values.add(single, _decoded(single.decode, content[at : at + size * single.words]))
 
 
 def _whole(block: list[Register[Any]]) -> Register[Any]:
     """The words of a block as one register of bytes."""
     first = block[0]
     words = max(register.address + register.words for register in block) - first.address
-    value: Any = Bytes(f"{2 * words}s", 2 * words)
-    return Register(first.name, first.address, words, value, order=first.order, space=first.space)
+    size = first.unit_size * words
+    value: Any = Bytes(f"{size}s", size)
+    more: dict[str, Any] = {"order": first.order, "space": first.space, "unit_size": first.unit_size}
+    return Register(first.name, first.address, words, value, **more)
 
 
 class ParameterAccess:

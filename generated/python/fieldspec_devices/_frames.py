@@ -202,9 +202,7 @@ class Frames:
         if wanted is not None and wanted != code:
             raise CodecError("unknown_code", f"the code {code:#04x} answers another request", self.code_offset)
         if not isinstance(message_class, type):
-            message_class = message_class.of(body, self.head_size)
-            if answer is not None and message_class is not answer:
-                raise CodecError("unknown_code", "the subcode answers another request", self.code_offset)
+            message_class = message_class.of(body, self.head_size, self.code_offset, answer)
         return self.body(message_class, body)
 
     def named(self, classes: dict[int | str, Any], name: int | str) -> Any:

@@ -1,4 +1,7 @@
-"""Registers, arrays of them, and tables of records in their space. Addresses and widths are in 16-bit words."""
+"""Registers, arrays of them, and tables of records in their space.
+
+Addresses and widths are in words of 16 bits, or in bytes where an address of the space has one byte.
+"""
 
 from __future__ import annotations
 
@@ -16,13 +19,17 @@ if TYPE_CHECKING:
     from ._typing import Data, Quantity
 
 
+_LETTERS = {1: "B", 2: "H"}
+
+
 class Register(Generic[T]):
     """`words` registers from `address` on with one value of type T.
 
     `access` is ro, rw or wo, and empty where the manual does not state it. The words of an `atomic` register must be
     accessed in one request. `trigger`: writing starts an action, and reading returns no meaningful value.
     `number` is its number in another list of the manual, `copy_of` the name of the register that it copies.
-    `space` is its address space, empty where the device has only one.
+    `space` is its address space, empty where the device has only one. An address has `unit_size` bytes: 2, or 1 in a
+    space of bytes, in which `words` counts these.
     """
 
     __slots__ = (
@@ -35,6 +42,7 @@ class Register(Generic[T]):
         "order",
         "space",
         "trigger",
+        "unit_size",
         "value",
         "words",
     )
@@ -53,8 +61,9 @@ class Register(Generic[T]):
         copy_of: str = "",
         order: str = ">",
         space: str = "",
+        unit_size: int = 2,
     ) -> None:
-        self.name, self.address, self.words, self.space = name, address, words, space
+        self.name, self.address, self.words, self.space, self.unit_size = name, address, words, space, unit_size
         self.value, self.access, self.number, self.copy_of = value, access, number, copy_of
         self.atomic, self.trigger, self.order = atomic, trigger, order
 
@@ -92,11 +101,11 @@ class Register(Generic[T]):
 
     def from_words(self, words: Sequence[int]) -> T:
         """The value of all of its words, as a response carries them. Raises CodecError."""
-        return self.decode(pack(f"{self.order}{len(words)}H", *words))
+        return self.decode(pack(f"{self.order}{len(words)}{_LETTERS[self.unit_size]}", *words))
 
     def to_words(self, value: T) -> list[int]:
         """The words of a value, as a request carries them. Raises CodecError."""
-        return list(unpack(f"{self.order}{self.words}H", self.encode(value)))
+        return list(unpack(f"{self.order}{self.words}{_LETTERS[self.unit_size]}", self.encode(value)))
 
     def in_unit(self, count: float) -> float | None:
         """A count in the unit; None for one that stands for an absent value."""
@@ -132,10 +141,12 @@ class RegisterArray(Generic[T]):
         copy_of: str = "",
         order: str = ">",
         space: str = "",
+        unit_size: int = 2,
     ) -> None:
         self.name, self.address, self.access, self.space = name, address, access, space
         self.first, self.stride, self.number, self.copy_of = first, stride, number, copy_of
         more: dict[str, Any] = {"atomic": atomic, "trigger": trigger, "order": order, "space": space}
+        more["unit_size"] = unit_size
         self._registers = tuple(
             Register(f"{name}[{first + number}]", address + number * stride, words, value, access, **more)
             for number in range(count)
@@ -208,7 +219,8 @@ def spans(register: Register[Any], most: int) -> list[tuple[int, int]]:
     """
     end = register.address + register.words
     if register.atomic and register.words > most:
-        raise CodecError("wrong_length", f"{register.name} has {register.words} words, and one request at most {most}")
+        unit = "words" if register.unit_size > 1 else "bytes"
+        raise CodecError("wrong_length", f"{register.name} has {register.words} {unit}, and one request at most {most}")
     return [(start, min(most, end - start)) for start in range(register.address, end, most)]
 
 

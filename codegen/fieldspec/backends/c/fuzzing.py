@@ -152,7 +152,7 @@ def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
         value = register.register.value
         wire = WireValue(value, register.order, register.swapped)
         yield _value_macro(
-            naming, device, "register", (register.name,), wire, value.size + value.size % 2, register.register.trigger
+            naming, device, "register", (register.name,), wire, register.size, register.register.trigger
         )
     orders = Orders(device.byte_order, device.word_order)
     for parameters in device.parameters.values():

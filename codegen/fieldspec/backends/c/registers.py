@@ -82,7 +82,7 @@ ACCESS = {
 
 def define_constants(naming: Naming, noun: Noun, names: tuple[str, ...], value: Value) -> list[Declaration]:
     """`#define GADGET_REG_SPEED_MAX 3000`: constant, range, default and scale, in counts or as a fraction."""
-    size, signed = value.size, value.type.signed
+    size, signed = value.type.size, value.type.signed
     constants: list[tuple[str, Expression]] = []
     if value.const is not None:
         constants.append(("value", integer(value.const, size, signed)))
@@ -100,16 +100,24 @@ def define_constants(naming: Naming, noun: Noun, names: tuple[str, ...], value: 
 def _bound(value: Value, number: int) -> Expression:
     """A bound of the value's range as a constant of its type."""
     if value.type.kind is not Kind.FLOAT:
-        return integer(number, value.size, value.type.signed)
+        return integer(number, value.type.size, value.type.signed)
     real = whole_real(number, value.size)
     return Group(real) if number < 0 else real
 
 
 def access_functions(
-    naming: Naming, device: Device, noun: Noun, names: tuple[str, ...], wire: WireValue, size: int, trigger: bool
+    naming: Naming,
+    device: Device,
+    noun: Noun,
+    names: tuple[str, ...],
+    wire: WireValue,
+    size: int,
+    trigger: bool,
+    unit: str = "words",
 ) -> list[Declaration]:
     """The functions that read and write a value, as its bytes lie in a frame, filled up to `size` bytes.
 
+    A register consists of a whole number of the `unit`, `words` or `bytes`.
     What the device answers is read whatever it is. Only what is written must be the constant or, of a `trigger`, a
     member of its closed enum. A value of a closed enum has the type of the enum where that holds all that it may be.
 
@@ -135,7 +143,8 @@ def access_functions(
     padding = [assign(Element(OUT, decimal(at)), ZERO) for at in range(wire.size, size)]
     source, target = "", ""
     if noun == "register":
-        source, target = f" from the {size} bytes of its words", f" into the {size} bytes of its words"
+        what = f"{size} bytes of its words" if unit == "words" else f"{size} byte{'s' * (size > 1)}"
+        source, target = f" from the {what}", f" into the {what}"
     reason = integer_reason(device, value)
     answer_reason = integer_reason(device, answer.value)
     if value.enum and value.const is None and answer.value.enum != value.enum and not device.enums[value.enum].open:
@@ -156,19 +165,20 @@ def access_functions(
 def declare_register(naming: Naming, device: Device, layout: RegisterLayout) -> list[Declaration]:
     """The constants of a register, and the functions for its value."""
     register, value = layout.register, layout.register.value
+    unit = "words" if register.unit_size > 1 else "bytes"
     facts = (
         f"In the address space {device.space_name(register.space)}." if device.several_spaces else "",
         ACCESS[register.access],
         "A change takes effect after a restart." if register.restart else "",
         "Writing starts an action." if register.trigger else "",
         f"A bit: {naming.own('load_bit')} takes it out of the bytes of a message." if is_bit(layout) else "",
-        f"{layout.words} words must be accessed in one request." if register.atomic and layout.words > 1 else "",
+        f"{layout.words} {unit} must be accessed in one request." if register.atomic and layout.words > 1 else "",
         f"The same as {register.same_as}." if register.same_as else "",
         f"A copy of {register.copy_of}." if register.copy_of else "",
     )
     constants: list[tuple[str, Expression]] = [("address", hexadecimal(layout.address, 2))]
     if not is_bit(layout):
-        constants.append(("words", unsigned(layout.words)))
+        constants.append((unit, unsigned(layout.words)))
     if register.number is not None:
         constants.append(("number", unsigned(register.number)))
     if layout.count > 1:
@@ -185,10 +195,9 @@ def declare_register(naming: Naming, device: Device, layout: RegisterLayout) -> 
         *define_constants(naming, "register", names, value),
     ]
     if not is_bit(layout):
-        size = value.size + value.size % 2
         declarations += [
             BLANK,
-            *access_functions(naming, device, "register", names, wire, size, register.trigger),
+            *access_functions(naming, device, "register", names, wire, layout.size, register.trigger, unit),
         ]
     if layout.count > 1:
         declarations += [BLANK, *_address_function(naming, "register", layout.name, f"{layout.name} by its number")]

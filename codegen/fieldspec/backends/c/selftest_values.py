@@ -192,7 +192,7 @@ def test_values(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
         if is_bit(register):
             continue
         value, order = register.register.value, (register.order, register.swapped)
-        size = value.size + value.size % 2
+        size = register.size
         trigger = register.register.trigger
         yield from _test_value(device, naming, "register", (register.name,), value, order, size, trigger)
     orders = Orders(device.byte_order, device.word_order)
@@ -266,7 +266,7 @@ def _constants(naming: Naming, device: Device, value: Value, numbers: list[int])
     """How C writes numbers of a value: by the names of its enum where they have its type."""
     enum = enum_type(device, value)
     if enum is None:
-        return {number: integer(number, value.size, value.type.signed) for number in numbers}
+        return {number: integer(number, value.type.size, value.type.signed) for number in numbers}
     names = {member.value: member.name for member in available_members(enum)}
     return {number: Identifier(naming.macro("enum", enum.name, names[number])) for number in numbers}
 

@@ -41,8 +41,11 @@ class _Usages:
         """The code for all facts."""
         for register in self.layout.registers:
             if not register.register.reserved and not is_bit(register):
-                address, words = (self.naming.macro("register", register.name, name) for name in ("address", "words"))
+                unit = "words" if register.register.unit_size > 1 else "bytes"
+                address, words = (self.naming.macro("register", register.name, name) for name in ("address", unit))
                 start = f"\n/* the bytes of {words} registers from {address} on */\nuint8_t bytes[2 * {words}];\n"
+                if unit == "bytes":
+                    start = f"\n/* the bytes from {address} on */\nuint8_t bytes[{words}];\n"
                 start = start.replace(words, "@0@").replace(address, "@1@")
                 fact, value = register.register, register.register.value
                 wire = WireValue(value, register.order, register.swapped)

@@ -9,7 +9,9 @@ from fieldspec.backends.docs.changes import page_name
 from fieldspec.backends.docs.site import PagePlace, panel, policy, scripts
 from fieldspec.backends.templates import fill, text
 from fieldspec.explain import script
+from fieldspec.explain.hazards import hazards_by_fact, only_reads
 from fieldspec.explain.script.device import explainer_data
+from fieldspec.explain.script.literals import Data, lines
 from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
 
@@ -22,7 +24,10 @@ SCRIPT = "lab.js"
 SCRIPTS = ("search.js", SCRIPT)
 """The scripts that a lab loads at once; it loads the data of a version when that is chosen."""
 
-_PARTS = ("elements", "table", "log_list", "form", "start")
+CONNECTIONS = "ws://localhost:* ws://127.0.0.1:*"
+"""Where a lab may connect to: simulated devices on the same machine."""
+
+_PARTS = ("elements", "table", "log_list", "form", "carriers", "exchange", "device", "start")
 _IMPORT = re.compile(r"^import [^;]*;\n", re.MULTILINE)
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const)\b)", re.MULTILINE)
 
@@ -44,16 +49,30 @@ def files(layouts: Sequence[DeviceLayout], place: PagePlace) -> dict[str, str]:
         device=clean(device.id),
         identity=newest.identity,
         style=style,
-        policy=policy(style, scripts=True),
+        policy=f"{policy(style, scripts=True)}; connect-src {CONNECTIONS}",
         panel=panel(place),
         versions=[(page_name(layout.device.version), layout.device.version) for layout in versions],
         scripts=scripts(place, SCRIPTS),
     )
     data = {
-        f"{device.id}/{NAME}-{page_name(layout.device.version)}.js": f"fieldspecLab.add({explainer_data(layout)});\n"
+        f"{device.id}/{NAME}-{page_name(layout.device.version)}.js": "fieldspecLab.add("
+        f"{explainer_data(layout)}, {lines(request_data(layout), 2)});\n"
         for layout in versions
     }
     return {f"{device.id}/{NAME}.html": page, **data}
+
+
+def request_data(layout: DeviceLayout) -> dict[str, Data]:
+    """What the lab knows of requests before it sends them: those that only read, by link, and the hazards of facts."""
+    reads: dict[str, Data] = {
+        name: [message.name for message in link.messages.values() if only_reads(layout, link, message)]
+        for name, link in layout.links.items()
+    }
+    hazards: dict[str, Data] = {
+        operation: {text: list(paths) for text, paths in texts.items()}
+        for operation, texts in hazards_by_fact(layout).items()
+    }
+    return {"reads": reads, "hazards": hazards}
 
 
 def lab_script() -> str:

@@ -48,7 +48,10 @@ COLUMNS = (
 )
 
 
-BIT_COLUMNS = tuple(replace(column, title="Bits") if column.title == "Words" else column for column in COLUMNS)
+def _columns(unit: str) -> tuple[TableColumn, ...]:
+    """The columns of registers in a space of words, bytes or bits."""
+    title = f"{unit.capitalize()}s"
+    return tuple(replace(column, title=title) if column.title == "Words" else column for column in COLUMNS)
 
 
 def registers(context: Context) -> Section:
@@ -66,7 +69,7 @@ def _group(context: Context, group: RegisterGroup) -> Section:
     restart = any(register.restart is not None for register in group.registers)
     rows = [row for register in group.registers for row in _rows(context, register, marks, restart)]
     title = group.title or group.name
-    columns = BIT_COLUMNS if context.device.space(group.space).unit == BIT else COLUMNS
+    columns = _columns(context.device.space(group.space).unit)
     blocks.append(table(title, columns, rows, marks.footnotes(), heading=3))
     if context.device.spaces:
         space = context.device.space(group.space)
@@ -124,7 +127,7 @@ def _address(register: Register, first_number: int) -> Cell:
 def _special(register: Register) -> Iterator[Line]:
     """What is special about reading and writing a register."""
     if register.count > 1:
-        units = "bits" if register.value.type.name == BIT else "words"
+        units = "bits" if register.value.type.name == BIT else "words" if register.unit_size > 1 else "bytes"
         apart = "" if register.stride == register.width else f", {register.stride} {units} apart"
         last = register.index_from + register.count - 1
         yield (text_piece(f"{register.count} registers, numbered {register.index_from} to {last}{apart}."),)

@@ -125,6 +125,8 @@ def _subcodes(link: LinkLayout, names: Names) -> str:
             members = ", ".join(f"[{number}, {names.messages[own.name]}]" for number, own in shared.messages.items())
             place = f"offset: {shared.offset}, size: {shared.size}, order: {literal(shared.order)}, signed: false"
             rows.append(f"[{code}, {{ {place}, messages: {PURE} new Map([{members}]) }}]")
+        for code, messages in link.ambiguous_codes(direction).items():
+            rows.append(f"[{code}, {{ answers: [{', '.join(names.messages[own.name] for own in messages)}] }}]")
         directions.append(f"{direction}: {PURE} new Map([{', '.join(rows)}])" if rows else "")
     return f"{{ {', '.join(filter(None, directions))} }}" if any(directions) else ""
 

@@ -26,7 +26,7 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     """A register, or an array of them."""
     register, device = layout.register, names.layout.device
     name = names.scope.take(Name.of(layout.name).upper())
-    size = 2 * layout.words
+    size = layout.size
     request = Slot(layout.name, register.value, size, layout.order, layout.swapped, device)
     answer = register.answer
     read = Slot(layout.name, answer, size, layout.order, layout.swapped, device)
@@ -35,6 +35,7 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     write = " ".join(request.write("value", "o", 0))
     more = [f"{key}: true" for key, is_set in (("atomic", register.atomic), ("trigger", register.trigger)) if is_set]
     more += [f"space: {literal(device.space_name(register.space))}"] if device.several_spaces else []
+    more += ["unitSize: 1"] if register.unit_size == 1 else []
     more += [f"units: {text}"] if (text := unit_of(register.value, size)) else []
     arguments = [
         literal(layout.name),
@@ -47,7 +48,8 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     ]
     kinds = [names.type_of(answer, size), "Unit" if unit_of(register.value, size) else "null"]
     kinds += [writable] if (writable := names.type_of(register.value, size)) != kinds[0] else []
-    words = "a bit" if register.value.type.name == BIT else f"{layout.words} word{'s' if layout.words > 1 else ''}"
+    unit = "word" if register.unit_size > 1 else "byte"
+    words = "a bit" if register.value.type.name == BIT else f"{layout.words} {unit}{'s' if layout.words > 1 else ''}"
     facts = [f"Address 0x{layout.address:04X}, {words}."]
     if register.access:
         facts.append({"ro": "Read only.", "rw": "Read and write.", "wo": "Write only."}[register.access])

@@ -91,8 +91,8 @@ class _Usages:
             read = self._access(known, space, "read", layout.words)
             if read is not None and readable(register.access):
                 text += "\n" + _READ + self._exchange(read[1], "message", "data") + _VALUE
-                text += "const quantity = device.@0@.units.inUnit(value);\n" if unit_of(value, 2 * layout.words) else ""
-            write, sample = self._access(known, space, "write", layout.words), self._sample(value, 2 * layout.words)
+                text += "const quantity = device.@0@.units.inUnit(value);\n" if unit_of(value, layout.size) else ""
+            write, sample = self._access(known, space, "write", layout.words), self._sample(value, layout.size)
             if write is not None and sample and (writable(register.access) or register.trigger):
                 link = write[1]
                 text += _WRITE.format(value="@1@", link=self.links[link.name], header=self._header(link))
@@ -217,5 +217,5 @@ class _Usages:
             value,
             self.layout.device,
             lambda enum, row: f"device.{self.names.enums[enum.name]}.{member_keys(enum)[row.name]}",
-            lambda count: f"{count}n" if size > 6 else str(count),
+            lambda count: f"{count}n" if value.number_size(size) > 6 else str(count),
         )

@@ -265,7 +265,7 @@ def _table(table_layout: TableLayout) -> Area:
 
 def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> Iterator[Area]:
     """The frames of a message. Of one that reads or writes registers, the areas of registers are all there is."""
-    if layout.device.register_access(message.message) is not None:
+    if layout.device.word_access(message.message) is not None:
         return
     several = sum(message.name in other.messages for other in layout.links.values()) > 1
     for direction, sign in (("request", ">"), ("response", "<")):

@@ -62,6 +62,7 @@ _SHARED = {
         "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each float_bytes float_of members new"
         " packing text texts turned"
     ),
+    "_digits": "digits",
     "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
     "_escapes": "Cobs EscapeFramer EscapedFrames Insert Replace",
     "_flags": "BITS_OF Flags",
@@ -76,7 +77,7 @@ _SHARED = {
         " refused_record refused_text unfit"
     ),
     "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
-    "_subcodes": "Subcodes",
+    "_subcodes": "Answers Subcodes",
     "_values": "Boolean Bytes Closed Constant Double Float Number Open Setting Text Trigger Word",
 }
 _CLIENT = {

@@ -276,7 +276,7 @@ def _direction(
         quickly=_quick_key(code),
         classes=f"_{upper}_{direction.upper()}_CLASSES",
         rows=_class_rows(link, direction, carried, views),
-        has_subcodes=code is not None and bool(link.subcodes(direction)),
+        has_subcodes=code is not None and bool(link.shared_codes(direction)),
         alias=alias,
         union=union(alias, [view.message for view in views]),
         exchanges=views,
@@ -299,9 +299,14 @@ def _class_rows(link: LinkLayout, direction: str, carried: list[Exchange], views
     names = {exchange.message.name: exchange.side(direction)[1] for exchange in carried}
     coded = link.frame(direction).role("code") is not None
     shared = link.subcodes(direction) if coded else {}
+    ambiguous = link.ambiguous_codes(direction)
     rows = []
     for exchange, view in zip(carried, views, strict=True):
         code = exchange.message.message.code
+        if code is not None and code in ambiguous:
+            if ambiguous[code][0] is exchange.message:
+                rows.append(f"{view.key}: _Answers({', '.join(names[message.name] for message in ambiguous[code])})")
+            continue
         if code is None or code not in shared:
             rows += [f"{key}: {view.message}" for key in view.known or [view.key]]
             continue

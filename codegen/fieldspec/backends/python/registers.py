@@ -7,11 +7,12 @@ from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.scaling import quantity, ratio
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal
-from fieldspec.backends.python.writing import pairs, tuple_of
+from fieldspec.backends.python.writing import digits_letters, pairs, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.address_space import BIT
+from fieldspec.model.digits import digits_text
 from fieldspec.model.value import Kind, Ranges, Value
 from fieldspec.names import Name
 
@@ -37,6 +38,8 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
     if narrow:
         letter = "h" if value.type.signed else "H"
     letters = literal((">" if (order == "big") != swapped else "<") + letter)
+    if value.digits:
+        letters, narrow = literal(digits_letters(value, order, swapped)), False
     more = ["swapped=True"] if swapped else []
     if value.type.kind is Kind.BOOLEAN:
         return _call("_Boolean", letters, more)
@@ -88,7 +91,8 @@ def _ranges(value: Value) -> Ranges | None:
 
 def value_facts(value: Value) -> list[str]:
     """The facts of a value in a docstring: scale and unit, ranges, special values, initial value."""
-    facts = [quantity(value)] if quantity(value) else []
+    facts = [digits_text(value)] if value.digits else []
+    facts += [quantity(value)] if quantity(value) else []
     if value.ranges is not None:
         facts.append(value.ranges.text())
     if value.write_ranges is not None:
@@ -130,7 +134,7 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
     register = layout.register
     name = scope.take(Name.of(layout.name).upper())
     is_bit = register.value.type.name == BIT
-    value = register_value(register.value, 2 * layout.words, layout.order, layout.swapped, words, register.trigger)
+    value = register_value(register.value, layout.size, layout.order, layout.swapped, words, register.trigger)
     arguments = [literal(layout.name), f"0x{layout.address:04X}", str(layout.words), value, literal(register.access)]
     if layout.count > 1:
         arguments += [f"count={layout.count}", f"first={register.index_from}", f"stride={layout.stride}"]
@@ -139,14 +143,17 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
     ]
     arguments += [f"number={register.number}"] if register.number is not None else []
     arguments += [f"copy_of={literal(register.copy_of)}"] if register.copy_of else []
+    if register.unit_size == 1:
+        arguments.append("unit_size=1")
     if order == "little":
         arguments.append('order="<"')
     if space:
         arguments.append(f"space={literal(space)}")
+    unit = "word" if register.unit_size > 1 else "byte"
     facts = [
         f"0x{layout.address:04X}",
         *([f"in {space}"] if space else []),
-        "1 bit" if is_bit else f"{layout.words} word{'s' if layout.words > 1 else ''}",
+        "1 bit" if is_bit else f"{layout.words} {unit}{'s' if layout.words > 1 else ''}",
     ]
     if register.access:
         facts.append(ACCESS[register.access])
@@ -155,7 +162,7 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
     if register.restart:
         facts.append("takes effect after a restart")
     if register.atomic:
-        facts.append("all words in one request")
+        facts.append(f"all {unit}s in one request")
     if register.trigger:
         facts.append("writing starts an action")
     if register.number is not None:

@@ -12,7 +12,7 @@ from fieldspec.backends.python.text import filled, item_lines
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import CaseLayout
-from fieldspec.model.address_space import BIT, WORD
+from fieldspec.model.address_space import BIT
 from fieldspec.model.device import Device
 from fieldspec.model.record import RegisterAccess
 from fieldspec.model.value import PRIMITIVES, Kind, Primitive
@@ -45,16 +45,14 @@ class SpaceAccess:
 
 
 def space_accesses(device: Device, exchanges: list[Exchange]) -> list[SpaceAccess]:
-    """The messages that access each space of words or bits, in the order of the spec."""
-    units = (WORD, BIT)
-    names = [name for name, space in device.spaces.items() if space.unit in units] if device.several_spaces else [""]
+    """The messages that access each space, in the order of the spec."""
+    names = list(device.spaces) if device.several_spaces else [""]
     accesses = []
     for name in names:
         own = [
             exchange
             for exchange in exchanges
             if (access := exchange.message.message.accesses) is not None
-            and device.space(access.space).unit in units
             and (not name or device.space_name(access.space) == name)
         ]
         bits = device.space(name).unit == BIT

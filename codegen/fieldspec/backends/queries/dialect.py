@@ -144,8 +144,11 @@ class Dialect(Protocol):
     def first(self, *data: str) -> str:
         """The first bytes that are not null."""
 
-    def words(self, address: str, size: int) -> str:
-        """The bytes at an address of the registers whose words, from the address `start` on, are the payload."""
+    def words(self, address: str, size: int, unit: int = 2) -> str:
+        """The bytes at an address of the registers whose words, from the address `start` on, are the payload.
+
+        An address has `unit` bytes.
+        """
 
     def single_bit(self, address: int) -> str:
         """The bit at an address where the payload has those from the address `start` on."""

@@ -11,7 +11,7 @@ from fieldspec.backends.queries.values import ValueQuery
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import Orders, RecordLayout, RegisterLayout
-from fieldspec.model.address_space import BIT
+from fieldspec.model.address_space import BIT, WORD
 from fieldspec.model.registers import Parameter, ParameterSet, RegisterGroup, Subindex
 from fieldspec.names import Name
 from fieldspec.reserved import PYTHON
@@ -127,7 +127,8 @@ def _group_query(layout: DeviceLayout, name: str, group: RegisterGroup, content:
                     content.add_column(column, content.dialect.single_bit(address))
                 continue
             _add_register(content, own, column, address, level)
-    kind = "bits" if is_bits else "registers"
+    unit = layout.device.space(group.space).unit
+    kind = "registers" if unit == WORD else f"{unit}s"
     title = f"{group.title or Name.of(group.name).title()}: {kind} in a payload from the address `start` on."
     return Query(name, title, ("start", "payload"), content, judged=False)
 
@@ -135,7 +136,7 @@ def _group_query(layout: DeviceLayout, name: str, group: RegisterGroup, content:
 def _add_register(content: Content, own: RegisterLayout, column: str, address: int, level: dict[str, str]) -> None:
     value = own.register.answer
     data = content.dialect.step(f"{DATA}_{len(level)}")
-    level[data] = content.dialect.words(str(address), value.size)
+    level[data] = content.dialect.words(str(address), value.size, own.register.unit_size)
     query = ValueQuery(content.device, content.dialect, content.enums, value, own.order, own.swapped)
     content.add_value(column, query, data, 0, reserved=own.register.reserved)
 

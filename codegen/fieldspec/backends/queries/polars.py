@@ -142,9 +142,12 @@ class Polars:
         """The first bytes that are not null."""
         return f"_pl.coalesce({', '.join(data)})"
 
-    def words(self, address: str, size: int) -> str:
-        """The bytes at an address of the registers whose words, from the address `start` on, are the payload."""
-        return f"_words(payload, start, {address}, {size})"
+    def words(self, address: str, size: int, unit: int = 2) -> str:
+        """The bytes at an address of the registers whose words, from the address `start` on, are the payload.
+
+        An address has `unit` bytes.
+        """
+        return f"_words(payload, start, {address}, {size}{f', {unit}' if unit != 2 else ''})"
 
     def single_bit(self, address: int) -> str:
         """The bit at an address where the payload has those from the address `start` on."""

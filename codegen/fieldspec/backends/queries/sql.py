@@ -255,9 +255,12 @@ class Sql:
         """The first bytes that are not null."""
         return f"coalesce({', '.join(data)})"
 
-    def words(self, address: str, size: int) -> str:
-        """The bytes at an address of the registers whose words, from the address `start` on, are the payload."""
-        offset = f"2 * ({address} - start::BIGINT)"
+    def words(self, address: str, size: int, unit: int = 2) -> str:
+        """The bytes at an address of the registers whose words, from the address `start` on, are the payload.
+
+        An address has `unit` bytes.
+        """
+        offset = f"{unit} * ({address} - start::BIGINT)"
         inside = f"{address} >= start::BIGINT AND {offset} + {size} <= octet_length(payload)"
         return f"CASE WHEN {inside} THEN payload[{offset} + 1 : {offset} + {size}] END"
 

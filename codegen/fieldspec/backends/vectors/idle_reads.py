@@ -87,7 +87,8 @@ def _answer(access: RegisterAccess, record: RecordLayout, words: bytes) -> dict[
     field = record.named(access.values)
     assert field is not None
     order = "big" if field.order == "big" else "little"
-    numbers: list[Raw] = [int.from_bytes(words[at : at + 2], order) for at in range(0, len(words), 2)]  # type: ignore[arg-type]
+    size = field.size
+    numbers: list[Raw] = [int.from_bytes(words[at : at + size], order) for at in range(0, len(words), size)]  # type: ignore[arg-type]
     return {field.name: numbers if field.is_list else numbers[0]}
 
 
@@ -119,9 +120,10 @@ def _least_of_part(codec: FrameCodec, part: PartLayout) -> int:
 def _words(layout: DeviceLayout, block: ReadBlock) -> tuple[dict[str, Raw], bytes]:
     """The values in a block by their names, and its words as the bytes of the wire."""
     values: dict[str, Raw] = {}
-    data = bytearray(2 * block.words)
+    size = layout.device.space(block.space).unit_size
+    data = bytearray(size * block.words)
     for name, address, raw_bytes, value in _contents(layout, block):
-        at = 2 * (address - block.start)
+        at = size * (address - block.start)
         data[at : at + len(raw_bytes)] = raw_bytes
         values[name] = value
     return values, bytes(data)

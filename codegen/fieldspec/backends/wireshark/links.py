@@ -66,6 +66,7 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
         "stop": frame.end,
         "messages": [name for name, message in link.carried(direction).items() if message.message.code is not None],
         "subcodes": [_subcode(code, subcode) for code, subcode in link.subcodes(direction).items()],
+        **({"ambiguous": list(ambiguous)} if (ambiguous := link.ambiguous_codes(direction)) else {}),
         "parts": [_part(filters, layout, link, direction, part) for part in frame.parts],
         "header": frame.header_size,
         "trailer": frame.trailer_size,

@@ -113,6 +113,7 @@ def message_data(layout: DeviceLayout, message: MessageLayout) -> dict[str, Data
             "values": access.values or None,
             "space": layout.device.space_name(access.space),
             "is_bits": bits is not None,
+            **({"unit_size": 1} if layout.device.space(access.space).unit_size == 1 else {}),
             "set": access.set,
             "clear": access.clear,
         }

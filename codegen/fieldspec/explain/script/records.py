@@ -82,4 +82,5 @@ def _access(device: Device, access: RegisterAccess | None) -> Data:
         "start": access.start,
         **stated({"count": access.count, "values": access.values, "space": device.space_name(access.space)}),
         **({"set": access.set, "clear": access.clear} if access.set is not None else {}),
+        **({"unitSize": 1} if device.space(access.space).unit_size == 1 else {}),
     }

@@ -94,7 +94,7 @@ def _declared(draft: Draft, world: World, message: MessageLayout, record: Record
 
 def _type(world: World, message: MessageLayout, field: FieldLayout) -> Type:
     """The type of a parameter: words and bits of registers are in the one array that all routines for these take."""
-    access = world.layout.device.register_access(message.message)
+    access = world.layout.device.word_access(message.message)
     if access is not None and field.field.repeat is not None and field.name == access.values:
         return world.words
     bits = world.layout.device.bit_access(message.message)

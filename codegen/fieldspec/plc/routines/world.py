@@ -14,6 +14,7 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
+from fieldspec.plc.cache import cached
 from fieldspec.plc.routines.expressions import (
     BITS,
     BOOL,
@@ -194,13 +195,18 @@ class World:
         """The words of the longest list of registers that a message carries; where none does, of the longest group."""
         lists = [most // 2 for most in _register_lists(self.layout)]
         tables = [table.words for table in self.layout.tables.values()]
-        groups = [_span(group) for group in self.layout.device.word_groups()] if not lists else []
-        return sequence(max([*lists, *tables, *groups], default=1), WORD)
+        return sequence(max([*lists, *tables, *([] if lists else [_longest_group(self.layout)])], default=1), WORD)
 
 
 def raw_name(kind: Elementary) -> str:
     """The parameter for a number on the wire."""
     return f"{PREFIXES[kind.name]}Raw"
+
+
+@cached
+def _longest_group(layout: DeviceLayout) -> int:
+    """The words of the longest group of registers."""
+    return max((_span(group) for group in layout.device.word_groups()), default=1)
 
 
 def _span(group: RegisterGroup) -> int:
@@ -222,7 +228,7 @@ def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
 
 def _register_lists(layout: DeviceLayout) -> Iterator[int]:
     for message in layout.messages.values():
-        access = layout.device.register_access(message.message)
+        access = layout.device.word_access(message.message)
         for data in message.bodies:
             field = data.named(access.values) if access is not None else None
             if field is not None and field.field.repeat is not None:

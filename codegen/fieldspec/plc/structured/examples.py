@@ -109,7 +109,7 @@ class _Uses:
 def _reading(device: Device, link: LinkLayout, space: str) -> MessageLayout | None:
     """The message that reads the registers of a space."""
     for message in link.messages.values():
-        access = device.register_access(message.message)
+        access = device.word_access(message.message)
         if access is None or access.operation != "read":
             continue
         if device.space_name(access.space) == device.space_name(space):

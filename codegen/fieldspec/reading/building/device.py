@@ -7,6 +7,7 @@ from typing import TypeVar, cast
 
 from fieldspec.caches import ByIdentity
 from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.model.address_space import WORDS, AddressSpace
 from fieldspec.model.device import Detection, Device, Manual, Version, VersionLine
 from fieldspec.model.registers import RegisterGroup
 from fieldspec.reading.building import enums, links, records, registers, tasks, texts, values
@@ -30,6 +31,7 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
     if head is None:
         raise ValueError("a device's tree has the section `device`")
     signals = _by_name(root, "signals", values.signal, reused)
+    spaces = _by_name(root, "spaces", registers.address_space, reused)
     types = {name: signal.value.type.name for name, signal in signals.items()}
     return (
         Device(
@@ -48,8 +50,8 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
             enums=_by_name(root, "enums", enums.enum, reused),
             flags=_by_name(root, "flags", enums.flags, reused),
             units=_by_name(root, "units", texts.declared_unit, reused),
-            spaces=_by_name(root, "spaces", registers.address_space, reused),
-            groups=_groups(root, reused),
+            spaces=spaces,
+            groups=_groups(root, spaces, reused),
             tables=_by_name(root, "tables", registers.table, reused),
             parameters=_by_name(root, "parameters", lambda entry: registers.parameter_set(entry, reused), reused),
             signals=signals,
@@ -106,10 +108,12 @@ def _span(item: Mapping, name: str) -> Span:
     return Entry(item, "", []).span(name)
 
 
-def _groups(root: Entry, reused: Reused) -> tuple[RegisterGroup, ...]:
-    same = reused.setdefault("registers", ByIdentity())
+def _groups(root: Entry, spaces: dict[str, AddressSpace], reused: Reused) -> tuple[RegisterGroup, ...]:
+    sizes = {name: space.unit_size for name, space in spaces.items()}
+    sizes.setdefault("", next(iter(sizes.values()), WORDS.unit_size))
+    same = reused.setdefault(("registers", *sizes.items()), ByIdentity())
     return reused_items(
-        root, "registers", "registers", "group", None, same, lambda entry: registers.group(entry, reused)
+        root, "registers", "registers", "group", None, same, lambda entry: registers.group(entry, sizes, reused)
     )
 
 

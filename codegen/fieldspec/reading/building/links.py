@@ -17,7 +17,8 @@ _KEYS = {
     "length": _NUMBER_KEYS | {"range", "counts"},
     "body": frozenset[str](),
     "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits"}),
-    "plain": VALUE_KEYS - {"length", "characters", "sentinels", "parameter", "default", "unit_default"}
+    "plain": VALUE_KEYS
+    - {"length", "characters", "digits", "places", "sentinels", "parameter", "default", "unit_default"}
     | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except those of every fact."""
@@ -131,7 +132,7 @@ def _part(entry: Entry, link_order: str) -> Part:
     return Part(
         **entry.fact(),
         role=role,
-        value=value(entry) if role in _VALUED else None,
+        value=value(entry, takes_digits=False) if role in _VALUED else None,
         algorithm=algorithm,
         byte_order=order,
         span=PartSpan(span.text("from"), span.text("to")) if span is not None else PartSpan("", ""),

@@ -31,11 +31,12 @@ def address_space(entry: Entry) -> AddressSpace:
     )
 
 
-def group(entry: Entry, reused: Reused) -> RegisterGroup:
-    """A group of registers."""
+def group(entry: Entry, sizes: dict[str, int], reused: Reused) -> RegisterGroup:
+    """A group of registers. `sizes` has the bytes at one address by the name of each space."""
     defaults = _defaults(entry)
     arguments = entry.fact() | {"name": entry.text("group")}
     space = entry.text("space")
+    size = sizes.get(space, sizes[""])
     return RegisterGroup(
         **arguments,
         title=entry.text("title"),
@@ -43,7 +44,7 @@ def group(entry: Entry, reused: Reused) -> RegisterGroup:
         section=entry.section,
         ascending=entry.text("order") != "as_listed",
         gaps=tuple(_gap(inner) for inner in entry.entries("gaps")),
-        registers=rows(entry, "registers", defaults, reused, lambda inner: _register(inner, space), space),
+        registers=rows(entry, "registers", defaults, reused, lambda inner: _register(inner, space, size), space, size),
     )
 
 
@@ -51,12 +52,12 @@ def _gap(entry: Entry) -> Gap:
     return Gap(entry.place(), entry.whole_ranges("at") or Ranges(()), entry.text("reason"), entry.sources)
 
 
-def _register(entry: Entry, space: str) -> Register:
+def _register(entry: Entry, space: str, unit_size: int) -> Register:
     if not entry.node.values.get("source"):
         entry.sources = ()  # a group's source is the place of its table
     words = entry.integer("words")
     content = value(entry, words=words)
-    width = (content.size + 1) // 2
+    width = -(-content.size // unit_size)
     count = entry.integer("count") or 1
     elements = _elements(entry, count)
     if not entry.sources and elements:
@@ -85,6 +86,7 @@ def _register(entry: Entry, space: str) -> Register:
         index_from=entry.integer("index_from") or 0,
         element_name=entry.text("element_name"),
         element_sources=elements,
+        unit_size=unit_size,
     )
 
 

@@ -1,3 +1,4 @@
+import { isAmbiguous } from "./device.js";
 import { isWhole } from "./numbers.js";
 import { enumeration } from "./texts.js";
 import { explained, lengthsOf, namesOfLength, reasonsOf } from "./explanation.js";
@@ -23,14 +24,12 @@ export function readingsOf(device, frame, close = false) {
   const faults = new Map();
   for (const link of device.links.values()) {
     for (const direction of DIRECTIONS) {
-      const guessed = !link[direction].code;
-      const names = close ? [...link.carriedMessages[direction].keys()] : guessed ? namesOfLength(link, direction, frame) : [];
-      for (const message of guessed ? names : [""]) {
+      for (const message of candidatesOf(link, direction, frame, close)) {
         const explanation = explained(device, link.name, direction, frame, message);
         const reading = readingOf(explanation);
         const key = JSON.stringify(reading);
-        if (faults.has(key)) continue;
-        faults.set(key, { reading, reasons: [...reasonsOf(explanation), ...(guessed ? [GUESSED] : [])] });
+        if (faults.has(key) || (message && explanation.error)) continue;
+        faults.set(key, { reading, reasons: [...reasonsOf(explanation), ...(message ? [GUESSED] : [])] });
       }
     }
   }
@@ -40,6 +39,21 @@ export function readingsOf(device, frame, close = false) {
     if (fitting.length) return fitting.map(({ reading }) => reading);
   }
   return [];
+}
+
+/** The names of the messages that a frame may be; the empty one leaves it to the code in the frame. */
+function candidatesOf(link, direction, frame, close) {
+  const coded = Boolean(link[direction].code);
+  if (coded && (direction === "request" || !link.ambiguous)) return [""];
+  const names = close ? [...link.carriedMessages[direction].keys()] : namesOfLength(link, direction, frame);
+  if (!coded) return names;
+  const several = link.ambiguous.flatMap((code) => link.messagesByCode[direction].get(code).map(({ name }) => name));
+  return ["", ...several.filter((name) => names.includes(name))];
+}
+
+/** Whether a frame does not tell that it is one of a message: it carries no code, or an ambiguous one. */
+function isGuessed(device, link, direction, message) {
+  return !link[direction].code || isAmbiguous(link, direction, device.messages.get(message)?.code);
 }
 
 /** The reading of an explanation. */
@@ -106,8 +120,8 @@ function exampleKeys(device, frame) {
  * message is a guess, and that its length may be any.
  */
 function doubtsOf(device, reading, mark, examples) {
-  const [link, direction, message] = reading;
-  const guessed = !device.links.get(link)[direction].code;
+  const [link, direction, message, error] = reading;
+  const guessed = !error && isGuessed(device, device.links.get(link), direction, message);
   const loose = guessed && Boolean(message) && device.messages.get(message)[direction].size === undefined;
   return [mark !== "" && direction !== mark, !examples.has(JSON.stringify(reading)), guessed, loose].map(Number);
 }
@@ -170,7 +184,8 @@ function mismatchesOf(device, request, response) {
     const want = access.count ? request.values.get(access.count) : 1;
     const have = response.values.get(access.values);
     if (isWhole(want ?? "") && Array.isArray(have) && have.length != want) {
-      texts.push(`the request asks for ${want} words, but the response has ${have.length}`);
+      const unit = access.unitSize === 1 ? "bytes" : "words";
+      texts.push(`the request asks for ${want} ${unit}, but the response has ${have.length}`);
     }
   }
   if (bitAccess?.operation === "read" && bitAccess.count) {

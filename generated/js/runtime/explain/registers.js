@@ -3,8 +3,9 @@ import { isWithin } from "./texts.js";
 import { decoded, decodeValue, forWriting } from "./values.js";
 import { factRow, rowOf } from "./rows.js";
 
-const PARTIAL = "The frame contains only some of its words.";
-const PARTIAL_ATOMIC = "The frame contains only some of its words, which must be accessed in one request.";
+function partialText(unit, isAtomic) {
+  return `The frame contains only some of its ${unit}s${isAtomic ? ", which must be accessed in one request" : ""}.`;
+}
 
 /** Why an access forbids an operation; empty if it does not. */
 export function forbiddenText(operation, access) {
@@ -14,21 +15,26 @@ export function forbiddenText(operation, access) {
 
 /**
  * `words` from `address` on in a space. `data` are their bytes in the frame, at `at` in its parts, or empty. In a space
- * of bits, `words` counts these, and `bits` has those that the frame carries; in a space of words it is null.
+ * of bits, `words` counts these, and `bits` has those that the frame carries; in other spaces it is null. In a space of bytes, `words` counts
+ * these, and an address has a `unitSize` of 1.
  */
 export class AddressSpan {
-  constructor(space, address, words, at, data, bits = null) {
-    Object.assign(this, { space: space ?? "", address, words, at, data, bits, end: address + words });
+  constructor(space, address, words, at, data, bits = null, unitSize = 2) {
+    Object.assign(this, { space: space ?? "", address, words, at, data, bits, unitSize, end: address + words });
   }
 
   get unit() {
-    return this.bits === null ? "word" : "bit";
+    if (this.bits !== null) return "bit";
+    return this.unitSize === 2 ? "word" : "byte";
   }
 
-  /** The bytes at an address in the parts, and those of the value that they carry; undefined unless all are there. */
-  piece(address, size) {
+  /**
+   * The bytes in the parts that are `skip` bytes behind an address, and those of the value that they carry; undefined
+   * unless all are there.
+   */
+  piece(address, size, skip = 0) {
     if (this.bits !== null) return this.bitPiece(address - this.address);
-    const start = 2 * (address - this.address);
+    const start = this.unitSize * (address - this.address) + skip;
     if (start < 0 || start + size > this.data.length) return undefined;
     const raw = this.data.subarray(start, start + size);
     return { at: this.at + start, raw, content: raw };
@@ -50,9 +56,13 @@ export function accessedSpan(access, isBits, values, asked, at, data) {
   const value = (name) => (values.has(name) ? values.get(name) : asked.get(name));
   const start = value(access.start);
   if (!isWhole(start ?? "")) return null;
-  const count = access.count ? value(access.count) : 1;
+  const size = access.unitSize ?? 2;
+  const carried = Math.floor(data.length / size);
+  const count = access.count ? value(access.count) : isBits ? 1 : Math.max(carried, 1);
   const known = isWhole(count ?? "");
-  if (!isBits) return new AddressSpan(access.space, Number(start), known ? Number(count) : data.length >> 1, at, data);
+  if (!isBits) {
+    return new AddressSpan(access.space, Number(start), known ? Number(count) : carried, at, data.subarray(0, carried * size), null, size);
+  }
   if (access.set !== undefined) {
     const number = data.length ? values.get(access.values) : undefined;
     const bit = number == access.clear ? 0 : number == access.set ? 1 : null;
@@ -136,6 +146,7 @@ function addFields(occupants, device, table, span) {
           fact: field,
           outer: table,
           value: field.value,
+          skip: first & 1,
           access: table.accesses[field.name] ?? "",
           reserved: Boolean(field.reserved),
           atomic: table.atomic.includes(field.name),
@@ -153,7 +164,7 @@ function nearElements(base, { stride, words, count }, span) {
 }
 
 function registerRow(device, span, occupant, spot, operation) {
-  const piece = span.piece(occupant.address, occupant.value.size);
+  const piece = span.piece(occupant.address, occupant.value.size, occupant.skip);
   let read;
   if (piece) {
     const value = operation === "write" ? forWriting(occupant.value) : occupant.value;
@@ -162,7 +173,7 @@ function registerRow(device, span, occupant, spot, operation) {
     if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
   } else {
     const inside = span.address <= occupant.address && occupant.address + occupant.words <= span.end;
-    read = decoded(null, { notes: inside ? [] : [occupant.atomic ? PARTIAL_ATOMIC : PARTIAL] });
+    read = decoded(null, { notes: inside ? [] : [partialText(span.unit, occupant.atomic)] });
   }
   const { at, raw } = piece ?? { at: 0, raw: new Uint8Array() };
   const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
@@ -175,7 +186,7 @@ function unlistedRow(device, span, first, end, spot) {
   const gaps = device.data.gaps.filter(({ space, addresses }) =>
     space === span.space && addresses.some(([low, high]) => low < end && first <= high));
   // Bits share bytes with others, so that theirs are not printed.
-  const piece = span.bits === null ? span.piece(first, 2 * (end - first)) : undefined;
+  const piece = span.bits === null ? span.piece(first, span.unitSize * (end - first)) : undefined;
   return rowOf({
     kind: "register",
     ...(piece?.raw.length ? { raw: piece.raw, ...spot.place(piece.at, piece.raw.length) } : {}),

@@ -41,7 +41,7 @@ __all__ = [
 ]
 
 
-_SERIAL = _Link(_codec.serial, addressed=True, timeout=0.6)
+_SERIAL = _Link(_codec.serial, addressed=True, timeout=0.6, pause=0.2)
 
 
 class _Tasks(_DeviceWork):

@@ -282,12 +282,14 @@ class MessageForm {
     const words = [];
     for (const item of items.flatMap((text) => (/^[-+0-9a-fx ]+$/i.test(text) ? text.split(/\s+/) : [text]))) {
       const count = countOf(item);
-      const occupant = count === undefined ? occupantAt(device, access.space ?? "", address + words.length) : undefined;
+      const isWord = count !== undefined && count >= 0 && count <= 0xFFFF;
+      const occupant = !isWord ? occupantAt(device, access.space ?? "", address + words.length) : undefined;
       if (!occupant) {
         words.push(rawOf(device, leaf.path, leaf.field.value, item));
         continue;
       }
       const { path, value } = occupant;
+      if (value.size % 2) throw new CodecError("wrong_type", `${path} shares a word with others; enter the whole word`);
       const bytes = encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, rawOf(device, path, value, item)]]));
       for (let at = 0; at < bytes.length; at += 2) words.push(Number(unsignedOf(bytes.subarray(at, at + 2), device.data.wordOrder)));
     }

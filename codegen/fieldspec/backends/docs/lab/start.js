@@ -15,6 +15,7 @@ class Lab {
     this.table = new FrameTable(this);
     this.list = new LogList(this);
     this.form = new MessageForm(this);
+    this.panel = new DevicePanel(this);
     byId("lab").hidden = false;
     byId("version").addEventListener("change", () => this.open(byId("version").value));
     byId("frames").addEventListener("input", () => this.soon());
@@ -30,9 +31,9 @@ class Lab {
 
   // ---- the data of a version ----
 
-  // Called by the data file of a version.
-  add(data) {
-    this.loads.get(data.version)?.(new ExplainedDevice(data));
+  // Called by the data file of a version; `requests` is what there is to know before a request is sent.
+  add(data, requests) {
+    this.loads.get(data.version)?.({ device: new ExplainedDevice(data), requests });
   }
 
   load(page, version) {
@@ -52,13 +53,16 @@ class Lab {
       this.devices ??= new Map();
       if (!this.devices.has(page)) this.devices.set(page, await this.load(page, choice.textContent));
       if (this.page !== page) return;
-      this.device = this.devices.get(page);
+      ({ device: this.device, requests: this.requests } = this.devices.get(page));
     } catch (error) {
       byId("input-fault").textContent = error.message;
       return;
     }
+    this.current = null;
+    this.panel.link = null;
     this.fillChoices();
     this.form.fill();
+    this.panel.update();
     this.read();
     byId("lab").dataset.ready = page;
   }
@@ -96,6 +100,8 @@ class Lab {
     clearTimeout(this.timer);
     if (!this.device) return;
     const text = byId("frames").value;
+    this.current = null;
+    this.panel.update();
     byId("input-fault").textContent = "";
     delete byId("lab").dataset.frames;
     try {
@@ -131,6 +137,7 @@ class Lab {
     this.table.show({ explanation, remarks: entry.remarks, wrong: entry.wrong });
     this.form.take(explanation);
     byId("built").textContent = "";
+    this.panel.update();
   }
 
   // A frame that the form makes. In a log it is shown beside the frames of the log, else it takes their place.
@@ -147,6 +154,7 @@ class Lab {
     byId("built").textContent = this.frameText();
     byId("input-fault").textContent = "";
     this.table.show({ explanation: reading.explanation, remarks, wrong: isWrong(reading) });
+    this.panel.update();
     if (this.list.entries.length > 1) return;
     byId("frames").value = this.frameText();
     for (const name of KNOWN) byId(`known-${name}`).value = known[name];
@@ -227,5 +235,5 @@ class Lab {
 }
 
 const lab = new Lab();
-window.fieldspecLab = Object.freeze({ add: (data) => lab.add(data) });
+window.fieldspecLab = Object.freeze({ add: (data, requests) => lab.add(data, requests) });
 lab.restore();

@@ -1,10 +1,11 @@
 import { CodecError } from "./error.js";
 
 /**
- * A value in registers, `words` of them from `address` on. `read(bytes, start)` and `write(value, bytes, start)` are its
+ * A value in registers, `words` of them from `address` on: words of 16 bits, or bytes where the `unitSize` is 1. `read(bytes, start)` and `write(value, bytes, start)` are its
  * generated functions; `more` has what applies to it beside.
  */
 export function register(name, address, words, access, read, write, more = {}) {
+  const size = (more.unitSize ?? 2) * words;
   return Object.freeze({
     name,
     address,
@@ -13,18 +14,18 @@ export function register(name, address, words, access, read, write, more = {}) {
     space: "",
     atomic: false,
     trigger: false,
+    unitSize: 2,
     units: null,
     ...more,
     /** The value of exactly all of its bytes. Throws CodecError. */
     decode(bytes) {
-      const size = 2 * words;
       if (bytes.length < size) throw new CodecError("incomplete", `${name} has ${size} bytes, not ${bytes.length}`, bytes.length);
       if (bytes.length > size) throw new CodecError("wrong_length", `${name} has ${size} bytes, not ${bytes.length}`, size);
       return read(bytes, 0);
     },
     /** The bytes of a value. Throws CodecError. */
     encode(value) {
-      const bytes = new Uint8Array(2 * words);
+      const bytes = new Uint8Array(size);
       write(value, bytes, 0);
       return bytes;
     },
@@ -88,14 +89,16 @@ function element(name, registers, index, first) {
   return entry;
 }
 
-/** The words of bytes, in the byte order of a device. */
-export function wordsOf(bytes, order) {
+/** The words of bytes, in the byte order of a device; the bytes themselves where the `unitSize` is 1. */
+export function wordsOf(bytes, order, unitSize = 2) {
+  if (unitSize === 1) return Array.from(bytes);
   const [high, low] = order === "big" ? [0, 1] : [1, 0];
   return Array.from({ length: bytes.length / 2 }, (_, word) => bytes[2 * word + high] * 256 + bytes[2 * word + low]);
 }
 
-/** The bytes of words, in the byte order of a device. */
-export function bytesOf(words, order) {
+/** The bytes of words, in the byte order of a device; of bytes where the `unitSize` is 1. */
+export function bytesOf(words, order, unitSize = 2) {
+  if (unitSize === 1) return Uint8Array.from(words);
   const [high, low] = order === "big" ? [0, 1] : [1, 0];
   const bytes = new Uint8Array(2 * words.length);
   words.forEach((word, index) => {
@@ -113,7 +116,7 @@ export function allowed(entry, operation) {
 
 /** The error of registers that no message of the device reads or writes. */
 export function noMessage(entry, operation) {
-  return new CodecError("unknown_code", `no message can ${operation} ${entry.name}, ${entry.words} words in ${entry.space || "the device"}`);
+  return new CodecError("unknown_code", `no message can ${operation} ${entry.name}, ${entry.words} ${entry.unitSize === 2 ? "words" : "bytes"} in ${entry.space || "the device"}`);
 }
 
 function accessOf(accesses, entry, operation, words) {
@@ -163,7 +166,7 @@ export function readRequestsOf(accesses, entry) {
 /** The requests that write a value to a register. Throws CodecError. */
 export function writeRequestsOf(accesses, entry, value, order) {
   allowed(entry, "write");
-  const words = wordsOf(entry.encode(value), order);
+  const words = wordsOf(entry.encode(value), order, entry.unitSize);
   const access = accessOf(accesses, entry, "write", words.length);
   return [...spansOf(entry, access)].map(([at, count]) => requestOf(access, entry, at, count, words));
 }
@@ -171,5 +174,5 @@ export function writeRequestsOf(accesses, entry, value, order) {
 /** The value of a register from the data of responses. Throws CodecError. */
 export function valueOf(accesses, entry, responses, order) {
   const access = accessOf(accesses, entry, "read", 0);
-  return entry.decode(bytesOf(responses.flatMap((response) => wordsIn(access, entry, response[access.values])), order));
+  return entry.decode(bytesOf(responses.flatMap((response) => wordsIn(access, entry, response[access.values])), order, entry.unitSize));
 }

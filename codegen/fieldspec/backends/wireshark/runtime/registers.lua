@@ -58,8 +58,8 @@ function registers.show(context, tree, span, operation)
     local space = spaces[span.space] or { widest = 1, at = {} }
     local reached = span.address
     local function unlisted(first, last)
-        local start = 2 * (first - span.address)
-        local size = 2 * (last - first + 1)
+        local start = (span.unit_size or 2) * (first - span.address)
+        local size = (span.unit_size or 2) * (last - first + 1)
         if not span.is_bits and start >= 0 and start + size <= #span.bytes then
             show_unlisted(tree, context:range(span.at + start, size), first, last)
         else
@@ -77,7 +77,7 @@ function registers.show(context, tree, span, operation)
             options.ranges = row.value.write_ranges
         end
         local item
-        local start = 2 * (place.address - span.address) + (row.skip or 0)
+        local start = (span.unit_size or 2) * (place.address - span.address) + (row.skip or 0)
         if span.is_bits then
             local index = place.address - span.address
             local bit = bit_at(span, index)

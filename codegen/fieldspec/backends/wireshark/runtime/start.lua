@@ -10,6 +10,10 @@ for _, link in pairs(device.links) do
             local message = device.messages[name]
             shape.by_code[message.code] = message
         end
+        shape.is_ambiguous = {}
+        for _, code in ipairs(shape.ambiguous or {}) do
+            shape.is_ambiguous[code] = true
+        end
         for _, subcode in ipairs(shape.subcodes) do
             shape.shared[subcode.code] = subcode
             subcode.by_number = {}

@@ -108,13 +108,20 @@ function indexedFrame(frame) {
   };
 }
 
+/** Whether several messages have a code and nothing in their data tells them apart, so that only the request does. */
+export function isAmbiguous({ ambiguous = [] }, direction, code) {
+  return direction === "response" && ambiguous.includes(code);
+}
+
 /**
- * The message with a code in one direction, and with some data where several have the code; undefined if there is none,
- * and where the data, or their absence, leave open which one it is.
+ * The message with a code in one direction, and with some data where several have the code; `asked` names the message
+ * of the request, which decides where nothing in the data does. Undefined if there is none, and where all of this leaves
+ * open which one it is.
  */
-export function messageWithCode(link, direction, code, data) {
+export function messageWithCode(link, direction, code, data, asked) {
   const messages = link.messagesByCode[direction].get(code) ?? [];
   if (messages.length < 2) return messages[0];
+  if (isAmbiguous(link, direction, code)) return messages.find(({ name }) => name === asked);
   const shared = link.subcodes[direction].get(code);
   if (!shared || !data) return undefined;
   // Data that are too short count as those of the first message.

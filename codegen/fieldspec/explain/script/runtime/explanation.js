@@ -1,4 +1,4 @@
-import { codeText, isException, messageWithCode } from "./device.js";
+import { codeText, isAmbiguous, isException, messageWithCode } from "./device.js";
 import { hexOf, intervalsText, isWithin, latinOf, portableValue, sameBytes } from "./texts.js";
 import { decoded, decodeValue, judged, meaningOf, repeatedValue, wholeOf } from "./values.js";
 import { endRows, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from "./rows.js";
@@ -197,10 +197,14 @@ class ExplainedFrame {
     const body = this.error ? null : this.data.subarray(this.shape.headerSize, Math.max(this.shape.headerSize, end));
     // An exception response carries no subcode; only the request tells which message it answers.
     const shared = this.error ? link.messagesByCode[carried].get(code) ?? [] : [];
-    this.message = messageWithCode(link, carried, code, body) ?? shared.find(({ name }) => name === this.named);
+    this.message = messageWithCode(link, carried, code, body, this.named) ?? shared.find(({ name }) => name === this.named);
     if (!this.message) {
       const digits = code.toString(16).padStart(2, "0");
       if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
+      if (isAmbiguous(link, carried, code)) {
+        const names = link.messagesByCode[carried].get(code).map(({ name }) => name).join(", ");
+        return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
+      }
       const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
       return judged(read, false, `one of ${known.join(", ")}`, "unknown_code");
     }
@@ -249,8 +253,7 @@ class ExplainedFrame {
     const last = isOpen ? end : Math.min(end, start + values.offset + values.size * values.count);
     const data = values ? this.data.subarray(at, Math.max(at, last)) : this.data.subarray(0, 0);
     const isBits = access === message.bitAccess;
-    const carried = isBits ? data : data.subarray(0, data.length - (data.length % 2));
-    const span = accessedSpan(access, isBits, body.values, asked, at, carried);
+    const span = accessedSpan(access, isBits, body.values, asked, at, data);
     return { rows, registers: span ? registerRows(this.device, span, this.spot, access.operation) : [] };
   }
 

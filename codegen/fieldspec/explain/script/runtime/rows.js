@@ -132,7 +132,7 @@ export function rowData(row) {
     notes: row.notes,
     errata: row.errata,
     address: row.address,
-    [row.unit === "bit" ? "bits" : "words"]: row.words || null,
+    [row.unit === "byte" ? "size" : `${row.unit || "word"}s`]: row.words || null,
     access: row.access || null,
   };
 }

@@ -44,7 +44,7 @@ def client_block(world: World, link: LinkLayout, by_name: Mapping[str, Routine])
     several: Exchange | None = None
     device = world.layout.device
     for message in link.carried("response").values():
-        access = device.register_access(message.message)
+        access = device.word_access(message.message)
         if access is None or device.space_name(access.space) != device.space_name(""):
             continue
         exchange = exchange_of(world, link, message, by_name)

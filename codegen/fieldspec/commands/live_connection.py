@@ -1,0 +1,111 @@
+"""How a device is reached: its port, its link, its unit address and the times of an exchange."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from fieldspec.carriers.carrier import Carrier, CarrierError
+from fieldspec.carriers.sockets import Connection, Datagrams
+from fieldspec.carriers.terminals import SerialPort
+from fieldspec.classes import TYPE_CHECKING
+from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.live.client import Client, Timing
+from fieldspec.live.messages import link_of, signals
+from fieldspec.live.parameter_access import ParameterAccess
+from fieldspec.live.register_access import RegisterAccess
+from fieldspec.simulator.simulation import settings_of
+
+if TYPE_CHECKING:
+    from fieldspec.live.access import Access
+
+
+def has_registers(layout: DeviceLayout) -> bool:
+    """Whether messages read or write registers."""
+    device = layout.device
+    return any(device.register_access(message) or device.bit_access(message) for message in device.messages.values())
+
+
+def access_of(client: Client) -> Access:
+    """What can be read and written by name over the link of a client."""
+    if has_registers(client.layout):
+        return RegisterAccess(client.layout)
+    return ParameterAccess(client.layout, client.frames.link)
+
+
+@contextmanager
+def connected(layout: DeviceLayout, arguments: argparse.Namespace, dry: bool = False) -> Iterator[Client]:
+    """A client of the device at `--port`; nothing is opened for a `dry` run. Raises UsageError."""
+    try:
+        carrier: Carrier = _Nothing() if dry else _opened(layout, arguments)
+        try:
+            yield _client(layout, arguments, carrier)
+        finally:
+            carrier.close()
+    except CarrierError as error:
+        raise UsageError(str(error)) from None
+
+
+class _Nothing:
+    """The carrier of a dry run: nothing is sent."""
+
+    name, datagrams = "nothing", False
+
+    def read(self, seconds: float) -> bytes:
+        """Nothing."""
+        return b""
+
+    def write(self, data: bytes) -> None:
+        """Sends nothing."""
+
+    def close(self) -> None:
+        """Ends it."""
+
+
+def _link(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
+    if arguments.link and arguments.link not in layout.links:
+        raise unknown("link", arguments.link, layout.links)
+    if has_registers(layout):
+        return str(arguments.link or next(iter(layout.links)))
+    chosen = layout.links[arguments.link] if arguments.link else link_of(layout)
+    if chosen is None or not any(True for _ in signals(layout, chosen)):
+        name = chosen.name if chosen is not None else layout.device.id
+        raise UsageError(
+            f"nothing on {name} only asks: what is exchanged cyclically is for a program, such as the generated client"
+        )
+    return chosen.name
+
+
+def _opened(layout: DeviceLayout, arguments: argparse.Namespace) -> Carrier:
+    place = arguments.port
+    if not place:
+        raise UsageError("say where the device is: --port /dev/ttyUSB0, socket://HOST:PORT, tcp://HOST:PORT")
+    if place.startswith("tcp://"):
+        return Connection.opened(place)
+    if place.startswith("udp://"):
+        return Datagrams(place, server=False)
+    return SerialPort(place, settings_of(layout.links[_link(layout, arguments)].link, arguments.baud, arguments.parity))
+
+
+def _client(layout: DeviceLayout, arguments: argparse.Namespace, carrier: Carrier) -> Client:
+    link = layout.links[_link(layout, arguments)].link
+    addresses = link.unit_addresses
+    unit = arguments.unit
+    if addresses is not None and addresses.ranges is not None:
+        unit = addresses.ranges.low if unit is None else unit
+        if unit not in addresses.ranges:
+            raise UsageError(f"the unit address {unit} is not in {addresses.ranges.text()}")
+    settings = settings_of(link, arguments.baud, arguments.parity)
+    pause = arguments.pause
+    if pause is None:
+        printed = float(link.silence_milliseconds or 0) / 1000
+        pause = max(printed, settings.seconds(float(link.silence_characters or 0)))
+    timing = Timing(arguments.timeout, pause, arguments.retries)
+
+    def trace(direction: str, frame: bytes) -> None:
+        print(f"{direction} {frame.hex(' ').upper()}", file=sys.stderr)
+
+    return Client(layout, link.name, carrier, unit or 0, timing, trace=trace if arguments.trace else None)

@@ -1,0 +1,98 @@
+"""`fieldspec live write`: values by name, judged and confirmed before the first one is sent."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+
+from fieldspec.carriers.carrier import CarrierError
+from fieldspec.classes import TYPE_CHECKING
+from fieldspec.commands.live_output import can_ask, confirmed, meaning, number
+from fieldspec.commands.terminal import print_blocks
+from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.live.access import differs
+from fieldspec.live.client import Client, NoAnswerError, RefusedError
+from fieldspec.live.states import active_states
+from fieldspec.live.writing import WriteError
+from fieldspec.render.blocks import Line
+
+if TYPE_CHECKING:
+    from fieldspec.live.access import Access, Assignment
+
+
+def write_values(client: Client, access: Access, arguments: argparse.Namespace) -> int:
+    """Writes what `NAME=VALUE` asks for. Exit code 1 where the device does not hold it then. Raises UsageError."""
+    chosen = _assignments(access, arguments.arguments)
+    frames = _frames(client, access, chosen)
+    for item in chosen:
+        for hazard in item.hazards:
+            print(f"{item.path}: {hazard}", file=sys.stderr)
+    if arguments.dry_run:
+        for item, frame in zip(chosen, frames, strict=True):
+            print(f"{item.path}: {frame.hex(' ').upper()}")
+        return 0
+    if any(item.hazards for item in chosen):
+        if can_ask(arguments):
+            for state in active_states(access, client):
+                print(state, file=sys.stderr)
+        if not confirmed(arguments):
+            return 1
+    code = 0
+    for at, item in enumerate(chosen):
+        reason, holds = _outcome(client, access, item)
+        if reason:
+            before = ", ".join(other.path for other in chosen[:at]) or "nothing"
+            print(f"fieldspec: {item.path} {reason}; written before it: {before}", file=sys.stderr)
+            return 1
+        code = code or int(not holds)
+    return code
+
+
+def _assignments(access: Access, texts: Sequence[str]) -> list[Assignment]:
+    """What `NAME=VALUE` asks for, all judged before anything is written. Raises UsageError."""
+    if not texts:
+        raise UsageError("name what to write, as in target_position=10.5mm")
+    chosen = []
+    for text in texts:
+        name, mark, value = text.partition("=")
+        own = access.named(name)
+        if not own:
+            raise unknown(access.what, name, [access.path(item) for item in access.items()])
+        if not mark or len(own) != 1:
+            raise UsageError(f"`{text}` names {len(own)} values; write NAME=VALUE with the name of one")
+        try:
+            chosen.append(access.assignment(own[0], value))
+        except WriteError as error:
+            raise UsageError(str(error)) from None
+    return chosen
+
+
+def _frames(client: Client, access: Access, chosen: Sequence[Assignment]) -> list[bytes]:
+    """The frames that write values. Raises UsageError."""
+    try:
+        return [access.frame(client, item) for item in chosen]
+    except WriteError as error:
+        raise UsageError(str(error)) from None
+
+
+def _outcome(client: Client, access: Access, item: Assignment) -> tuple[str, bool]:
+    """Writes a value, reads it back and prints it: why it failed, or empty, and whether the device holds the value."""
+    try:
+        access.write(client, item)
+    except RefusedError as error:
+        return f"is not written: {error}", False
+    except (NoAnswerError, CarrierError) as error:
+        return f"may be written or not: {error}", False
+    try:
+        now = access.read_back(client, item)
+    except (NoAnswerError, CarrierError) as error:
+        return f"is written, and was not read back: {error}", False
+    if now is None:
+        print_blocks([Line(f"{item.path}: sent; it cannot be read back")])
+        return "", True
+    if differs(item, now):
+        print_blocks([Line(f"{item.path}: the device holds {number(now) or now.refusal} {meaning(now)}")])
+        return "", False
+    print_blocks([Line(f"{item.path}: {number(now)} {meaning(now)}".rstrip())])
+    return "", True

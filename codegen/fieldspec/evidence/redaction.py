@@ -1,0 +1,262 @@
+"""Frames and words of a device without what identifies a unit.
+
+Only what the spec describes is taken over. Values with the role `serial_number`, texts, and whatever the spec does not
+describe are replaced.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import Any
+
+from fieldspec.evidence.secrets import Secrets
+from fieldspec.explain.registers import Occupant
+from fieldspec.layout.bits import packed_bits, unpacked_bits
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.live.reading import all_occupants, is_bit
+from fieldspec.model.fact import Fact
+from fieldspec.model.record import RegisterAccess
+from fieldspec.model.registers import Parameter
+from fieldspec.model.value import Kind, Value
+from fieldspec.reference.frames import Decoded, codec
+from fieldspec.reference.records import value_construct
+from fieldspec.simulator.memory import element_value, numbers_of
+from fieldspec.simulator.parameters import part_of
+
+IDENTITY = "serial_number"
+"""The role of what identifies a unit."""
+
+_HARMLESS = "firmware_version"
+_FIRST = ""
+"""The name of no field: the number of the first element of a parameter that a request is about."""
+
+
+class Redaction:
+    """Replaces values of one device. `spared` are paths of facts with texts that say nothing of the unit.
+
+    `replaced` counts the values that were replaced, by the path of their fact, or as `unlisted` or `reserved`.
+    """
+
+    def __init__(self, layout: DeviceLayout, secrets: Secrets, spared: Collection[str] = ()) -> None:
+        self.layout, self.secrets, self.spared = layout, secrets, spared
+        self.codec = codec(layout)
+        self.replaced: dict[str, int] = {}
+        self.occupants: dict[tuple[str, int], list[Occupant]] = {}
+        for space, occupant in all_occupants(layout):
+            for address in range(occupant.address, occupant.address + occupant.words):
+                self.occupants.setdefault((space, address), []).append(occupant)
+
+    def is_secret(self, fact: Fact, value: Value | None) -> bool:
+        """Whether a value is replaced: what identifies the unit, and texts, which may."""
+        if IDENTITY in fact.roles:
+            return True
+        is_text = value is not None and value.type.kind in (Kind.TEXT, Kind.BYTES)
+        return is_text and _HARMLESS not in fact.roles and fact.place.path not in self.spared
+
+    def _replace(self, fact: Fact | None, data: bytes) -> None:
+        """Counts a value that is replaced, and learns it where it identifies the unit."""
+        if fact is not None and IDENTITY in fact.roles:
+            self.secrets.learn(data)
+        name = fact.place.path if fact is not None else "unlisted"
+        self.replaced[name] = self.replaced.get(name, 0) + 1
+
+    def _drop(self, data: bytes) -> None:
+        """Counts what a reserved place has, where it has something."""
+        if any(data):
+            self.replaced["reserved"] = self.replaced.get("reserved", 0) + 1
+
+    def frame(self, link: str, direction: str, frame: bytes, decoded: Decoded, asked: Mapping[str, Any]) -> bytes:
+        """A frame with right checksums in which nothing identifies the unit. `asked` are the values of its request.
+
+        Raises CodecError for a frame that is no frame of the link.
+        """
+        codec_of_link = self.codec.links[link]
+        shape = codec_of_link.link.frame(direction)
+        parts = codec_of_link.original_parts(frame, direction)
+        end = len(parts) - shape.trailer_size
+        head, tail = bytearray(parts[: shape.header_size]), bytearray(parts[end:])
+        for part in (*shape.header, *shape.trailer):
+            if part.reserved and part.constant is None:
+                own, at = (head, part.offset) if part in shape.header else (tail, part.at(len(parts)) - end)
+                own[at : at + part.size] = bytes(part.size)
+        body = self._body(decoded, parts[shape.header_size : end], asked)
+        clean = codec_of_link.with_checksum(direction, bytes(head) + body + bytes(tail))
+        return codec_of_link.joined_parts(direction, clean)
+
+    def _body(self, decoded: Decoded, data: bytes, asked: Mapping[str, Any]) -> bytes:
+        record = decoded.body
+        if record is None:
+            return bytes(len(data))
+        result = bytearray(len(data))
+        access = decoded.message.message.accesses if decoded.message is not None and not decoded.error else None
+        values = {**asked, **decoded.values}
+        if decoded.message is not None and (indexed := part_of(decoded.message.request, "subindex")) is not None:
+            values[_FIRST] = values.get(indexed.name)
+        self._record(record, data, result, 0, values, access)
+        return bytes(result)
+
+    def _record(
+        self,
+        record: RecordLayout,
+        data: bytes,
+        result: bytearray,
+        start: int,
+        values: Mapping[str, Any],
+        access: RegisterAccess | None,
+    ) -> None:
+        """Takes over the fields of a record from `start` on."""
+        for field in (record.of_data(data[start:]) or record).fields:
+            at = start + field.offset
+            room = len(data) - at
+            count = field.count if field.count is not None else room // field.size if field.size else 0
+            if access is not None and field.name == access.values:
+                end = at + min(field.size * count, room)
+                result[at:end] = self._content(access, field, data[at:end], values)
+                continue
+            for index in range(count):
+                own = at + index * field.size
+                if field.record is not None:
+                    self._record(field.record, data, result, own, values, None)
+                elif own + field.size <= len(data):
+                    piece = data[own : own + field.size]
+                    result[own : own + field.size] = self._field(field, piece, index, values)
+
+    def _field(self, field: FieldLayout, piece: bytes, index: int, values: Mapping[str, Any]) -> bytes:
+        fact: Fact = field.field
+        value = field.value
+        constant = value is not None and value.const is not None
+        if field.field.reserved and not constant:
+            self._drop(piece)
+            return bytes(len(piece))
+        if value is not None and value.parameter is not None and value.parameter.part in ("value", "values"):
+            own = self._parameter(field, index, values)
+            if own is None:
+                self._replace(None, piece)
+                return bytes(len(piece))
+            fact, value = own
+        if self.is_secret(fact, value):
+            self._replace(fact, piece)
+            return _filler(value, len(piece), field.order, field.swapped)
+        return piece
+
+    def _parameter(self, field: FieldLayout, index: int, values: Mapping[str, Any]) -> tuple[Fact, Value] | None:
+        """The fact and the value of an element of a parameter; None where the spec has no such parameter."""
+        part, device = field.value.parameter if field.value is not None else None, self.layout.device
+        if part is None:
+            return None
+        if part.part == "values":
+            rows = list(numbers_of(device.sets(part.set)))
+            parameter = rows[index][2] if index < len(rows) else None
+            return None if parameter is None or parameter.reserved else (parameter, parameter.value)
+        number = values.get(part.number)
+        match = device.parameter_at(part.set, number) if isinstance(number, int) else None
+        parameter = match[0].numbered(match[1]) if match is not None else None
+        if parameter is None or parameter.reserved:
+            return None
+        first = values.get(_FIRST)
+        return _element(parameter, index + (first if isinstance(first, int) else 0))
+
+    def _content(self, access: RegisterAccess, field: FieldLayout, data: bytes, values: Mapping[str, Any]) -> bytes:
+        """The words or bits of registers that a frame carries."""
+        start = values.get(access.start)
+        space = self.layout.device.space_name(access.space)
+        if not isinstance(start, int):
+            self._replace(None, data)
+            return bytes(len(data))
+        if self.layout.device.space(space).unit == "bit":
+            if access.set is not None:
+                return data if (space, start) in self.occupants else bytes(len(data))
+            bits = list(unpacked_bits(data))
+            count = values.get(access.count)
+            known = bits[: count if isinstance(count, int) else len(bits)]
+            clean = [bit if (space, start + at) in self.occupants else 0 for at, bit in enumerate(known)]
+            return bytes(packed_bits(clean)).ljust(len(data), b"\0")[: len(data)]
+        return self.words(space, start, data)
+
+    def words(self, space: str, start: int, data: bytes) -> bytes:
+        """The bytes of words from an address on."""
+        result = bytearray(len(data))
+        replaced: set[int] = set()
+        for at in range(0, len(data) - 1, 2):
+            own = self.occupants.get((space, start + at // 2), [])
+            known = [
+                occupant for occupant in own if not (occupant.reserved or getattr(occupant.fact, "reserved", False))
+            ]
+            secret = [occupant for occupant in known if self.is_secret(occupant.fact, occupant.value)]
+            if known and not secret:
+                result[at : at + 2] = data[at : at + 2]
+            elif not own:
+                self._replace(None, data[at : at + 2])
+            elif not known:
+                self._drop(data[at : at + 2])
+            for occupant in secret:
+                first = 2 * (occupant.address - start) + occupant.skip
+                if id(occupant) in replaced:
+                    continue
+                replaced.add(id(occupant))
+                low, high = max(first, 0), min(first + occupant.value.size, len(data))
+                self._replace(occupant.fact, data[low:high])
+                filler = _filler(occupant.value, occupant.value.size, occupant.order, occupant.swapped)
+                result[low:high] = filler[low - first : high - first]
+        return bytes(result)
+
+    def counts(self, space: str, number: int, counts: Sequence[int]) -> list[int]:
+        """The counts at an address or of the elements of a parameter, as dumps and scans have them."""
+        device = self.layout.device
+        match = (
+            device.parameter_at(space, number) if space in {own.space for own in device.parameters.values()} else None
+        )
+        if match is None:
+            bits = [own for own in self.occupants.get((space, number), []) if is_bit(own)]
+            if bits:
+                return [int(bool(count)) for count in counts]
+            data = b"".join((count & 0xFFFF).to_bytes(2, "big") for count in counts)
+            order = "big" if device.byte_order == "big" else "little"
+            if order == "little":
+                data = b"".join((count & 0xFFFF).to_bytes(2, "little") for count in counts)
+            clean = self.words(space, number, data)
+            return [
+                int.from_bytes(clean[at : at + 2], "big" if order == "big" else "little")
+                for at in range(0, len(clean), 2)
+            ]
+        parameter = match[0].numbered(match[1])
+        result = []
+        for index, count in enumerate(counts):
+            own = _element(parameter, index) if parameter is not None and not parameter.reserved else None
+            if own is None or self.is_secret(*own):
+                self._replace(own[0] if own else None, _signed_bytes(count))
+                count = 0
+            result.append(count)
+        return result
+
+
+def _element(parameter: Parameter, index: int) -> tuple[Fact, Value] | None:
+    """The fact and the value of an element; None for a reserved one."""
+    own = next((element for element in parameter.subindices if index in element.indices), None)
+    if own is not None and own.reserved:
+        return None
+    return own or parameter, element_value(parameter, index)
+
+
+def _signed_bytes(count: int) -> bytes:
+    size = (count.bit_length() + 8) // 8
+    return count.to_bytes(size, "big", signed=True)
+
+
+def _filler(value: Value | None, size: int, order: str, swapped: bool) -> bytes:
+    """What stands for a value: zeros, or the least number that the spec permits; a text of the letter X."""
+    if value is None or value.size != size:
+        return bytes(size)
+    if value.type.kind is Kind.TEXT:
+        return b"X" * size
+    least = min((low for low, _ in _intervals(value)), key=abs, default=0)
+    if value.type.kind is Kind.INTEGER and least:
+        return bytes(value_construct(value, order, swapped).build(least))
+    return bytes(size)
+
+
+def _intervals(value: Value) -> Iterable[tuple[int, int]]:
+    if value.ranges is None or 0 in value.ranges:
+        return ()
+    return value.ranges.intervals

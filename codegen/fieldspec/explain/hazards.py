@@ -1,0 +1,108 @@
+"""What a person should know before a request is sent: whether it only reads, and what a write does beside."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.record import FieldLayout
+from fieldspec.model.fact import Fact
+from fieldspec.model.registers import Parameter, Register
+from fieldspec.model.value import Handling
+
+CLEARS = "reading it clears it"
+
+
+def write_hazards(*, trigger: bool, access: str, restart: bool | None, handlings: Iterable[Handling]) -> Iterator[str]:
+    """The hazards of writing a value. The first of `handlings` that states something counts, the own one first."""
+    known = list(handlings)
+    if trigger:
+        yield "writing it starts something"
+    if access == "":
+        yield "the manual does not say that it can be written"
+    if restart:
+        yield "it takes effect after a restart"
+    if next((handling.memory for handling in known if handling.memory), "") == "nonvolatile":
+        yield "it is stored for good"
+    endurance = next((handling.endurance for handling in known if handling.endurance), "")
+    if endurance not in ("", "unlimited"):
+        yield f"its memory endures {'a limited number of' if endurance == 'limited' else endurance} writes"
+
+
+def only_reads(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> bool:
+    """Whether a message only reads, as far as the spec says: registers, a parameter, or values without an argument."""
+    if not (link.request.header or link.request.trailer):
+        return False  # a cyclic exchange does not only read
+    access = message.message.accesses
+    if access is not None:
+        return access.operation == "read"
+    if message.name not in link.carried("response"):
+        return False
+    parts = {_parameter_part(field) for field in message.request.fields} - {""}
+    if parts:
+        return "number" in parts and not parts & {"value", "values"}
+    return is_query(message)
+
+
+def _parameter_part(field: FieldLayout) -> str:
+    values = (field.value, *(case.value for case in field.cases))
+    return next((value.parameter.part for value in values if value is not None and value.parameter is not None), "")
+
+
+def is_query(message: MessageLayout) -> bool:
+    """Whether a message only asks: without arguments, and with an answer that has values."""
+    asked = any(is_argument(field) for field in message.request.fields)
+    return not asked and any(is_single(field) for field in message.response.fields)
+
+
+def is_argument(field: FieldLayout) -> bool:
+    """Whether a field of a request has a value that somebody chooses."""
+    constant = field.value is not None and field.value.const is not None
+    return not (field.field.reserved or field.field.measures or constant)
+
+
+def is_single(field: FieldLayout) -> bool:
+    """Whether a field has one value that says something."""
+    return field.value is not None and not field.is_list and is_argument(field)
+
+
+def hazards_by_fact(layout: DeviceLayout) -> dict[str, dict[str, list[str]]]:
+    """By `read` and `write`, then by the text of a hazard: the paths of the facts that have it."""
+    result: dict[str, dict[str, list[str]]] = {"read": {}, "write": {}}
+    for fact, operation, text in _hazards(layout):
+        paths = result[operation].setdefault(text, [])
+        if fact.place.path not in paths:
+            paths.append(fact.place.path)
+    return result
+
+
+def _hazards(layout: DeviceLayout) -> Iterator[tuple[Fact, str, str]]:
+    for message in layout.messages.values():
+        own = message.message
+        hazards = write_hazards(trigger=False, access="rw", restart=False, handlings=(own.handling,))
+        yield from ((own, "write", text) for text in hazards)
+        if any(field.field.handling.clears_on_read for field in message.response.fields):
+            yield own, "read", CLEARS
+    for register in layout.registers:
+        yield from _of_value(register.register)
+    for table in layout.tables.values():
+        for field in table.record.fields:
+            access = table.access(field.field)
+            if access != "ro":
+                handlings = (field.field.handling, table.table.handling)
+                hazards = write_hazards(trigger=False, access=access, restart=False, handlings=handlings)
+                yield from ((field.field, "write", text) for text in hazards)
+    for parameter_set in layout.device.parameters.values():
+        for parameter in parameter_set.parameters:
+            yield from _of_value(parameter)
+
+
+def _of_value(fact: Register | Parameter) -> Iterator[tuple[Fact, str, str]]:
+    if fact.handling.clears_on_read:
+        yield fact, "read", CLEARS
+    if fact.access != "ro":
+        hazards = write_hazards(
+            trigger=fact.trigger, access=fact.access, restart=fact.restart, handlings=(fact.handling,)
+        )
+        yield from ((fact, "write", text) for text in hazards)

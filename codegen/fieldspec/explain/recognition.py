@@ -1,0 +1,55 @@
+"""Recognises what a frame may be: its link, direction and message, by the faults that each reading of it has."""
+
+from __future__ import annotations
+
+from fieldspec.explain.explanation import explained
+from fieldspec.explain.lengths import names_of_length
+from fieldspec.layout.device import DeviceLayout
+
+Reading = tuple[str, str, str, bool]
+"""What a frame may be: its link, its direction, its message, and whether it is an exception response."""
+
+_OF_VALUES = frozenset({"unknown_value", "wrong_const", "wrong_measure"})
+# The frame carries no code, so its message is a guess. That is no fault, but a broken frame needs better evidence.
+_GUESSED = "guessed"
+# The faults that a reading may have. The readings of the first step that any of them passes are the result.
+_FITTING = (frozenset({_GUESSED}), _OF_VALUES | {_GUESSED})
+_CLOSE = (_OF_VALUES | {"wrong_check", _GUESSED}, _OF_VALUES | {"wrong_check", "wrong_length", "incomplete"})
+
+
+def recognised(layout: DeviceLayout, frame: bytes) -> list[Reading]:
+    """The readings of a frame that fit, in the order of the spec.
+
+    Their delimiters, length, checksum and length of the body are right. Readings with values that a codec refuses
+    are returned only if every reading has some. The message is empty for an exception response to a code that the
+    device does not have.
+    """
+    return _readings(layout, frame, _FITTING)
+
+
+def closest(layout: DeviceLayout, frame: bytes) -> list[Reading]:
+    """The readings of a frame that fit, else those with a wrong checksum, else those with a wrong length too."""
+    return _readings(layout, frame, _FITTING + _CLOSE)
+
+
+def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], ...]) -> list[Reading]:
+    reasons_of: dict[Reading, frozenset[str]] = {}
+    for link in layout.links.values():
+        for direction in ("request", "response"):
+            names = names_of_length(link, direction, frame) if steps is _FITTING else list(link.carried(direction))
+            if link.frame(direction).role("code") is not None:
+                several = link.ambiguous_codes(direction).values()
+                names = ["", *(message.name for messages in several for message in messages if message.name in names)]
+            for message in names:
+                explanation = explained(layout, link.name, direction, frame, message)
+                if message and explanation.error:
+                    continue
+                reasons = frozenset((*explanation.reasons, _GUESSED) if message else explanation.reasons)
+                reasons_of.setdefault((link.name, direction, explanation.message, explanation.error), reasons)
+    for accepted in steps:
+        fitting = [
+            reading for reading, reasons in reasons_of.items() if reasons <= accepted and (reading[2] or reading[3])
+        ]
+        if fitting:
+            return fitting
+    return []

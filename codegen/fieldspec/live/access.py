@@ -1,0 +1,146 @@
+"""What can be read and written on a device by name, whatever carries it: registers, or parameters and answers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.explain.values import DecodedValue
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.live.client import Client
+from fieldspec.model.fact import Fact
+
+
+@dataclass(frozen=True, slots=True)
+class DumpRow:
+    """A row of a dump: the name of the space, the address or the number there, and the counts."""
+
+    space: str
+    address: int
+    value: str
+
+
+if TYPE_CHECKING:
+    from typing import Any, Protocol, TypeAlias
+
+    Item: TypeAlias = Any
+    """A value that an access knows: what is at an address with its space, or a signal of messages."""
+
+    class Reading(Protocol):
+        """A value that was read, or the reason why the device refused it. `words` tell whether two are the same."""
+
+        @property
+        def path(self) -> str:
+            """Its name for people."""
+
+        @property
+        def words(self) -> tuple[int, ...]:
+            """What was on the wire: words of registers, bytes of parameters."""
+
+        @property
+        def decoded(self) -> DecodedValue | None:
+            """What it means; None for a refused value."""
+
+        @property
+        def refusal(self) -> str:
+            """Why the device refused it, or empty."""
+
+    class Assignment(Protocol):
+        """A value that is to be written, and what a person should know before."""
+
+        @property
+        def path(self) -> str:
+            """Its name for people."""
+
+        @property
+        def words(self) -> tuple[int, ...]:
+            """What goes on the wire."""
+
+        @property
+        def hazards(self) -> tuple[str, ...]:
+            """What a person should know."""
+
+    class Access(Protocol):
+        """Values of a device by name. Those that talk to it raise NoAnswerError and CarrierError."""
+
+        layout: DeviceLayout
+        what: str
+        """What an unknown name is said not to be."""
+        heading: str
+        """What the numbers of values are: `address` or `number`."""
+
+        def number(self, value: Any) -> int | None:
+            """The address or the number of a value; None where it has none."""
+
+        def number_text(self, number: int | None) -> str:
+            """Such a number as people write it."""
+
+        def dump_rows(self, items: Sequence[Item], values: Sequence[Any]) -> list[DumpRow]:
+            """The rows of a dump of values that were read, in order."""
+
+        def items(self) -> Sequence[Item]:
+            """Everything that has a name."""
+
+        def path(self, item: Item) -> str:
+            """The name of an item."""
+
+        def fact(self, item: Item) -> Fact:
+            """The fact that an item is."""
+
+        def named(self, name: str) -> list[Item]:
+            """What a name means; nothing where it is unknown."""
+
+        def harmless(self) -> list[Item]:
+            """What can be read without an effect."""
+
+        def objection(self, item: Item) -> str:
+            """Why an item is in no list that is written to a device; empty where it may be."""
+
+        def assignment(self, item: Item, text: str) -> Assignment:
+            """The assignment of a value as people write it. Raises WriteError."""
+
+        def intended(self, chosen: Any) -> Reading:
+            """What would be read once a value is written."""
+
+        def size(self, items: Iterable[Item]) -> int:
+            """How much there is to read, in the steps in which `read` tells its progress."""
+
+        def read(
+            self, client: Client, items: Sequence[Item], done: Callable[[int], None] | None = None
+        ) -> Iterator[Reading]:
+            """Reads items, each once. A refused one costs no other."""
+
+        def frame(self, client: Client, chosen: Any) -> bytes:
+            """The request that writes a value. Raises WriteError."""
+
+        def write(self, client: Client, chosen: Any) -> None:
+            """Writes a value, once. Raises WriteError and RefusedError."""
+
+        def read_back(self, client: Client, chosen: Any) -> Reading | None:
+            """What the device holds after a write; None for what does not give back what was written."""
+
+        def signals(self, item: Item, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
+            """The roles of a value or of its bits, each with its mask; -1 for all bits."""
+
+        def item(self, chosen: Any) -> Item:
+            """What a value is assigned to."""
+
+        def words_of(self, value: Any, text: str) -> tuple[int, ...]:
+            """What a text means for a value that was read. Raises WriteError."""
+
+
+def differs(chosen: Assignment, now: Reading) -> bool:
+    """Whether the device holds another value than the one that is assigned."""
+    return bool(now.refusal) or tuple(now.words) != chosen.words
+
+
+def find(access: Access, names: Sequence[str]) -> tuple[list[Item], list[str]]:
+    """What names mean, and the names that mean nothing."""
+    result: dict[str, Item] = {}
+    unknown = []
+    for name in names:
+        own = access.named(name)
+        if not own:
+            unknown.append(name)
+        result |= {access.path(item): item for item in own}
+    return list(result.values()), unknown

@@ -1,0 +1,159 @@
+"""Registers of a device as values by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from fieldspec.live import writing
+from fieldspec.live.access import DumpRow
+from fieldspec.live.reading import Reading, all_occupants, blocks, read, reading
+from fieldspec.live.value_lists import COMMANDS
+from fieldspec.live.writing import Assignment, request_frame
+from fieldspec.model.access import readable, writable
+
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+    from fieldspec.explain.registers import Occupant
+    from fieldspec.layout.device import DeviceLayout
+    from fieldspec.live.client import Client
+    from fieldspec.model.fact import Fact
+
+    Placed: TypeAlias = tuple[str, Occupant]
+
+
+class RegisterAccess:
+    """The registers of a device. An item is what is at an address, with its space."""
+
+    what, heading = "register", "address"
+
+    def __init__(self, layout: DeviceLayout) -> None:
+        self.layout = layout
+        self._items = list(all_occupants(layout))
+
+    def number(self, value: Reading) -> int:
+        """The address of a value."""
+        return value.occupant.address
+
+    def number_text(self, number: int | None) -> str:
+        """An address as people write it."""
+        return "" if number is None else f"0x{number:04X}"
+
+    def dump_rows(self, items: Sequence[Placed], values: Sequence[Reading]) -> list[DumpRow]:
+        """A row for each word of values that were read, in the order of their addresses."""
+        words = {
+            (space, occupant.address + offset): word
+            for (space, occupant), value in zip(items, values, strict=True)
+            for offset, word in enumerate(value.words)
+        }
+        return [DumpRow(space, address, str(words[space, address])) for space, address in sorted(words)]
+
+    def items(self) -> Sequence[Placed]:
+        """Everything at addresses."""
+        return self._items
+
+    def path(self, item: Placed) -> str:
+        """The name of an item."""
+        return item[1].path
+
+    def fact(self, item: Placed) -> Fact:
+        """The fact that an item is."""
+        return item[1].fact
+
+    def named(self, name: str) -> list[Placed]:
+        """The register with a name, the elements of an array, the fields of a record, a role, an address."""
+        return [pair for pair in self._items if writing.means(name, pair[1])]
+
+    def harmless(self) -> list[Placed]:
+        """Everything that the read plan reads."""
+        every = [pair for pair in self._items if not pair[1].reserved]
+        planned = [
+            block
+            for block in blocks(self.layout, every)
+            if len(block.occupants) > 1 or _is_harmless(block.occupants[0])
+        ]
+        return [(block.space, occupant) for block in planned for occupant in block.occupants]
+
+    def objection(self, item: Placed) -> str:
+        """Why an item is in no list that is written to a device; empty where it may be."""
+        return _objection(self.layout, item[1])
+
+    def assignment(self, item: Placed, text: str) -> Assignment:
+        """The assignment of a value as people write it. Raises WriteError."""
+        return writing.assignment(self.layout, *item, text)
+
+    def intended(self, chosen: Assignment) -> Reading:
+        """What would be read once a value is written."""
+        return reading(self.layout, chosen.space, chosen.occupant, chosen.words)
+
+    def size(self, items: Iterable[Placed]) -> int:
+        """The words of all requests."""
+        return sum(block.words for block in blocks(self.layout, list(items)))
+
+    def read(
+        self, client: Client, items: Sequence[Placed], done: Callable[[int], None] | None = None
+    ) -> Iterator[Reading]:
+        """Reads items in as few requests as the device permits. Raises NoAnswerError and CarrierError."""
+        values = read(client, blocks(self.layout, items), done)
+        by_path = {value.path: value for value in values}
+        return (by_path[self.path(item)] for item in items)
+
+    def frame(self, client: Client, chosen: Assignment) -> bytes:
+        """The request that writes a value. Raises WriteError."""
+        return request_frame(client, chosen)[2]
+
+    def write(self, client: Client, chosen: Assignment) -> None:
+        """Writes a value, once. Raises WriteError, NoAnswerError, RefusedError and CarrierError."""
+        writing.write(client, chosen)
+
+    def read_back(self, client: Client, chosen: Assignment) -> Reading | None:
+        """What the device holds after a write. Raises NoAnswerError and CarrierError."""
+        return writing.read_back(client, chosen)
+
+    def signals(self, item: Placed, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
+        """The roles of a value or of its bits, each with its mask; -1 for all bits."""
+        occupant = item[1]
+        if not readable(occupant.access):
+            return
+        for role in roles:
+            if role in occupant.fact.roles:
+                yield role, -1
+            if occupant.value.flags:
+                for bit in self.layout.device.flags[occupant.value.flags].bits:
+                    if role in bit.roles:
+                        yield role, bit.mask
+
+    def item(self, chosen: Assignment) -> Placed:
+        """What a value is assigned to."""
+        return chosen.space, chosen.occupant
+
+    def words_of(self, value: Reading, text: str) -> tuple[int, ...]:
+        """What a text means for a value that was read. Raises WriteError."""
+        return writing.assignment(self.layout, "", value.occupant, text).words
+
+
+def _is_harmless(occupant: Occupant) -> bool:
+    handling = getattr(occupant.fact, "handling", None)
+    return occupant.access in ("ro", "rw") and not (handling is not None and handling.clears_on_read)
+
+
+def _objection(layout: DeviceLayout, occupant: Occupant) -> str:
+    """Why a value is in no list that is written to a device; empty where it may be."""
+    if occupant.reserved or getattr(occupant.fact, "reserved", False):
+        return "is reserved"
+    if occupant.trigger or COMMANDS.intersection(_roles(layout, occupant)):
+        return "commands the device; write it by its name, with the verb write"
+    if not writable(occupant.access):
+        return "can only be read" if occupant.access else "is not stated to be writable"
+    handling = getattr(occupant.fact, "handling", None)
+    if not readable(occupant.access) or (handling is not None and handling.clears_on_read):
+        return "cannot be read back, so that nothing could be verified; write it by its name, with the verb write"
+    return ""
+
+
+def _roles(layout: DeviceLayout, occupant: Occupant) -> Iterable[str]:
+    yield from occupant.fact.roles
+    if occupant.value.flags:
+        for bit in layout.device.flags[occupant.value.flags].bits:
+            yield from bit.roles

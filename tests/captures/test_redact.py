@@ -1,0 +1,221 @@
+"""`fieldspec redact`: what identifies a unit is nowhere in the output, and the evidence stays."""
+
+from __future__ import annotations
+
+import json
+import random
+import struct
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from captures.conversations import USER_0, Segment, block, ethernet, pcap, rtu
+from captures.test_decode_in_bulk import run
+from captures.test_evidence import DEVICE, NOTE, dump, read, report, unit, words
+from fieldspec.evidence.observables import Observables
+from fieldspec.evidence.redaction import Redaction
+from fieldspec.evidence.secrets import Secrets
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.value import Kind
+from simulators import parts_of
+
+SERIAL = 0x12C4E678
+HIGH, LOW = SERIAL >> 16, SERIAL & 0xFFFF
+TEXT = "SN-4711-XYZ"
+
+
+def encodings() -> Iterator[bytes]:
+    """The serial number and the text in the encodings in which a file could have them."""
+    for own in (SERIAL.to_bytes(4, "big"), TEXT.encode()):
+        for order in (own, own[::-1], own[2:4] + own[:2] + own[4:]):
+            yield order
+            yield order.hex().encode()
+            yield order.hex(" ").encode()
+            yield order.hex().upper().encode()
+            yield order.hex(" ").upper().encode()
+    yield str(SERIAL).encode()
+    yield f"{HIGH} {LOW}".encode()
+    yield f",{HIGH}\n".encode()
+
+
+def secret_packets(chance: random.Random) -> list[bytes]:
+    """Frames of which some have the serial number: in its registers, beyond the spec, in noise, in damaged frames."""
+    secret = SERIAL.to_bytes(4, "big")
+    packets = [*read(0x20, HIGH, LOW), *read(0x1E, 1, 2, HIGH, LOW), *read(0x40, HIGH, LOW), *read(0x21, LOW, HIGH)]
+    for _ in range(20):
+        share = 0x4200 + chance.randrange(0x60)
+        packets += read(0x0C, share, chance.randrange(0x10000), chance.randrange(9))
+        noise = chance.randbytes(chance.randrange(4)) + chance.choice((secret, secret[::-1], TEXT.encode()))
+        packets.append(noise + chance.randbytes(chance.randrange(4)))
+        packets.append(rtu(1, 4, 4, *secret)[:-1] + b"\xff")
+    packets += [rtu(1, 16, *words(0, 2), 4, *secret), rtu(1, 16, *words(0, 2))]
+    return packets
+
+
+def log_of(packets: list[bytes]) -> bytes:
+    lines = (f"{number}.000 {packet.hex()} # {TEXT} {SERIAL}" for number, packet in enumerate(packets))
+    return "\n".join([f"# {SERIAL:X}", *lines]).encode()
+
+
+def capture_with_names(packets: list[bytes]) -> bytes:
+    """A pcapng whose hosts, addresses, comments and applications say the serial number."""
+    option = struct.pack("<HH", 1, len(TEXT)) + TEXT.encode() + bytes(-len(TEXT) % 4) + bytes(4)
+    parts = [block(0x0A0D0D0A, struct.pack("<IHHq", 0x1A2B3C4D, 1, 0, -1) + option)]
+    parts.append(block(1, struct.pack("<HHI", 1, 0, 0) + option))
+    sequence = 0
+    for number, packet in enumerate(packets):
+        own = struct.pack(">HHH", number, 0, len(packet) - 2) + packet[:-2]
+        data = bytearray(ethernet(Segment(number % 2 == 0, 1 + sequence * (number % 2 == 0), own)))
+        sequence += len(own) * (number % 2 == 0)
+        data[0:4] = data[6:10] = SERIAL.to_bytes(4, "big")
+        body = struct.pack("<IIIII", 0, 0, number, len(data), len(data)) + data
+        parts.append(block(6, body + bytes(-len(data) % 4) + option))
+    return b"".join(parts)
+
+
+def with_secrets(folder: Path, chance: random.Random) -> None:
+    """A unit with the serial number in all of its files."""
+    packets = secret_packets(chance)
+    scan = {
+        "spaces": [{"space": "input_registers", "words": {"0x0020": HIGH, "0x0021": LOW, "0x0E": 5}, "refused": []}]
+    }
+    tables = (
+        f"space,address,value\ninput_registers,0x20,{SERIAL}\ninput_registers,0x50,{HIGH}\ninput_registers,0x51,{LOW}\n"
+    )
+    lines = (f"1.5,32,{HIGH}", f"1.5,33,{LOW}", "2.5,14,5")
+    rows = "time,address,value,space\n" + "".join(f"{line},input_registers\n" for line in lines)
+    files = {
+        f"line {SERIAL}.pcap": pcap(packets, USER_0),
+        "line.log": log_of(packets),
+        "net.pcapng": capture_with_names([*read(0x20, HIGH, LOW), *read(0x0C, 0x4216, 0)]),
+        "dump.csv": tables.encode(),
+        "scan.json": json.dumps(scan | {"device": TEXT}).encode(),
+        "rows.csv": rows.encode(),
+        "other.bin": b"\0\1\2" + TEXT.encode() * 9,
+    }
+    note = f'model: W\nfirmware: "1"\nserial_number: {TEXT}\nremarks: {SERIAL} {TEXT}\n'
+    unit(folder, str(SERIAL), files, note)
+
+
+def contents(folder: Path) -> bytes:
+    """All names and contents of a folder, and what its frames and words are as bytes."""
+    parts: list[bytes] = []
+    for path in sorted(folder.rglob("*")):
+        parts.append(path.name.encode())
+        if path.is_file():
+            text = path.read_bytes()
+            parts.append(text)
+            if path.suffix == ".log":
+                parts += [bytes.fromhex(line.split(maxsplit=2)[-1]) for line in text.decode().splitlines()]
+            if path.suffix == ".csv":
+                own = [int(line.split(",")[-1]) for line in text.decode().splitlines()[1:]]
+                parts.append(b"".join(word.to_bytes(4 if word > 0xFFFF else 2, "big") for word in own))
+    return b"\0\n".join(parts)
+
+
+def redact(source: Path, target: Path, *options: str) -> tuple[int, str, str]:
+    return run("redact", DEVICE, str(source), "--out", str(target), *options)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_secret_is_nowhere_in_the_output(tmp_path: Path, seed: int) -> None:
+    with_secrets(tmp_path / "units", random.Random(seed))
+    assert str(SERIAL).encode() in b"".join(path.read_bytes() for path in (tmp_path / "units").rglob("*.csv"))
+    code, text, error = redact(tmp_path / "units", tmp_path / "out")
+    assert code == 1
+    assert "other.bin" in error
+    assert "registers/serial_number" in text
+    result = contents(tmp_path / "out")
+    assert [encoding for encoding in encodings() if encoding in result] == []
+    names = sorted(path.name for path in (tmp_path / "out").iterdir())
+    assert names == [
+        "capture-1.log",
+        "capture-2.log",
+        "capture-3.log",
+        "dump-1.csv",
+        "rows-1.csv",
+        "scan-1.json",
+        "unit.yaml",
+    ]
+
+
+def evidence_of(folder: Path) -> dict[tuple[str, str], str]:
+    rows: list[dict[str, Any]] = report(folder)[1]["evidence"]
+    return {(row["fact"], row["aspect"]): row["state"] for row in rows}
+
+
+def test_what_is_not_replaced_is_the_same_evidence(tmp_path: Path) -> None:
+    chance = random.Random(1)
+    frames = [frame for _ in range(9) for frame in read(0x0C, 0x4200 + chance.randrange(99), 0, chance.randrange(9))]
+    frames += [*read(0x20, HIGH, LOW), rtu(1, 4, *words(0x0E, 2)), rtu(1, 0x84, 2), *read(0x0C, 0x4316, 0)]
+    write = rtu(1, 16, *words(0, 2), 4, *words(0x3F80, 0))
+    frames += [write, rtu(1, 16, *words(0, 2))]
+    scan = {"spaces": [{"space": "input_registers", "words": {"0x0E": 5}, "refused": ["0x0000"]}]}
+    files = {"a.pcap": pcap(frames, USER_0), "b.csv": dump(7), "c.json": json.dumps(scan).encode()}
+    unit(tmp_path / "units", "a", files, NOTE)
+    assert redact(tmp_path / "units", tmp_path / "out" / "a")[0] == 0
+    before, after = evidence_of(tmp_path / "units"), evidence_of(tmp_path / "out")
+    changed = {fact for fact, state in before.items() if after.get(fact) != state}
+    assert {fact for fact, _ in changed} <= {"registers/serial_number"}
+    assert "contradicted" in after.values()
+
+
+def test_the_frames_of_the_output_have_right_checksums(tmp_path: Path) -> None:
+    unit(tmp_path / "units", "a", {"a.pcap": pcap(read(0x20, HIGH, LOW), USER_0)}, NOTE)
+    redact(tmp_path / "units", tmp_path / "out")
+    lines = (tmp_path / "out" / "capture-1.log").read_text("utf-8").splitlines()
+    assert lines == [
+        f"0.000000 > {rtu(1, 4, *words(0x20, 2)).hex(' ').upper()}",
+        f"0.001000 < {rtu(1, 4, 4, 0, 0, 0, 0).hex(' ').upper()}",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("options", "expected"),
+    [
+        (("--spare", "nonsense"), "there is no text nonsense"),
+        (("--out", "."), "is not an empty folder"),
+    ],
+)
+def test_wrong_use_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, options: tuple[str, ...], expected: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    unit(tmp_path / "units", "a", {"b.csv": dump(7)}, NOTE)
+    code, _, error = redact(tmp_path / "units", tmp_path / "out", *options)
+    assert code == 2
+    assert expected in error
+
+
+@pytest.mark.parametrize("device", ["tc100", "ck10", "esc11", "hiwin-e"])
+def test_frames_of_manuals_stay_but_for_texts_and_what_no_request_explains(device: str) -> None:
+    layout, _ = parts_of(device)
+    redaction = Redaction(layout, Secrets())
+    count = 0
+    for example in layout.device.examples.values():
+        redaction.replaced.clear()
+        codec = redaction.codec.links[example.link]
+        if example.refused or (example.direction == "response" and not example.reply_to):
+            continue
+        request = layout.device.examples.get(example.reply_to)
+        asked = {}
+        if request is not None and not request.refused:
+            asked = codec.decode(request.frame, "request", request.message).values
+        decoded = codec.decode(example.frame, example.direction, example.message)
+        clean = redaction.frame(example.link, example.direction, example.frame, decoded, asked)
+        count += 1
+        if not redaction.replaced:
+            assert clean == example.frame, example.id
+        else:
+            codec.decode(clean, example.direction, example.message)
+            assert len(clean) == len(example.frame)
+            assert all(known_or_text(layout, path) for path in redaction.replaced), (example.id, redaction.replaced)
+    assert count > 8
+
+
+def known_or_text(layout: DeviceLayout, path: str) -> bool:
+    """Whether a fact is a text, or no fact at all."""
+    items = {item.fact.place.path: item for item in Observables(layout).all}
+    return path in ("unlisted", "reserved") or items[path].value.type.kind in (Kind.TEXT, Kind.BYTES)

@@ -1,0 +1,25 @@
+"""Fields of tables that share words are explained from their own bytes."""
+
+from __future__ import annotations
+
+from fieldspec.explain.explanation import explained
+from fieldspec.reference import codec
+from random_devices.agreement import layouts_of
+from random_devices.fuzz import CASES
+
+
+def test_fields_that_begin_in_the_middle_of_a_word_are_read_from_there() -> None:
+    (layout,) = layouts_of((CASES / "bytes-of-words.yaml").read_text("utf-8"))
+    data = bytes.fromhex("01 FE 00 05 41 42 43 07 08 09")
+    words = [int.from_bytes(data[at : at + 2], "big") for at in range(0, len(data), 2)]
+    request = codec(layout).links["serial"].encode("request", "write_words", {"address": 0x4008, "values": words})
+    rows = explained(layout, "serial", "request", request).registers
+    assert [(row.path.removeprefix("entries[1]."), row.number, row.offset, row.length) for row in rows] == [
+        ("mode", 1, 5, 1),
+        ("shift", -2, 6, 1),
+        ("speed", 5, 7, 2),
+        ("title", "ABC", 9, 3),
+        ("limits[0]", 7, 12, 1),
+        ("limits[1]", 8, 13, 1),
+        ("limits[2]", 9, 14, 1),
+    ]
