@@ -52,9 +52,9 @@ class Bench:
             self.engine.memory.write(space, occupant, raw)
         self.engine.saved = dict(self.engine.memory.words)
 
-    def run(self, *arguments: str) -> int:
+    def run(self, *arguments: str, timeout: str = "0.2") -> int:
         place = self.device.place.replace("tcp://", "socket://")
-        options = ("--port", place, "--timeout", "0.2", "--pause", "0", "--specs", FOLDER)
+        options = ("--port", place, "--timeout", timeout, "--pause", "0", "--specs", FOLDER)
         return main(["live", "widget", *arguments, *options])
 
     def words(self, path: str) -> list[int]:
@@ -175,6 +175,6 @@ def test_a_fault_in_a_verb_gives_a_right_value_or_an_error(
                 assert is_right(bench, output.out), where
             device.command(clear=True)
             if writes and verb != "write":
-                assert bench.run(*texts) == 0, where
+                assert bench.run(*texts, timeout="10") == 0, where
                 assert is_right(bench, ""), where
                 assert not list(tmp_path.glob("*.journal")), where

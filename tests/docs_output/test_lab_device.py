@@ -154,9 +154,7 @@ def test_what_goes_wrong_is_shown(
 
 def test_a_request_of_another_link_is_not_sent(browser: webdriver.Chrome, folder: Path, device: Simulated) -> None:
     connected(browser, folder, device.addresses["ascii"])
-    assert text_of(browser, "send-remark") == (
-        "The request is one of the link rtu, and the connection is to ascii."
-    )
+    assert text_of(browser, "send-remark") == ("The request is one of the link rtu, and the connection is to ascii.")
     assert not browser.find_element(By.ID, "send").is_enabled()
     enter(browser, "frames", r":010310000001EB\r\n")
     browser.execute_script("document.getElementById('known-direction').value = 'request'")
