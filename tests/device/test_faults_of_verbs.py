@@ -111,7 +111,7 @@ def list_is_right(name: str) -> Callable[[Bench, str], bool]:
     return is_right
 
 
-def written(path: str, text: str) -> Callable[[Bench, str], bool]:
+def has_value(path: str, text: str) -> Callable[[Bench, str], bool]:
     return lambda bench, output: bench.means(path, text)
 
 
@@ -126,7 +126,7 @@ def nothing_differs(bench: Bench, text: str) -> bool:
 VERBS: dict[str, tuple[list[str], Callable[[Bench, str], bool], bool]] = {
     "read": (["read", *NAMES, "--format", "json"], rows_are_right, False),
     "watch": (["watch", *NAMES, "--count", "2", "--every", "0", "--format", "json"], rows_are_right, False),
-    "write": (["write", "limit=3", "--yes"], written("limit", "3"), True),
+    "write": (["write", "limit=3", "--yes"], has_value("limit", "3"), True),
     "dump": (["dump", "{dump.csv}"], dump_is_right, False),
     "scan": (["scan", "--format", "json"], scan_is_right, False),
     "points download": (["points", "download", "{saved.csv}", "--table", "points"], list_is_right("saved.csv"), False),
