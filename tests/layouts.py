@@ -7,6 +7,7 @@ from pathlib import Path
 
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.layout.digits import digits_refusals
 from fieldspec.reading.project import DeviceSpec, read
 
 SPECS = Path(__file__).parent.parent / "specs"
@@ -33,6 +34,11 @@ def layout_at(spec: DeviceSpec, version: str) -> DeviceLayout:
 def all_layouts() -> list[DeviceLayout]:
     """All versions of all devices, the real and the made-up ones."""
     return [layout for root in (SPECS, TEST_SPECS) for versions in layouts(root).values() for layout in versions]
+
+
+def has_digits(layout: DeviceLayout) -> bool:
+    """Whether numbers of a device are sent as digits, which several outputs refuse."""
+    return bool(digits_refusals([layout], ""))
 
 
 def newest(root: Path, device: str) -> DeviceLayout:

@@ -12,16 +12,19 @@ import sys
 from pathlib import Path
 
 from fieldspec import pipeline
-from layouts import TEST_SPECS, layouts
+from layouts import TEST_SPECS, has_digits, layouts
 
 ROOT = Path(__file__).resolve().parent.parent
+REFUSING_DIGITS = ("wireshark", "queries", "kv", "scl", "st", "twincat", "plcopen", "iec")
 RECORDED = Path(__file__).resolve().parent / "recorded"
 
 
 def digests(name: str) -> str:
-    """An output of all made-up devices: a line for each, with its id and the digest of its files."""
+    """An output of all made-up devices that it takes: a line for each, with its id and the digest of its files."""
     lines = []
     for device, versions in sorted(layouts(TEST_SPECS).items()):
+        if name in REFUSING_DIGITS and any(map(has_digits, versions)):
+            continue
         digest = hashlib.sha256()
         for path, content in sorted(pipeline.output(name, versions).items()):
             digest.update(b"%s %d\n%s" % (path.encode(), len(content), content))

@@ -27,6 +27,7 @@ REFUSALS = {
     "images": "plc_images_exact",
     "wide_floats": "plc_reals_fit",
     "absent_reals": "plc_reals_present",
+    "digits": "plc_numbers_binary",
     "other_frames": "plc_frames_supported",
     "can_frames": "plc_frames_supported",
     "byte_registers": "plc_spaces_supported",

@@ -50,6 +50,14 @@ errata:
     effect: range
     proof: judgement
     source: L3
+behaviour:
+  - {name: servo, machine: ["off", "on"], source: L1}
+  - name: enable
+    rule: [{enter: servo, state: "on"}, {set: registers/speed, to: 1}]
+    when: {write: registers/speed}
+    if: {state/servo: "off", registers/speed: nonzero}
+    assumed: It is always ready.
+    source: L1
 accepts:
   - {rule: range_widened, path: registers/speed, reason: It turns faster now., date: 2026-01-31}
 """

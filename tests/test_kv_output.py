@@ -21,7 +21,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import original_parts
 from fieldspec.layout.record import FieldLayout
 from fieldspec.reference.records import value_construct
-from layouts import SPECS, TEST_SPECS, layout_at, layouts, newest
+from layouts import SPECS, TEST_SPECS, has_digits, layout_at, layouts, newest
 from spec_files import gadget
 from word_memory import ROOTS, Row, comments, memory, number, signed, texts, word_map
 
@@ -30,6 +30,7 @@ VERSIONS = [
     for root in (SPECS, TEST_SPECS)
     for versions in layouts(root).values()
     for layout in versions
+    if not has_digits(layout)
 ]
 
 
@@ -60,6 +61,7 @@ EXAMPLES = [
     for layout in versions
     for example in layout.device.examples.values()
     if example.message
+    and not has_digits(layout)
     and not (example.refused or example.exception_response or layout.messages[example.message].message.accesses)
     and layout.links[example.link].link.encoding == "binary"
     and not layout.links[example.link].link.is_can

@@ -714,6 +714,40 @@ function unsignedOf(bytes, order) {
   return number;
 }
 
+const DIGIT_PATTERNS = { decimal: /^[0-9]+$/, upper_hex: /^[0-9A-F]+$/, lower_hex: /^[0-9a-f]+$/, bcd: /^[0-9]+$/ };
+
+const isHexadecimal = ({ digits }) => digits === "upper_hex" || digits === "lower_hex";
+
+/** The number of digits, the most significant digit first; undefined for anything but such digits. */
+function digitsNumber(value, bytes) {
+  let text = String.fromCharCode(...bytes);
+  if (value.digits === "bcd") text = Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
+  const sign = value.hasSign ? text[0] : "";
+  if (value.hasSign && sign !== "+" && sign !== "-") return undefined;
+  if (value.hasSign) text = text.slice(1);
+  if (value.places) {
+    const point = text.length - value.places - 1;
+    if (text[point] !== ".") return undefined;
+    text = text.slice(0, point) + text.slice(point + 1);
+  }
+  if (!DIGIT_PATTERNS[value.digits].test(text)) return undefined;
+  const whole = BigInt(isHexadecimal(value) ? `0x${text}` : text);
+  const number = value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole;
+  return Number.isSafeInteger(Number(number)) ? Number(number) : number;
+}
+
+/** The bytes of the digits of a number, the most significant digit first. */
+function digitsBytes(value, number) {
+  const whole = value.bits ? BigInt.asUintN(value.bits, BigInt(number)) : BigInt(number);
+  const count = value.digits === "bcd" ? 2 * value.size : value.size - (value.hasSign ? 1 : 0) - (value.places ? 1 : 0);
+  let text = (whole < 0n ? -whole : whole).toString(isHexadecimal(value) ? 16 : 10).padStart(count, "0");
+  if (value.digits === "bcd") return Uint8Array.from({ length: value.size }, (_, at) => parseInt(text.slice(2 * at, 2 * at + 2), 16));
+  if (value.digits === "upper_hex") text = text.toUpperCase();
+  if (value.places) text = `${text.slice(0, -value.places)}.${text.slice(-value.places)}`;
+  if (value.hasSign) text = (whole < 0n ? "-" : "+") + text;
+  return Uint8Array.from(text, (character) => character.charCodeAt(0));
+}
+
 const VIEW = new DataView(new ArrayBuffer(8));
 const WIDE = 6;
 const EXACT_DIGITS = 120;
@@ -742,6 +776,7 @@ function numberOfBytes(value, bytes, order, swapped) {
   if (value.kind === "text" || value.kind === "bytes") return bytes;
   const turned = swapped ? turnedWords(bytes) : bytes;
   const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
+  if (value.digits) return digitsNumber(value, actual === "big" ? turned : Uint8Array.from(turned).reverse()) ?? bytes;
   if (value.kind !== "float") return wholeOf(turned, actual, value.signed);
   turned.forEach((byte, at) => VIEW.setUint8(at, byte));
   return bytes.length === 4 ? VIEW.getFloat32(0, actual === "little") : VIEW.getFloat64(0, actual === "little");
@@ -806,6 +841,7 @@ function decodeValue(device, value, bytes, order, swapped, reserved) {
     return decoded(latinOf(bytes).replace(/\0+$/, ""));
   }
   if (value.kind === "float") return decodedFloat(value, number);
+  if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");
   return value.kind === "bytes" ? decoded(number) : decodedWhole(device, value, number);
 }
 
@@ -1124,7 +1160,8 @@ function lengthNumber(part, length) {
 }
 
 /** The least and the greatest whole number of a value's type; bigints for more than six bytes. */
-function typeBounds({ kind, size, signed }) {
+function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
+  if (digits) return [least, most];
   if (kind === "boolean") return [0, 1];
   const bits = BigInt(8 * size);
   const [low, high] = signed ? [-(1n << (bits - 1n)), (1n << (bits - 1n)) - 1n] : [0n, (1n << bits) - 1n];
@@ -2738,8 +2775,14 @@ function bytesOfValue(device, name, value, raw) {
     return Uint8Array.from({ length: size }, (_, at) => bytes[at] ?? 0);
   }
   const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
-  const bytes = kind === "float" ? bytesOfFloat(name, value, raw, actual) : bytesOfNumber(checkedNumber(device, name, value, raw), size, actual);
+  const bytes = kind === "float" ? bytesOfFloat(name, value, raw, actual) : bytesOfWhole(value, checkedNumber(device, name, value, raw), actual);
   return swapped ? turnedWords(bytes) : bytes;
+}
+
+function bytesOfWhole(value, number, order) {
+  if (!value.digits) return bytesOfNumber(number, value.size, order);
+  const bytes = digitsBytes(value, number);
+  return order === "big" ? bytes : bytes.reverse();
 }
 
 function bytesOfFloat(name, value, number, order) {

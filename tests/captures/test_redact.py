@@ -14,6 +14,12 @@ import pytest
 from captures.conversations import USER_0, Segment, block, ethernet, pcap, rtu
 from captures.test_decode_in_bulk import run
 from captures.test_evidence import DEVICE, NOTE, dump, read, report, unit, words
+from fieldspec.evidence.observables import Observables
+from fieldspec.evidence.redaction import Redaction
+from fieldspec.evidence.secrets import Secrets
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.value import Kind
+from simulators import parts_of
 
 SERIAL = 0x12C4E678
 HIGH, LOW = SERIAL >> 16, SERIAL & 0xFFFF
@@ -181,3 +187,35 @@ def test_wrong_use_is_refused(
     code, _, error = redact(tmp_path / "units", tmp_path / "out", *options)
     assert code == 2
     assert expected in error
+
+
+@pytest.mark.parametrize("device", ["tc100", "ck10", "esc11", "hiwin-e"])
+def test_frames_of_manuals_stay_but_for_texts_and_what_no_request_explains(device: str) -> None:
+    layout, _ = parts_of(device)
+    redaction = Redaction(layout, Secrets())
+    count = 0
+    for example in layout.device.examples.values():
+        redaction.replaced.clear()
+        codec = redaction.codec.links[example.link]
+        if example.refused or (example.direction == "response" and not example.reply_to):
+            continue
+        request = layout.device.examples.get(example.reply_to)
+        asked = {}
+        if request is not None and not request.refused:
+            asked = codec.decode(request.frame, "request", request.message).values
+        decoded = codec.decode(example.frame, example.direction, example.message)
+        clean = redaction.frame(example.link, example.direction, example.frame, decoded, asked)
+        count += 1
+        if not redaction.replaced:
+            assert clean == example.frame, example.id
+        else:
+            codec.decode(clean, example.direction, example.message)
+            assert len(clean) == len(example.frame)
+            assert all(known_or_text(layout, path) for path in redaction.replaced), (example.id, redaction.replaced)
+    assert count > 8
+
+
+def known_or_text(layout: DeviceLayout, path: str) -> bool:
+    """Whether a fact is a text, or no fact at all."""
+    items = {item.fact.place.path: item for item in Observables(layout).all}
+    return path in ("unlisted", "reserved") or items[path].value.type.kind in (Kind.TEXT, Kind.BYTES)

@@ -82,9 +82,10 @@ def enter(browser: webdriver.Chrome, name: str, text: str) -> None:
 def connected(browser: webdriver.Chrome, folder: Path, address: str, frames: str = READ) -> None:
     """Opens the lab with a request and connects it to a simulated device."""
     open_lab(browser, folder, "tc100", version="2.0", frames=frames, direction="request")
+    enter(browser, "patience", "30000")
     enter(browser, "socket-address", address)
     click(browser, "connect")
-    WebDriverWait(browser, 10).until(lambda _: text_of(browser, "connection").startswith("Connected"))
+    WebDriverWait(browser, 40).until(lambda _: text_of(browser, "connection").startswith("Connected"))
 
 
 def send(browser: webdriver.Chrome) -> None:
@@ -92,7 +93,7 @@ def send(browser: webdriver.Chrome) -> None:
     script = "return document.getElementById('send').dataset.count ?? '0'"
     before = browser.execute_script(script)
     click(browser, "send")
-    WebDriverWait(browser, 10).until(lambda _: browser.execute_script(script) != before)
+    WebDriverWait(browser, 40).until(lambda _: browser.execute_script(script) != before)
 
 
 def test_a_read_is_answered_and_explained(browser: webdriver.Chrome, folder: Path, device: Simulated) -> None:
@@ -106,7 +107,7 @@ def test_a_read_is_answered_and_explained(browser: webdriver.Chrome, folder: Pat
     click(browser, "traffic-log")
     wait_for(browser, 2)
     click(browser, "connect")
-    WebDriverWait(browser, 10).until(lambda _: text_of(browser, "connect") == "Connect")
+    WebDriverWait(browser, 40).until(lambda _: text_of(browser, "connect") == "Connect")
     assert browser.get_log("browser") == []
 
 
@@ -124,7 +125,7 @@ def test_a_write_waits_for_the_switch_and_names_its_hazards(
     assert text_of(browser, "frame-title").startswith("write_register response")
     assert device.command(get=["axis/moving"])["values"] == {"axis/moving": True}
     click(browser, "connect")
-    WebDriverWait(browser, 10).until(lambda _: text_of(browser, "connect") == "Connect")
+    WebDriverWait(browser, 40).until(lambda _: text_of(browser, "connect") == "Connect")
     assert not browser.find_element(By.ID, "allow-writes").is_selected()
     device.command(power="cycle")
 
@@ -132,9 +133,9 @@ def test_a_write_waits_for_the_switch_and_names_its_hazards(
 @pytest.mark.parametrize(
     ("fault", "text"),
     [
-        ("no_answer", "No answer within 300 ms."),
-        ("wrong_checksum", "No valid answer within 300 ms, but 7 bytes: wrong_check."),
-        ("truncated", "No valid answer within 300 ms"),
+        ("no_answer", "No answer within 2000 ms."),
+        ("wrong_checksum", "No valid answer within 2000 ms, but 7 bytes: wrong_check."),
+        ("truncated", "No valid answer within 2000 ms"),
         ("wrong_unit", "The answer does not fit the request."),
         ("exception", "The device refuses the request."),
         ("connection_lost", "The simulator has closed the connection."),
@@ -144,7 +145,7 @@ def test_what_goes_wrong_is_shown(
     browser: webdriver.Chrome, folder: Path, device: Simulated, fault: str, text: str
 ) -> None:
     connected(browser, folder, device.addresses["rtu"])
-    enter(browser, "patience", "300")
+    enter(browser, "patience", "2000")
     reason = {"reason": "value_invalid"} if fault == "exception" else {}
     assert device.command(fault=fault, **reason)["ok"]
     send(browser)
@@ -154,13 +155,11 @@ def test_what_goes_wrong_is_shown(
 
 def test_a_request_of_another_link_is_not_sent(browser: webdriver.Chrome, folder: Path, device: Simulated) -> None:
     connected(browser, folder, device.addresses["ascii"])
-    assert text_of(browser, "send-remark") == (
-        "The request is one of the link rtu, and the connection is to ascii."
-    )
+    assert text_of(browser, "send-remark") == ("The request is one of the link rtu, and the connection is to ascii.")
     assert not browser.find_element(By.ID, "send").is_enabled()
     enter(browser, "frames", r":010310000001EB\r\n")
     browser.execute_script("document.getElementById('known-direction').value = 'request'")
-    WebDriverWait(browser, 10).until(lambda _: browser.find_element(By.ID, "send").is_enabled())
+    WebDriverWait(browser, 40).until(lambda _: browser.find_element(By.ID, "send").is_enabled())
     send(browser)
     assert text_of(browser, "frame-title").startswith("read_registers response, ascii")
 
@@ -178,7 +177,7 @@ def test_an_address_without_a_simulator_is_refused(
     open_lab(browser, folder, "tc100", frames=READ)
     enter(browser, "socket-address", address)
     click(browser, "connect")
-    WebDriverWait(browser, 10).until(lambda _: text_of(browser, "exchange-fault").startswith(text))
+    WebDriverWait(browser, 40).until(lambda _: text_of(browser, "exchange-fault").startswith(text))
     assert text_of(browser, "connection") == "Not connected."
 
 
@@ -229,7 +228,7 @@ def test_a_serial_port_is_opened_as_the_manual_says_and_answers_in_pieces(
     browser.execute_script("document.getElementById('carrier').value = 'serial'")
     browser.execute_script("document.getElementById('carrier').dispatchEvent(new Event('change'))")
     click(browser, "connect")
-    WebDriverWait(browser, 10).until(lambda _: text_of(browser, "connection") == "Connected to the serial port.")
+    WebDriverWait(browser, 40).until(lambda _: text_of(browser, "connection") == "Connected to the serial port.")
     settings = {"baudRate": 19200, "dataBits": 8, "parity": "none", "stopBits": 1, "bufferSize": 4096}
     assert browser.execute_script("return plug.opened") == settings
     browser.execute_script("plug.answers.push(arguments[0])", ANSWER)
@@ -237,16 +236,16 @@ def test_a_serial_port_is_opened_as_the_manual_says_and_answers_in_pieces(
     assert browser.execute_script("return plug.sent") == [list(bytes.fromhex(READ))]
     assert text_of(browser, "traffic-lines").endswith("RX: 01 03 02 00 00 B8 44")
     browser.execute_script("plug.disturb()")
-    WebDriverWait(browser, 10).until(lambda _: text_of(browser, "exchange-fault") == "On the line: a parity error")
+    WebDriverWait(browser, 40).until(lambda _: text_of(browser, "exchange-fault") == "On the line: a parity error")
     browser.execute_script("plug.stray([0, 255]); plug.answers.push(arguments[0])", ANSWER)
     send(browser)
     assert text_of(browser, "exchange-fault") == "2 bytes came before that nobody had asked for."
     browser.execute_script("plug.remove()")
-    WebDriverWait(browser, 10).until(lambda _: text_of(browser, "connection") == "The serial port is gone.")
+    WebDriverWait(browser, 40).until(lambda _: text_of(browser, "connection") == "The serial port is gone.")
     click(browser, "connect")
-    WebDriverWait(browser, 10).until(lambda _: text_of(browser, "connection") == "Connected to the serial port.")
+    WebDriverWait(browser, 40).until(lambda _: text_of(browser, "connection") == "Connected to the serial port.")
     click(browser, "connect")
-    WebDriverWait(browser, 10).until(lambda _: text_of(browser, "connection") == "Not connected.")
+    WebDriverWait(browser, 40).until(lambda _: text_of(browser, "connection") == "Not connected.")
     assert browser.execute_script("return plug.closed") is True
 
 

@@ -86,7 +86,7 @@ def values_of(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]
         def element(item: Any, field: Any = field) -> Any:
             if field.record is not None:
                 return values_of(field.record, item)
-            if field.value.type.kind is Kind.INTEGER and field.size > 6:
+            if field.value.type.kind is Kind.INTEGER and field.value.number_size(field.size) > 6:
                 return {"$n": str(item)}
             return portable(item)
 

@@ -27,6 +27,14 @@ def _has_read_only(record: RecordLayout) -> bool:
     )
 
 
+def _has_digits(record: RecordLayout) -> bool:
+    """Whether a number of a record, or of a record in it, is sent as digits, which have no columns."""
+    return any(
+        _has_digits(field.record) if field.record is not None else field.value is not None and bool(field.value.digits)
+        for field in record.fields
+    )
+
+
 class Access(Python):
     """Requests for registers, quantities of registers, and columns of records."""
 
@@ -45,7 +53,9 @@ class Access(Python):
         for query in queries:
             if query.kind in ("register", "parameter") and query.values is None:
                 self._assert_quantity(query)
-            if query.kind == "record" and query.values is None and query.shape.size and query.shape.selector is None:
+            if query.kind != "record" or query.values is not None or _has_digits(query.shape):
+                continue
+            if query.shape.size and query.shape.selector is None:
                 self._assert_columns(query)
         return [SILENT] * len(queries)
 

@@ -14,6 +14,8 @@ PLACES = ("field", "register", "parameter", "part", "signal", "case", "subindex"
 
 def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:
     """The keys of a random value at a place."""
+    if place in ("field", "register", "signal") and not types and draft.chance(5):
+        return _digits(draft, place)
     kind = draft.pick(types or _types(draft, place))
     keys: Spec = {"type": kind}
     if kind == "text":
@@ -124,6 +126,40 @@ def _scale(draft: Draft, keys: Spec, place: str) -> None:
 def _sentinels(draft: Draft, keys: Spec, low: int, high: int) -> None:
     numbers = sorted({draft.edge(low, high) for _ in range(draft.number(1, 2))}, reverse=True)
     keys["sentinels"] = [{"value": n, "name": f"absent_{place}"} for place, n in enumerate(numbers)]
+
+
+def _digits(draft: Draft, place: str) -> Spec:
+    """A number that is sent as digits, in a type that holds all of them."""
+    form = draft.pick(("decimal", "decimal", "upper_hex", "lower_hex", "bcd"))
+    is_signed = form != "bcd" and draft.chance(40)
+    size = draft.number(1, 8)
+    places = draft.number(1, 3) if form == "decimal" and draft.chance(40) else 0
+    if form != "decimal" and is_signed:
+        size = draft.pick((2, 4, 8, 16))
+    elif form == "decimal":
+        size += is_signed + (places + 1 if places else 0)
+    size += size % 2 if place == "register" else 0
+    count = 2 * size if form == "bcd" else size - (form == "decimal" and is_signed) - bool(places)
+    high = (16 if form.endswith("hex") else 10) ** count - 1
+    low = 0
+    if is_signed:
+        low, high = (-high, high) if form == "decimal" else (-(high + 1) // 2, high // 2)
+    bits = next(bits for bits in (8, 16, 32, 64) if high < 1 << (bits - is_signed))
+    keys: Spec = {"type": f"{'i' if is_signed else 'u'}{bits}", "digits": form, "length": size}
+    if places:
+        keys["places"] = places
+    if form == "bcd" and size > 1 and place != "signal" and draft.chance(30):
+        keys["byte_order"] = draft.pick(("little", "big"))
+    use = draft.pick(("bare", "range", "scaled", "enum", "sentinel"))
+    if use == "enum":
+        _enum(draft, keys, low, high)
+    elif use != "bare":
+        if use != "range":
+            _scale(draft, keys, place)
+        _range(draft, keys, low, high, place, use == "sentinel")
+        if use == "sentinel":
+            _sentinels(draft, keys, low, high)
+    return keys
 
 
 def _float(draft: Draft, keys: Spec, place: str) -> None:

@@ -154,7 +154,7 @@ def _element(value: Value, item: Any, size: int) -> Any:
         return {"$b": bytes(item).hex()}
     if kind is Kind.FLOAT and isinstance(item, float) and not math.isfinite(item):
         return {"$f": "NaN" if math.isnan(item) else "Infinity" if item > 0 else "-Infinity"}
-    return _number(item, size)
+    return _number(item, value.number_size(size))
 
 
 def _number(item: Any, size: int) -> Any:

@@ -212,7 +212,7 @@ def _spare(device: Device, value: Value, decoded: DecodedValue, reserved: bool) 
     if word is None or reserved or not isinstance(decoded.number, int):
         return ()
     used = sum(bit.mask for bit in word.bits if not bit.reserved)
-    left = decoded.number & ((1 << 8 * value.size) - 1) & ~used
+    left = decoded.number & ((1 << 8 * value.type.size) - 1) & ~used
     return tuple(at for at in range(left.bit_length()) if left >> at & 1)
 
 

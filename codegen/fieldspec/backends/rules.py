@@ -3,6 +3,14 @@
 from __future__ import annotations
 
 RULES = {
+    "output_numbers_binary": """Every number is binary on the wire, in dissectors, queries and word maps.
+
+Why: these outputs do not convert digits, so they would take the characters for a number.
+
+Example: a field with `type: u16, digits: decimal, length: 5`.
+
+Cure: Exclude the output for the device (`--to`), or state the digits as a text.
+""",
     "wireshark_frames_unescaped": """The frames that a dissector shows have the bytes that are sent.
 
 Why: the dissector does not undo escapes, so it would show other values than the frame has.

@@ -16,8 +16,9 @@ from fieldspec.captures.verdicts import (
     WRONG_CONST,
 )
 from fieldspec.classes import dataclass, replace
-from fieldspec.explain.values import decode_value
+from fieldspec.explain.values import decode_value, number_of
 from fieldspec.model.device import Device
+from fieldspec.model.digits import digits_bytes
 from fieldspec.model.value import Kind, Ranges, Value
 
 UNSEEN = -2
@@ -82,7 +83,7 @@ class Decoder:
         self.order, self.swapped, self.reserved, self.is_lenient = order, swapped, reserved, is_lenient
         self.type = value.type
         self.is_named = bool(value.enum or value.flags or self.type.kind is Kind.BOOLEAN) and not reserved
-        self.is_small = self.type.is_number and value.size <= 2
+        self.is_small = self.type.is_number and value.size <= 2 and not value.digits
         self.has_table = self.is_small and not reserved and (self.is_named or bool(value.sentinels))
         self.has_table = self.has_table or (self.is_small and value.const is not None and not reserved)
         self.has_quantity = self.type.is_number and not value.enum and not value.flags
@@ -101,6 +102,8 @@ class Decoder:
             return self._characters(buffer, at)
         if kind is Kind.FLOAT:
             return self._floats(buffer, at)
+        if self.value.digits:
+            return self._digits_of(buffer, at)
         return self._integers(self._raw(buffer, at, self.type.signed))
 
     def of_bits(self, bits: Numbers) -> ValueColumns:
@@ -122,7 +125,7 @@ class Decoder:
         result = ValueColumns.empty(len(raw))
         result.raw[:] = raw
         result.has_raw[:] = True
-        beyond = (raw < 0) if self.value.size == 8 and not self.type.signed else None
+        beyond = (raw < 0) if self.type.size == 8 and not self.type.signed else None
         wide = raw.view(np.uint64).astype(np.float64) if beyond is not None else raw.astype(np.float64)
         if self.has_quantity:
             result.has_quantity[:] = True
@@ -177,12 +180,19 @@ class Decoder:
         result.has_quantity[:] = np.array([row[2] for row in rows], np.bool_)[places]
 
     def _recalled(self, number: int) -> tuple[int, int, bool]:
-        data = (number & (1 << 8 * self.value.size) - 1).to_bytes(self.value.size, "big")
+        size = self.value.size
+        data = (
+            (number & (1 << 8 * size) - 1).to_bytes(size, "big") if not self.value.digits else self._digit_data(number)
+        )
         if data not in self._remembered:
             if len(self._remembered) > MOST_REMEMBERED:
                 self._remembered.clear()
             self._remembered[data] = self._meaning(data)
         return self._remembered[data]
+
+    def _digit_data(self, number: int) -> bytes:
+        """The digits of a number, the most significant one first."""
+        return digits_bytes(self.value, number % (1 << 64) if self.value.low == 0 else number)
 
     def _meaning(self, data: bytes) -> tuple[int, int, bool]:
         """The place of the text, the verdict, and whether there is a quantity, for the bytes of a value, big-endian."""
@@ -206,7 +216,7 @@ class Decoder:
     def _by_bounds(self, raw: Numbers, result: ValueColumns) -> None:
         """Verdicts of values without names, and the names of those that stand for a state."""
         value = self.value
-        unsigned = raw.view(np.uint64) if value.size == 8 and not self.type.signed else None
+        unsigned = raw.view(np.uint64) if self.type.size == 8 and not self.type.signed else None
         numbers: npt.NDArray[np.int64] | npt.NDArray[np.uint64] = raw if unsigned is None else unsigned
         if value.ranges is not None:
             result.verdict[~within(numbers, value.ranges)] = OUT_OF_RANGE
@@ -241,6 +251,22 @@ class Decoder:
             result.has_quantity[is_sentinel] = False
         if self.is_lenient:
             result.verdict[:] = OK
+        return result
+
+    def _digits_of(self, buffer: Bytes, at: Numbers) -> ValueColumns:
+        """The values of digits: the bytes that are none are a text with a verdict."""
+        table = buffer[np.minimum(at[:, None] + np.arange(self.value.size), len(buffer) - 1)]
+        pieces = [row.tobytes() for row in table]
+        numbers = {piece: number_of(self.value, piece, self.order, self.swapped) for piece in set(pieces)}
+        raw = [number if isinstance(number := numbers[piece], int) else 0 for piece in pieces]
+        result = self._integers(
+            np.array(raw, np.uint64).view(np.int64) if self.value.low == 0 else np.array(raw, np.int64)
+        )
+        for row, piece in enumerate(pieces):
+            if not isinstance(numbers[piece], int):
+                result.has_raw[row] = result.has_quantity[row] = False
+                result.text[row] = self.texts.place(piece.hex(" ").upper())
+                result.verdict[row] = OK if self.reserved else UNKNOWN_VALUE
         return result
 
     def _characters(self, buffer: Bytes, at: Numbers) -> ValueColumns:

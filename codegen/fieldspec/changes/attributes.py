@@ -134,7 +134,7 @@ def _sentinels(fact: Any) -> dict[int, object]:
 
 
 _HAVE_VALUES = (Part, Field, Case, Register, Parameter, Subindex, Signal)
-_KEYS = {"sources": "source", "silence_sources": "silence", "scale_text": "scale"}
+_KEYS = {"sources": "source", "silence_sources": "silence", "scale_text": "scale", "machines": "behaviour"}
 """Attributes whose keys in the spec have other names."""
 
 _TEXTS_OF_LINKS: dict[str, Text] = {

@@ -38,7 +38,7 @@ def enum_within_range(device: Device) -> Iterator[Diagnostic]:
 
 
 def _excluded(value: Value, member: Member) -> bool:
-    if not value.type.low <= member.value <= value.type.high:
+    if not value.low <= member.value <= value.high:
         return True
     if value.ranges is None or member.unavailable or member.value in value.ranges:
         return False

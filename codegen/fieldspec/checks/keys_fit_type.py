@@ -1,6 +1,6 @@
 """A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers. A
 floating-point number has no scale. Texts and bytes have no byte order, range or scale. Only a number of
-several words has a word order.
+several words has a word order, and only a text, bytes and digits have a `length`.
 
 Why: a key that no output can apply must not look as if it had an effect. A reader would rely on a limit or a
 name that no codec knows.
@@ -47,6 +47,12 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
             if _has(value, key):
                 text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
                 yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, _HELP[kind])
+        if value.type.is_number and not value.digits and "length" in fact.place:
+            text = f"{fact.name} is {value.type.name}, whose size is fixed, so that `length` does not apply"
+            yield finding("keys_fit_type", fact.place, "length", text, "remove it, or say how its `digits` are sent")
+        if value.has_characters and value.byte_order:
+            text = f"{fact.name} is sent as characters, the most significant digit first, and has no byte order"
+            yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or use `digits: bcd`")
         if value.type.is_number and value.word_order and not value.has_words:
             text = f"{fact.name} is {value.type.name}, which does not consist of several words of 16 bits"
             yield finding("keys_fit_type", fact.place, "word_order", text, "remove it, or correct the type")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.model.device import Device
+from fieldspec.model.digits import digits_text
 from fieldspec.model.fact import Fact
 from fieldspec.model.quantity import count_of, quantity_of
 from fieldspec.model.record import Case, Choice, Field
@@ -33,8 +34,8 @@ class Legal:
             return "" if number in value.ranges else f"is outside {value.ranges.text()}"
         if value.type.kind not in (Kind.INTEGER, Kind.BOOLEAN):
             return ""
-        if not value.type.low <= number <= value.type.high:
-            return f"does not fit {value.type.name}"
+        if not value.low <= number <= value.high:
+            return f"does not fit {digits_text(value) if value.digits else value.type.name}"
         if any(sentinel.value == number for sentinel in value.sentinels):
             return ""
         if value.ranges is not None and number not in value.ranges:

@@ -16,6 +16,7 @@ from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, outside, range_key
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.digits import digits_text
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import Link
 from fieldspec.model.value import Kind, Primitive, Ranges, Value
@@ -43,12 +44,12 @@ def range_within_type(device: Device) -> Iterator[Diagnostic]:
 
 
 def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
-    if outside(value.ranges, value.type.low, value.type.high):
-        text = f"{fact.name} cannot be {_text(value.ranges)} as {_type_range(value.type)}"
+    if outside(value.ranges, value.low, value.high):
+        text = f"{fact.name} cannot be {_text(value.ranges)} as {_range_of(value)}"
         yield finding("range_within_type", fact.place, range_key(fact.place), text, _HELP)
     for sentinel in value.sentinels:
-        if not value.type.low <= sentinel.value <= value.type.high:
-            text = f"{fact.name} cannot be {sentinel.value} ({sentinel.name}) as {_type_range(value.type)}"
+        if not value.low <= sentinel.value <= value.high:
+            text = f"{fact.name} cannot be {sentinel.value} ({sentinel.name}) as {_range_of(value)}"
             yield finding("range_within_type", fact.place, "sentinels", text, _HELP)
 
 
@@ -101,6 +102,12 @@ def _of_stations(link: Link) -> Iterator[Diagnostic]:
 
 def _type_range(primitive: Primitive) -> str:
     return f"{primitive.name}, which has the range {primitive.low}..{primitive.high}"
+
+
+def _range_of(value: Value) -> str:
+    if not value.digits:
+        return _type_range(value.type)
+    return f"{digits_text(value)}, which have the range {value.low}..{value.high}"
 
 
 def _text(ranges: Ranges | None) -> str:

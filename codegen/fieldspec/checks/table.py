@@ -32,6 +32,7 @@ from fieldspec.checks.default_within_range import default_within_range
 from fieldspec.checks.defaults_writable import defaults_writable
 from fieldspec.checks.descriptions_differ import descriptions_differ
 from fieldspec.checks.detections_apply import detections_apply
+from fieldspec.checks.digits_fit import digits_fit
 from fieldspec.checks.elements_match_table import elements_match_table
 from fieldspec.checks.enum_contiguous import enum_contiguous
 from fieldspec.checks.enum_names_unique import enum_names_unique
@@ -134,6 +135,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("defaults_writable", defaults_writable),
     ("descriptions_differ", descriptions_differ),
     ("detections_apply", detections_apply),
+    ("digits_fit", digits_fit),
     ("elements_match_table", elements_match_table),
     ("enum_contiguous", enum_contiguous),
     ("enum_names_unique", enum_names_unique),

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.facts import values
-from fieldspec.checks.finding import finding
+from fieldspec.checks.finding import finding, plural
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Part
@@ -26,7 +26,10 @@ _CODE = "widths_fit_place"
 def widths_fit_place(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         type_name = value.type.name
-        if isinstance(fact, Register) and value.type.is_number and value.size % 2 and value.size > 1:
+        if isinstance(fact, Register) and value.digits and value.size % 2:
+            text = f"the register {fact.name} has {plural(value.size, 'byte')} of digits, which are no whole words"
+            yield finding(_CODE, fact.place, "length", text, "state the digits of whole words of two bytes")
+        elif isinstance(fact, Register) and value.type.is_number and value.size % 2 and value.size > 1:
             text = f"the register {fact.name} is {type_name}, which has no whole number of words"
             yield finding(_CODE, fact.place, "type", text, "state the words as u32 or u48, with a range if it is known")
         elif isinstance(fact, Parameter | Subindex) and value.type.is_odd:

@@ -35,8 +35,7 @@ _FIRST = ""
 class Redaction:
     """Replaces values of one device. `spared` are paths of facts with texts that say nothing of the unit.
 
-    `replaced` counts the values that were replaced, by the path of their fact, or `unlisted` for what the spec does not
-    describe.
+    `replaced` counts the values that were replaced, by the path of their fact, or as `unlisted` or `reserved`.
     """
 
     def __init__(self, layout: DeviceLayout, secrets: Secrets, spared: Collection[str] = ()) -> None:
@@ -61,6 +60,11 @@ class Redaction:
             self.secrets.learn(data)
         name = fact.place.path if fact is not None else "unlisted"
         self.replaced[name] = self.replaced.get(name, 0) + 1
+
+    def _drop(self, data: bytes) -> None:
+        """Counts what a reserved place has, where it has something."""
+        if any(data):
+            self.replaced["reserved"] = self.replaced.get("reserved", 0) + 1
 
     def frame(self, link: str, direction: str, frame: bytes, decoded: Decoded, asked: Mapping[str, Any]) -> bytes:
         """A frame with right checksums in which nothing identifies the unit. `asked` are the values of its request.
@@ -123,6 +127,7 @@ class Redaction:
         value = field.value
         constant = value is not None and value.const is not None
         if field.field.reserved and not constant:
+            self._drop(piece)
             return bytes(len(piece))
         if value is not None and value.parameter is not None and value.parameter.part in ("value", "values"):
             own = self._parameter(field, index, values)
@@ -183,6 +188,8 @@ class Redaction:
                 result[at : at + 2] = data[at : at + 2]
             elif not own:
                 self._replace(None, data[at : at + 2])
+            elif not known:
+                self._drop(data[at : at + 2])
             for occupant in secret:
                 first = 2 * (occupant.address - start) + occupant.skip
                 if id(occupant) in replaced:

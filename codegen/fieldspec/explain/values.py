@@ -9,6 +9,7 @@ from decimal import Context, Decimal
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.values import Raw
 from fieldspec.model.device import Device
+from fieldspec.model.digits import digits_number, digits_text
 from fieldspec.model.enums import Bit, Enum, Flags, State
 from fieldspec.model.value import Kind, Ranges, Value
 
@@ -61,7 +62,7 @@ def whole(data: bytes, order: str) -> int:
 
 
 def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
-    """The raw value of all bytes of a value; texts and bytes are returned as bytes.
+    """The raw value of all bytes of a value; texts, bytes, and bytes that are not the digits of a number, as bytes.
 
     With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each.
     """
@@ -74,6 +75,9 @@ def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
     if kind is Kind.FLOAT:
         number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", data)[0]
         return number
+    if value.digits:
+        number_of_digits = digits_number(value, data if big else data[::-1])
+        return data if number_of_digits is None else number_of_digits
     return int.from_bytes(data, "big" if big else "little", signed=value.type.signed)
 
 
@@ -135,6 +139,8 @@ def decode_value(
         return DecodedValue(data.rstrip(b"\0").decode("ascii"))
     if isinstance(number, float):
         return _float(value, number)
+    if value.digits and isinstance(number, bytes):
+        return DecodedValue(number).judged(False, digits_text(value), "unknown_value")
     if not isinstance(number, int):
         return DecodedValue(number)
     return _whole(device, value, number)

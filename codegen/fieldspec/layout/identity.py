@@ -63,6 +63,7 @@ def _value(value: Value | None) -> Words:
         sentinels,
         value.parameter,
         *((value.write_ranges,) if value.write_ranges is not None else ()),
+        *((value.digits, value.places) if value.digits else ()),
     )
 
 

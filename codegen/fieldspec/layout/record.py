@@ -113,7 +113,9 @@ class Orders:
     word: str
 
     def of(self, value: Value | None) -> tuple[str, bool]:
-        """The byte order of a value, and whether its words are swapped."""
+        """The byte order of a value, and whether its words are swapped; digits that are characters are big-endian."""
+        if value is not None and value.has_characters:
+            return "big", False
         byte = value.byte_order if value and value.byte_order else self.byte
         word = value.word_order if value and value.word_order else self.word
         return byte, bool(value and value.has_words and word and word != byte)

@@ -70,6 +70,11 @@ def _code(device: Device, value: Value | None) -> str:
     return unit.ucum if unit is not None else ""
 
 
+def _type(value: Value) -> str:
+    """The type, and the form of the digits of a number that is sent as such: `u16 bcd`."""
+    return f"{value.type.name} {value.digits}".strip()
+
+
 def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> Iterator[Item]:
     for number in range(register.count):
         index = register.index_from + number
@@ -81,7 +86,7 @@ def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> 
             address=register.address + number * register.stride,
             name=f"{register.name}_{index}" if many else register.name,
             words=register.width if register.unit_size > 1 and register.value.type.name != BIT else None,
-            type=register.value.type.name,
+            type=_type(register.value),
             access=register.access,
             value=register.value,
             printed_name=printed,
@@ -100,7 +105,7 @@ def _table(device: Device, table_layout: TableLayout, enums: Mapping[str, Enum])
             address=table.base + byte // 2,
             name=f"{table.name}.{name}",
             words=(byte % 2 + field.size + 1) // 2,
-            type=field.value.type.name if field.value else "bytes",
+            type=_type(field.value) if field.value else "bytes",
             access=access,
             value=field.value,
             count=table.count,

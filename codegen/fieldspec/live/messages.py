@@ -220,7 +220,8 @@ def _bytes_of(signal: Signal, raw: Any) -> bytes:
     """A raw value as it goes over the wire."""
     value = signal.value
     order: Literal["big", "little"] = "big" if signal.order == "big" else "little"
-    if isinstance(raw, int) and value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and not signal.swapped:
+    is_binary = value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and not (signal.swapped or value.digits)
+    if isinstance(raw, int) and is_binary:
         return (int(raw) & ((1 << 8 * value.size) - 1)).to_bytes(value.size, order)
     if isinstance(raw, str):
         return raw.encode("ascii", "replace").ljust(value.size, b"\0")

@@ -117,7 +117,7 @@ MODEL_CLASSES: dict[type, ModelClass] = {
             Content(Acceptance, "accepts"),
             Content(StatedChange, "stated_changes"),
         ),
-        ("name", "vendor", "title", "doc", "manual"),
+        ("name", "vendor", "title", "doc", "manual", "machines"),
         key=attrgetter("id"),
     ),
     VersionLine: ModelClass("line of versions", (Content(Version, "versions"),), ("title", "like", "inferred")),

@@ -9,6 +9,7 @@ from fieldspec.model.address_space import BIT, WORD, WORDS, AddressSpace
 from fieldspec.model.enums import Enum, Flags
 from fieldspec.model.fact import Citation, Place
 from fieldspec.model.link import Link
+from fieldspec.model.machines import StateMachine
 from fieldspec.model.record import Message, Record, RegisterAccess
 from fieldspec.model.registers import ParameterSet, Register, RegisterGroup, Table
 from fieldspec.model.task import Task
@@ -113,6 +114,7 @@ class Device:
     errata: tuple[Erratum, ...]
     accepts: tuple[Acceptance, ...]
     stated_changes: tuple[StatedChange, ...]
+    machines: tuple[StateMachine, ...]
 
     @property
     def detection(self) -> Detection | None:

@@ -8,6 +8,7 @@ from enum import Enum
 from operator import itemgetter
 
 from fieldspec.classes import TYPE_CHECKING, attributes, dataclass, replace
+from fieldspec.model.digits import BCD, digit_bounds
 from fieldspec.model.fact import Citation, Fact
 
 if TYPE_CHECKING:
@@ -240,7 +241,8 @@ class Value:
     `scale` is a fraction where no decimal number is it, and `scale_text` what the spec writes. `ranges`,
     `write_ranges`, `default` and `const` are raw counts. `write_ranges` is None where the same values may be read and
     written. `enum` and `flags` are names, or empty. `byte_order` and `word_order` are empty where the value has the
-    orders of its link.
+    orders of its link. `digits` is the form of the digits that it is sent as, empty for a binary number; `places` is
+    how many of them follow a point.
     """
 
     type: Primitive
@@ -260,6 +262,22 @@ class Value:
     sentinels: tuple[Sentinel, ...]
     write_ranges: Ranges | None = None
     word_order: str = ""
+    digits: str = ""
+    places: int = 0
+
+    def number_size(self, size: int) -> int:
+        """The bytes of its number as machines have it, for a value in `size` bytes: those of the type for digits."""
+        return self.type.size if self.digits else size
+
+    @property
+    def low(self) -> int:
+        """The least raw value that the wire can carry."""
+        return max(self.type.low, digit_bounds(self)[0]) if self.digits else self.type.low
+
+    @property
+    def high(self) -> int:
+        """The greatest raw value that the wire can carry."""
+        return min(self.type.high, digit_bounds(self)[1]) if self.digits else self.type.high
 
     @property
     def scale_number(self) -> Decimal | str:
@@ -269,12 +287,18 @@ class Value:
     @property
     def writable_ranges(self) -> Ranges | None:
         """The counts that may be written in addition to sentinels; None where only the type bounds them."""
-        return self.ranges if self.write_ranges is None else self.write_ranges
+        ranges = self.ranges if self.write_ranges is None else self.write_ranges
+        return Ranges(((self.low, self.high),)) if ranges is None and self.digits else ranges
 
     @property
     def has_words(self) -> bool:
         """Whether it consists of several words of 16 bits, whose order matters."""
-        return self.type.is_number and self.size > 2 and self.size % 2 == 0
+        return self.type.is_number and self.size > 2 and self.size % 2 == 0 and not self.has_characters
+
+    @property
+    def has_characters(self) -> bool:
+        """Whether its digits are characters, of which the first is the most significant whatever the byte order."""
+        return self.digits not in ("", BCD)
 
     @property
     def scaled(self) -> bool:

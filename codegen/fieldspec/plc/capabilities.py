@@ -14,6 +14,7 @@ CONSTRUCTS = {
     "wide_numbers": "whole numbers of 64 bits",
     "wide_lists": "lists of whole numbers of 64 bits",
     "odd_numbers": "whole numbers of 24, 40, 48 and 56 bits",
+    "digits": "whole numbers that are sent as digits",
     "floats": "floating-point numbers of 32 bits",
     "wide_floats": "floating-point numbers of 64 bits",
     "absent_reals": "sentinels of floating-point numbers that are no number",
@@ -78,6 +79,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
         )
         capabilities["wide_lists"] = refused("the halves of an element cannot stand beside each other: plc_numbers_fit")
         capabilities["odd_numbers"] = lossy("of 24 bits are exact; wider ones are refused: plc_numbers_fit")
+    capabilities["digits"] = refused("there are no functions that convert them: plc_numbers_binary")
     if not dialect.nested_arrays:
         capabilities["text_lists"] = refused("there are no arrays of arrays: plc_arrays_flat")
     if not dialect.enums:

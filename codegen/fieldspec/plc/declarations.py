@@ -15,6 +15,7 @@ from fieldspec.names import Name
 from fieldspec.plc.absent import absent_reals
 from fieldspec.plc.constants import LISTS, Constant, ConstantList, Draft
 from fieldspec.plc.dialects import Dialect, Scope
+from fieldspec.plc.digits import digits_findings, without_digits
 from fieldspec.plc.enums import EnumDeclaration, EnumMember, TextTable, available, coded
 from fieldspec.plc.frames import with_supported_links
 from fieldspec.plc.layout import fitting
@@ -76,7 +77,11 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     with_spaces, space_findings = with_supported_spaces(layout, dialect)
     supported, frame_findings = with_supported_links(with_spaces, dialect)
     narrowed_layout, findings = narrowed(supported, dialect)
-    findings += [*absent_reals(with_spaces, dialect), *space_findings, *frame_findings, *wide_enums(layout, dialect)]
+    binary_findings = digits_findings(with_spaces, dialect)
+    if binary_findings:
+        narrowed_layout, _ = narrowed(without_digits(supported), dialect)
+    findings += [*absent_reals(with_spaces, dialect), *binary_findings]
+    findings += [*space_findings, *frame_findings, *wide_enums(layout, dialect)]
     declaring = _Declaring(narrowed_layout, dialect, findings)
     enums = tuple(declaring.enums())
     structs = tuple(declaring.structs())

@@ -69,6 +69,14 @@ Example: an enum with -1 and 0x8000000000000000.
 
 Cure: Exclude the output for the device (`--to`), or state two enums.
 """,
+    "plc_numbers_binary": """Every number is binary on the wire.
+
+Why: the functions of controllers do not convert digits, so the characters would be taken for a number.
+
+Example: a field with `type: u16, digits: decimal, length: 5`.
+
+Cure: Exclude the output for the device (`--to`), or state the digits as a text.
+""",
     "plc_reals_fit": """Floating-point numbers have 32 bits.
 
 Why: dialects differ in what a conversion between 64 bits and LREAL does, and the functions do not compute it.

@@ -10,6 +10,7 @@ import construct
 
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
+from fieldspec.model.digits import digits_bytes, digits_number, digits_text
 from fieldspec.model.value import Kind, Value
 
 
@@ -71,6 +72,8 @@ def value_construct(value: Value | None, order: str, swapped: bool) -> construct
     kind, size = value.type.kind, value.size
     if kind in (Kind.TEXT, Kind.BYTES):
         return construct.Bytes(size)
+    if value.digits:
+        return _Digits(value, order, swapped)
     suffix = "b" if (order == "big") != swapped else "l"
     if kind is Kind.FLOAT:
         number = getattr(construct, f"Float{8 * size}{suffix}")
@@ -82,6 +85,24 @@ def value_construct(value: Value | None, order: str, swapped: bool) -> construct
         # Words in the other order than bytes: turn the bytes of each word, then read in the words' order.
         return construct.Transformed(number, _words_turned, size, _words_turned, size)
     return number
+
+
+class _Digits(construct.Adapter):  # type: ignore[misc]
+    """A number that is sent as digits; bytes that are none are parsed as None."""
+
+    def __init__(self, value: Value, order: str, swapped: bool) -> None:
+        super().__init__(construct.Bytes(value.size))
+        self.value, self.swapped, self.is_reversed = value, swapped, (order == "big") == swapped
+
+    def _decode(self, data: bytes, context: Any, path: str) -> int | None:
+        return digits_number(self.value, self._turned(data))
+
+    def _encode(self, number: int, context: Any, path: str) -> bytes:
+        return self._turned(digits_bytes(self.value, number))
+
+    def _turned(self, data: bytes) -> bytes:
+        data = data[::-1] if self.is_reversed else data
+        return _words_turned(data) if self.swapped else data
 
 
 def _words_turned(data: bytes) -> bytes:
@@ -154,6 +175,8 @@ def decoded_value(name: str, value: Value | None, raw: Any, device: Device, at: 
         return raw.rstrip(b"\0").decode("ascii")
     if kind is Kind.BYTES:
         return bytes(raw)
+    if raw is None:
+        raise CodecError("unknown_value", f"{name} is not {digits_text(value)}", at)
     if value.const is not None and raw != value.const:
         raise CodecError("wrong_const", f"{name} is {raw}, not {value.const}", at)
     if value.enum and not _is_known(device, value, raw):
@@ -302,7 +325,7 @@ def _float(name: str, value: Value, number: float) -> float:
 def _in_range(name: str, value: Value | None, number: int) -> int:
     assert value is not None
     known = any(sentinel.value == number for sentinel in value.sentinels)
-    fits = value.type.low <= number <= value.type.high
+    fits = value.low <= number <= value.high
     ranges = value.writable_ranges
     if not fits or (ranges is not None and number not in ranges and not known):
         allowed = ranges.text() if ranges else f"{value.type.low}..{value.type.high}"

@@ -108,7 +108,7 @@ class Memory:
         if isinstance(raw, bytes):
             return raw.ljust(value.size, b"\0")[: value.size]
         if value.type.kind is not Kind.FLOAT and isinstance(raw, int | float | Decimal):
-            raw = min(max(round(raw), value.type.low), value.type.high)
+            raw = min(max(round(raw), value.low), value.high)
         key = id(value)
         codec = self._constructs.get(key)
         if codec is None:

@@ -393,4 +393,4 @@ def _in_type(raw: Any, field: FieldLayout) -> Any:
         return bool(raw)
     if raw < 0 and not value.type.signed:
         raw = _signed(round(raw), value.size, False)
-    return min(max(round(raw), value.type.low), value.type.high)
+    return min(max(round(raw), value.low), value.high)

@@ -9,6 +9,7 @@ from typing import TypeAlias
 from fieldspec.backends.c.expressions import Expression, Local, Type
 from fieldspec.backends.c.statements import Body, Variable
 from fieldspec.classes import dataclass
+from fieldspec.model.digits import digits_text
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 
@@ -168,6 +169,8 @@ def describe_value(value: Value | None) -> str:
     if value is None:
         return ""
     facts = []
+    if value.digits:
+        facts.append(f"Sent as {digits_text(value)}.")
     if value.scaled or value.unit:
         scale = value.scale_text or str(value.scale)
         offset = f", plus {value.offset}" if value.offset else ""

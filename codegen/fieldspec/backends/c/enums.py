@@ -213,7 +213,7 @@ def unknown_value_test(naming: Naming, device: Device, value: Value, number: Exp
         return None
     kind = "uint64_t" if _is_wide(device.enums[value.enum]) else "int64_t"
     known = negate(Call(naming.function("enum", value.enum, "known"), (Cast(kind, number),)))
-    sentinels = [different(number, integer(s.value, value.size, value.type.signed)) for s in value.sentinels]
+    sentinels = [different(number, integer(s.value, value.type.size, value.type.signed)) for s in value.sentinels]
     return all_of([known, *sentinels])
 
 

@@ -82,7 +82,7 @@ ACCESS = {
 
 def define_constants(naming: Naming, noun: Noun, names: tuple[str, ...], value: Value) -> list[Declaration]:
     """`#define GADGET_REG_SPEED_MAX 3000`: constant, range, default and scale, in counts or as a fraction."""
-    size, signed = value.size, value.type.signed
+    size, signed = value.type.size, value.type.signed
     constants: list[tuple[str, Expression]] = []
     if value.const is not None:
         constants.append(("value", integer(value.const, size, signed)))
@@ -100,7 +100,7 @@ def define_constants(naming: Naming, noun: Noun, names: tuple[str, ...], value: 
 def _bound(value: Value, number: int) -> Expression:
     """A bound of the value's range as a constant of its type."""
     if value.type.kind is not Kind.FLOAT:
-        return integer(number, value.size, value.type.signed)
+        return integer(number, value.type.size, value.type.signed)
     real = whole_real(number, value.size)
     return Group(real) if number < 0 else real
 

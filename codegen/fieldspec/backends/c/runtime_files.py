@@ -11,12 +11,14 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 
 from fieldspec.backends.c.declarations import Source
+from fieldspec.backends.c.digits import digits_parts
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.values import WireValue, access_name
 from fieldspec.backends.templates import text
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import Orders, RecordLayout, RegisterLayout
 from fieldspec.model.address_space import BIT
+from fieldspec.model.digits import BCD
 from fieldspec.model.value import Kind
 
 _FOLDER = "backends/c/runtime"
@@ -76,12 +78,14 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
         *(["hexadecimal"] if characters else []),
     ]
     odd = [[copy_runtime(naming, "odd_numbers.h", part)] for part in _odd_accesses(layout)]
-    return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + odd
+    digits = digits_parts([wire.value for wire in _wire_values(layout) if wire.value.digits])
+    more = odd + [[copy_runtime(naming, "digits.h", part)] for part in digits]
+    return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + more
 
 
 def _accesses(layout: DeviceLayout) -> list[str]:
     """The widths and orders of the device's numbers, as in the names of the functions that load and store them."""
-    used = {wire.access for wire in _wire_values(layout) if not wire.is_array}
+    used = {wire.access for wire in _wire_values(layout) if not wire.is_array and not wire.value.has_characters}
     for link in layout.links.values():
         for frame in (link.request, link.response):
             used |= {access_name(part.size, part.order, False) for part in (*frame.header, *frame.trailer)}
@@ -91,7 +95,8 @@ def _accesses(layout: DeviceLayout) -> list[str]:
 def _odd_accesses(layout: DeviceLayout) -> list[str]:
     """The same of numbers with another width than those of machines, and the functions for their signs."""
     odd = [wire for wire in _wire_values(layout) if wire.value.type.is_odd]
-    used = {wire.access for wire in odd} | {f"signed_{8 * wire.size}" for wire in odd if wire.value.type.signed}
+    used = {wire.access for wire in _wire_values(layout) if wire.value.type.is_odd or wire.value.digits == BCD}
+    used |= {f"signed_{8 * wire.size}" for wire in odd if wire.value.type.signed}
     return [name for name in runtime_parts("odd_numbers.h") if name in used]
 
 

@@ -12,6 +12,7 @@ from fieldspec.backends.c.naming import member
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
+from fieldspec.model.digits import digits_bytes
 from fieldspec.model.value import Kind, Value
 
 ValuePicker = Callable[[Device, Value], Any]
@@ -171,6 +172,10 @@ def value_bytes(value: Value, order: str, swapped: bool, item: Any) -> bytes:
     if kind in (Kind.TEXT, Kind.BYTES):
         data = item.encode("ascii") if isinstance(item, str) else bytes(item)
         return data.ljust(value.size, b"\0")
+    if value.digits:
+        data = digits_bytes(value, int(item))
+        data = data[::-1] if (order == "little") != swapped else data
+        return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2)) if swapped else data
     is_float = kind is Kind.FLOAT
     number = int.from_bytes(struct.pack(f">{value.type.letter}", item), "big") if is_float else int(item)
     words_little = (order == "little") != swapped

@@ -266,7 +266,7 @@ def _constants(naming: Naming, device: Device, value: Value, numbers: list[int])
     """How C writes numbers of a value: by the names of its enum where they have its type."""
     enum = enum_type(device, value)
     if enum is None:
-        return {number: integer(number, value.size, value.type.signed) for number in numbers}
+        return {number: integer(number, value.type.size, value.type.signed) for number in numbers}
     names = {member.value: member.name for member in available_members(enum)}
     return {number: Identifier(naming.macro("enum", enum.name, names[number])) for number in numbers}
 

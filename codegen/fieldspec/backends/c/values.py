@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.c.digits import digits_call, digits_test, load_digits
 from fieldspec.backends.c.enums import enum_implies_range, enum_type, unknown_value_test
 from fieldspec.backends.c.expressions import (
     IN,
@@ -130,6 +131,8 @@ def real_functions(size: int) -> tuple[str, str]:
 def load(naming: Naming, wire: WireValue, source: Expression) -> Expression:
     """`load_u16_be(in + 4)`: the number at `source`, a pointer to its first byte."""
     number = Call(naming.own(f"load_{wire.access}"), (source,))
+    if wire.value.digits:
+        return load_digits(naming, wire.value, source, number)
     if wire.kind is Kind.INTEGER and wire.value.type.signed:
         return Call(naming.own(f"signed_{8 * wire.size}"), (number,))
     return number
@@ -181,7 +184,7 @@ def out_of_range_test(value: Value, number: Expression) -> Expression | None:
         return _float_out_of_range_test(value, ranges, number)
     tests: list[Expression] = []
     for low, high in sorted(ranges.intervals):
-        least, most = integer(low, value.size, kind.signed), integer(high, value.size, kind.signed)
+        least, most = integer(low, kind.size, kind.signed), integer(high, kind.size, kind.signed)
         if low == high:
             tests.append(equal(number, least))
             continue
@@ -194,7 +197,7 @@ def out_of_range_test(value: Value, number: Expression) -> Expression | None:
             return None
         tests.append(all_of(bounds))
     tests += [
-        equal(number, integer(sentinel.value, value.size, kind.signed))
+        equal(number, integer(sentinel.value, kind.size, kind.signed))
         for sentinel in value.sentinels
         if sentinel.value not in ranges
     ]
@@ -241,8 +244,12 @@ def check_loaded(naming: Naming, device: Device, wire: WireValue, source: Expres
         return refuse(naming, negate(ascii_test), "err_unknown_value")
     if wire.kind is Kind.BOOLEAN:
         return refuse(naming, greater(load(naming, wire, source), unsigned(1)), "err_unknown_value")
+    tests: Body = ()
+    if wire.value.digits:
+        number = Call(naming.own(f"load_{wire.access}"), (source,))
+        tests = refuse(naming, negate(digits_test(naming, wire.value, source, number)), "err_unknown_value")
     unknown = unknown_value_test(naming, device, wire.value, target)
-    return refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()
+    return (*tests, *(refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()))
 
 
 def decode_value(naming: Naming, device: Device, wire: WireValue, source: Expression, target: Expression) -> Body:
@@ -308,7 +315,18 @@ def store_value(naming: Naming, wire: WireValue, source: Expression, target: Exp
         number = Cast(number_type, Conditional(source, decimal(1), ZERO))
     elif wire.value.type.signed:
         number = Cast(number_type, source)
+    if wire.value.digits:
+        return (store_number(naming, wire, source, target),)
     return (store(naming, wire.access, target, number),)
+
+
+def store_number(naming: Naming, wire: WireValue, number: Expression, target: Expression) -> Evaluation:
+    """`store_digits(out + 4, 6u, 2u, 0u, in->speed);`: writes a number as digits."""
+    if wire.value.has_characters:
+        function, arguments = digits_call(naming, wire.value, target, number)
+        return call(function, *arguments)
+    container = next(size for size in (1, 2, 4, 8) if size >= wire.size)
+    return store(naming, wire.access, target, Cast(f"uint{8 * container}_t", Call(naming.own("to_bcd"), (number,))))
 
 
 def encode_value(naming: Naming, device: Device, wire: WireValue, source: Expression, target: Expression) -> Body:
@@ -329,8 +347,15 @@ def encode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
         *((Variable(Type(kind, const=True), number.name, value=Cast(kind, VALUE)),) if range_check else ()),
         *_check_known(naming, device, wire, VALUE),
         *range_check,
-        store(naming, wire.access, OUT, Cast(f"uint{8 * wire.size}_t", VALUE)),
+        _store_member(naming, wire),
     )
+
+
+def _store_member(naming: Naming, wire: WireValue) -> Evaluation:
+    member = Cast(f"uint{8 * wire.value.type.size}_t", VALUE)
+    if wire.value.digits:
+        return store_number(naming, wire, Cast(type_name(wire.value), VALUE), OUT)
+    return store(naming, wire.access, OUT, member)
 
 
 def store_constant(naming: Naming, wire: WireValue, number: int, target: Expression) -> Body:

@@ -166,7 +166,26 @@ class Strips:
     rows: tuple[Strip, ...]
 
 
-Block: TypeAlias = DocumentTable | Paragraph | Facts | Bits | Strips
+class Arrow(NamedTuple):
+    """What leads from a state to another one, by their numbers. An `assumed` one is not printed in the manual."""
+
+    origin: int
+    target: int
+    text: str
+    assumed: bool
+
+
+@dataclass(frozen=True, slots=True)
+class StateDrawing:
+    """States below each other, the first one at power-on, with arrows between them; a table says the same."""
+
+    kind: ClassVar[str] = "states"
+    title: str
+    states: tuple[str, ...]
+    arrows: tuple[Arrow, ...]
+
+
+Block: TypeAlias = DocumentTable | Paragraph | Facts | Bits | Strips | StateDrawing
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,9 +19,11 @@ from fieldspec.backends.docs.document import (
     Piece,
     RenderedSection,
     Section,
+    StateDrawing,
     Strips,
     paths_of,
 )
+from fieldspec.backends.docs.drawing import state_drawing
 from fieldspec.backends.docs.site import PagePlace, panel, policy, scripts
 from fieldspec.backends.templates import fill, text
 from fieldspec.html_text import escaped
@@ -160,6 +162,8 @@ class _Page:
                 terms = self._writer.strip(strip.bytes)
                 yield f"<div><dt>{escaped(strip.title)}</dt><dd>{terms}</dd></div>\n"
             yield "</dl>\n"
+        elif isinstance(block, StateDrawing):
+            yield from state_drawing(block)
         else:
             yield '<div class="scroll">\n'
             yield from map(self._bits, block.rows)

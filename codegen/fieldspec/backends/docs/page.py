@@ -24,6 +24,7 @@ from fieldspec.backends.docs.errata import errata
 from fieldspec.backends.docs.examples import examples
 from fieldspec.backends.docs.links import links
 from fieldspec.backends.docs.lookups import limits, lookups, notes
+from fieldspec.backends.docs.machines import state_machines
 from fieldspec.backends.docs.messages import conversions, messages, signals, telegrams
 from fieldspec.backends.docs.parameters import parameters
 from fieldspec.backends.docs.records import records, tables
@@ -92,6 +93,7 @@ SECTIONS = (
     codes,
     lookups,
     limits,
+    state_machines,
     units,
     notes,
     examples,

@@ -20,6 +20,7 @@ from fieldspec.backends.docs.document import (
 )
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.explain.values import decimal_text, in_unit, range_in_unit
+from fieldspec.model.digits import digits_text
 from fieldspec.model.enums import Enum, Member
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Kind, Value
@@ -59,6 +60,8 @@ def type_lines(value: Value) -> list[Line]:
     kind = value.type.kind
     size = f" of {many(value.size, 'byte')}" if kind in (Kind.TEXT, Kind.BYTES) else ""
     lines: list[Line] = [(code(value.type.name), text_piece(size))]
+    if value.digits:
+        lines.append((text_piece(f"sent as {digits_text(value)}"),))
     if value.characters is not None:
         lines.append((text_piece(f"{value.characters} characters at most"),))
     if value.byte_order:

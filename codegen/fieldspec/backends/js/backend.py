@@ -22,6 +22,7 @@ RUNTIME = (
     "quantity",
     "record",
     "register",
+    "digits",
     "values",
 )
 """The modules that all devices share, copied from `runtime/`."""

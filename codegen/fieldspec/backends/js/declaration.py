@@ -39,4 +39,4 @@ class Names:
         enum = self.layout.device.enums.get(value.enum)
         if enum is not None and not enum.open and not value.sentinels:
             return self.enums[enum.name]
-        return "bigint" if kind is Kind.INTEGER and size > 6 else "number"
+        return "bigint" if kind is Kind.INTEGER and value.number_size(size) > 6 else "number"

@@ -25,7 +25,7 @@ def unit_of(value: Value, size: int) -> str:
         f"divisor: {divisor}n",
         f"absent: [{', '.join(f'{sentinel.value}n' for sentinel in value.sentinels)}]",
         f"ranges: [{', '.join(f'[{low}n, {high}n]' for low, high in intervals)}]",
-        f"wide: {'true' if size > 6 else 'false'}",
+        f"wide: {'true' if value.number_size(size) > 6 else 'false'}",
     ]
     return f"/* @__PURE__ */ unit({{ {', '.join(rows)} }})"
 

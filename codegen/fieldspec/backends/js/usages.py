@@ -217,5 +217,5 @@ class _Usages:
             value,
             self.layout.device,
             lambda enum, row: f"device.{self.names.enums[enum.name]}.{member_keys(enum)[row.name]}",
-            lambda count: f"{count}n" if size > 6 else str(count),
+            lambda count: f"{count}n" if value.number_size(size) > 6 else str(count),
         )

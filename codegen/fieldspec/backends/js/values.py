@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from fieldspec.backends.js.text import flag, literal
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
+from fieldspec.model.digits import has_sign
 from fieldspec.model.value import Kind, Value, merged
 
 INLINE = 6
@@ -36,7 +37,7 @@ class Slot:
     @property
     def wide(self) -> bool:
         """Whether its numbers are bigints."""
-        return self.value.type.kind is Kind.INTEGER and self.size > 6
+        return self.value.type.kind is Kind.INTEGER and self.value.number_size(self.size) > 6
 
     @property
     def places(self) -> tuple[int, ...]:
@@ -51,6 +52,14 @@ class Slot:
 
     def number(self, base: str, offset: int) -> str:
         """The expression of the raw number at `base` + `offset`."""
+        if self.value.has_characters:
+            return self._digits(place(base, offset))
+        if self.value.digits:
+            return self._of_bcd(base, offset)
+        return self._binary(base, offset)
+
+    def _binary(self, base: str, offset: int) -> str:
+        """The expression of the binary number."""
         at = [byte(base, offset + place) for place in self.places]
         signed = self.value.type.signed and self.value.type.kind is Kind.INTEGER
         if self.size == 1:
@@ -70,8 +79,29 @@ class Slot:
         joined = f"(BigInt({high}) << 32n) | BigInt({low})"
         return f"BigInt.asIntN({8 * self.size}, {joined})" if signed else f"({joined})"
 
+    def _digits(self, at: str) -> str:
+        """The expression of the number of characters."""
+        return f"digitsOf({literal(self.name)}, b, {at}, {self._form}, {flag(self.wide)})"
+
+    def _of_bcd(self, base: str, offset: int) -> str:
+        """The expression of the number of two decimal digits in each byte."""
+        listing = ", ".join(byte(base, offset + place) for place in self.places)
+        return f"bcdOf({literal(self.name)}, [{listing}], {place(base, offset)}, {flag(self.wide)})"
+
+    @property
+    def _form(self) -> str:
+        """The arguments for digits: bytes, characters that they may be, places, whether there is a sign, and bits."""
+        letters = {"upper_hex": "ABCDEF", "lower_hex": "abcdef"}.get(self.value.digits, "")
+        bits = 8 * self.value.type.size if letters and self.value.type.signed else 0
+        return f'{self.size}, "0123456789{letters}", {self.value.places}, {flag(has_sign(self.value))}, {bits}'
+
     def stored(self, number: str, base: str, offset: int) -> list[str]:
         """The statements that write a number, given by the name of a variable."""
+        if self.value.has_characters:
+            return [f"putDigits({number}, b, {place(base, offset)}, {self._form});"]
+        if self.value.digits:
+            places = ", ".join(place(base, offset + at) for at in self.places)
+            return [f"putBcd({number}, b, [{places}]);"]
         at = [byte(base, offset + place) for place in reversed(self.places)]
         if self.size > 6:
             return [
@@ -130,7 +160,12 @@ class Slot:
 
     def whole(self, number: str) -> str:
         """The condition that a value of any type is a number of the type of the slot."""
-        signed, size, low, high = self.value.type.signed, self.value.size, self.value.type.low, self.value.type.high
+        signed, size, low, high = (
+            self.value.type.signed,
+            self.value.type.size,
+            self.value.type.low,
+            self.value.type.high,
+        )
         if self.wide:
             return f'typeof {number} === "bigint" && {number} >= {low}n && {number} <= {high}n'
         if size == 4:
@@ -154,6 +189,8 @@ class Slot:
         if kind is Kind.BOOLEAN:
             return Reading((), f"booleanOf({name}, {number}, {at})", throws=True)
         checks = list(self._checks(variable, at))
+        if self.value.digits and not checks:
+            return Reading((), number, throws=True)
         return Reading((f"const {variable} = {number};", *checks), variable) if checks else Reading((), number)
 
     def _checks(self, variable: str, at: str) -> Iterator[str]:

@@ -8,7 +8,9 @@ from fieldspec.backends.kv import word_map
 from fieldspec.backends.kv.areas import Area, areas
 from fieldspec.backends.kv.dialect import KV, WordDialect
 from fieldspec.classes import dataclass
+from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.digits import digits_refusals
 from fieldspec.model.enums import Enum, Flags
 from fieldspec.names import stem
 from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, lossy, refused
@@ -36,6 +38,11 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         texts[f"{name}_words.csv"] = BYTE_ORDER_MARK + "".join(words)
         texts[f"{name}_comments.csv"] = "".join(rows_of_area.comments for rows_of_area in map_rows)
     return texts
+
+
+def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """Values that are sent as digits, which instructions do not read as numbers."""
+    return digits_refusals(versions, "a word map")
 
 
 def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[int, str], AreaRows]) -> AreaRows:
@@ -77,6 +84,7 @@ _NOT_EXACT = {
     "orders": lossy("are said for each value; the ladder turns words and bytes"),
     "scales": lossy(_TABLE),
     "conversions": refused("are formulas, which a map of words has not"),
+    "digits": refused("instructions do not read them as numbers: output_numbers_binary"),
     "ranges": lossy(_TABLE),
     "constants": lossy(_TABLE),
     "code_texts": refused("are no words: see the output for operator panels"),

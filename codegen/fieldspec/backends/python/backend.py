@@ -34,6 +34,7 @@ RUNTIME = (
     "_choices",
     "_codes",
     "_conversions",
+    "_digits",
     "_error",
     "_can",
     "_escapes",

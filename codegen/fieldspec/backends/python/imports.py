@@ -63,6 +63,7 @@ _SHARED = {
         "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each float_bytes float_of members new"
         " packing text texts turned"
     ),
+    "_digits": "digits",
     "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
     "_escapes": "Cobs EscapeFramer EscapedFrames Insert Replace",
     "_flags": "BITS_OF Flags",

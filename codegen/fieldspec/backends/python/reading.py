@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from fieldspec.backends.python.registers import value_expression
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
-from fieldspec.backends.python.writing import tuple_of
+from fieldspec.backends.python.writing import digits_form, tuple_of
 from fieldspec.layout.record import CaseLayout, RecordLayout
 from fieldspec.model.value import Kind
 
@@ -64,7 +64,7 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
         return []
     if (field.is_raw or field.deferred) and field.stored:
         return [f"{owner}.{field.slot} = {local(field)}"] if bound else []
-    lines, raw = _number(field)
+    lines, raw = _number(field, at)
     title = literal(field.title)
     size = field.field.size
     if field.field.field.measures and field.constant is None:
@@ -121,9 +121,15 @@ def deferred_value_lines(field: Slots) -> list[str]:
     ]
 
 
-def _number(field: Slots) -> tuple[list[str], str]:
+def _number(field: Slots, at: int) -> tuple[list[str], str]:
     """Lines that assemble the number of a field from its slots, and the expression of the number."""
     raw = local(field)
+    if field.field.value is not None and field.value.digits:
+        function = "numbers" if field.is_list else "number"
+        arguments = f"{literal(field.title)}, {raw}, {at}, {field.field.swapped}"
+        return [
+            f"{raw} = {digits_form(field.value, field.field.order, field.field.swapped)}.{function}({arguments})"
+        ], raw
     if field.parted:
         parts = [f"{raw}__{part}" for part in range(field.parted)]
         if not field.big:

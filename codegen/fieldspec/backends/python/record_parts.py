@@ -16,14 +16,22 @@ from fieldspec.model.value import Kind, Primitive, Ranges, merged
 
 
 def column_lines(shaped: RecordShape) -> list[str]:
-    """One expression for each field; none for records of variable length or with reserved fields only."""
-    if shaped.record.size is None or shaped.selector is not None:
+    """One expression for each field; none for records of variable length, with reserved fields only, or with digits."""
+    if shaped.record.size is None or shaped.selector is not None or _has_digits(shaped.record):
         return []
     return [
         f"Column({', '.join([literal(field.name) if field.stored else literal(''), *_arguments(shaped, field)])})"
         for field in shaped.fields
         if _is_column(field.field)
     ]
+
+
+def _has_digits(record: RecordLayout) -> bool:
+    """Whether a number of a record, or of a record within it, is sent as digits."""
+    return any(
+        _has_digits(field.record) if field.record is not None else field.value is not None and bool(field.value.digits)
+        for field in record.fields
+    )
 
 
 def _is_column(field: FieldLayout) -> bool:

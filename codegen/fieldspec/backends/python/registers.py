@@ -7,11 +7,12 @@ from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.scaling import quantity, ratio
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal
-from fieldspec.backends.python.writing import pairs, tuple_of
+from fieldspec.backends.python.writing import digits_letters, pairs, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.address_space import BIT
+from fieldspec.model.digits import digits_text
 from fieldspec.model.value import Kind, Ranges, Value
 from fieldspec.names import Name
 
@@ -37,6 +38,8 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
     if narrow:
         letter = "h" if value.type.signed else "H"
     letters = literal((">" if (order == "big") != swapped else "<") + letter)
+    if value.digits:
+        letters, narrow = literal(digits_letters(value, order, swapped)), False
     more = ["swapped=True"] if swapped else []
     if value.type.kind is Kind.BOOLEAN:
         return _call("_Boolean", letters, more)
@@ -88,7 +91,8 @@ def _ranges(value: Value) -> Ranges | None:
 
 def value_facts(value: Value) -> list[str]:
     """The facts of a value in a docstring: scale and unit, ranges, special values, initial value."""
-    facts = [quantity(value)] if quantity(value) else []
+    facts = [digits_text(value)] if value.digits else []
+    facts += [quantity(value)] if quantity(value) else []
     if value.ranges is not None:
         facts.append(value.ranges.text())
     if value.write_ranges is not None:

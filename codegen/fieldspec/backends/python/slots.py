@@ -190,7 +190,7 @@ _TYPES = {Kind.INTEGER: "int", Kind.FLOAT: "float", Kind.BOOLEAN: "bool", Kind.T
 def native_order(fields: tuple[FieldLayout, ...]) -> str:
     """The byte order of a Struct that holds some fields: that of the first number of several bytes."""
     for field in fields:
-        if field.value is not None and field.value.type.letter != "s" and field.size > 1:
+        if field.value is not None and field.value.type.letter != "s" and field.size > 1 and not field.value.digits:
             return field.order
         if field.cases:
             return next((case.order for case in field.cases if case.value.size > 1), "big")
@@ -212,7 +212,7 @@ def _letters(field: FieldLayout, order: str) -> str:
     reserved = field.field.reserved and not field.field.measures
     if reserved and not value.const and not (isinstance(value.default, int) and value.default):
         return f"{field.size}x"
-    if value.type.letter == "s":
+    if value.type.letter == "s" or value.digits:
         return f"{field.size}s"
     if not value.type.letter and (field.is_list or not field.swapped or field.order != order):
         return f"{field.size}s"

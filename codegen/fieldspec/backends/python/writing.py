@@ -5,7 +5,7 @@ from __future__ import annotations
 from fieldspec.backends.python.enums import EnumView
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
-from fieldspec.model.value import Kind, Primitive, Ranges, merged
+from fieldspec.model.value import Kind, Primitive, Ranges, Value, merged
 
 FEW = 3
 """The largest number of comparisons that a test writes out; above it, a table is faster."""
@@ -167,12 +167,25 @@ def _item(field: Slots, expression: str) -> str:
     if not field.foreign:
         return raw
     turned = field.field.swapped
+    if field.value.digits:
+        return f"{digits_form(field.value, field.field.order, turned)}.data({raw}, {turned})"
     order = "big" if (field.field.order == "big") != turned else "little"
     if field.kind is Kind.FLOAT:
         return f'_float_bytes({raw}, "{">" if order == "big" else "<"}{field.value.type.letter}", {turned})'
     signed = ", signed=True" if field.value.type.signed else ""
     data = f'{raw}.to_bytes({field.field.size}, "{order}"{signed})'
     return f"_turned({data})" if turned else data
+
+
+def digits_letters(value: Value, order: str, swapped: bool) -> str:
+    """What the runtime knows of digits: order and type, their form, the bytes, and the places behind a point."""
+    sign = ">" if (order == "big") != swapped else "<"
+    return f"{sign}{value.type.name} {value.digits} {value.size} {value.places}"
+
+
+def digits_form(value: Value, order: str, swapped: bool) -> str:
+    """The expression of what reads and writes the digits of a value."""
+    return f"_digits({literal(digits_letters(value, order, swapped))})"
 
 
 def measured(field: Slots, other: Slots, expression: str, decided: str) -> str:

@@ -6,13 +6,20 @@ from collections.abc import Sequence
 
 from fieldspec.backends.queries.polars_text import polars_text
 from fieldspec.backends.queries.sql_text import sql_text
+from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.digits import digits_refusals
 from fieldspec.names import stem
 
 
 def shared() -> dict[str, str]:
     """No files: each is complete in itself."""
     return {}
+
+
+def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """Values that are sent as digits, which the queries do not convert."""
+    return digits_refusals(versions, "a query")
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:

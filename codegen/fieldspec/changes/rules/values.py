@@ -14,11 +14,11 @@ from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Field
 from fieldspec.model.registers import Table
 from fieldspec.model.units import DeclaredUnit
-from fieldspec.model.value import Conversion, Value
+from fieldspec.model.value import Conversion, Primitive, Value
 
 
 def type_changed(comparison: Comparison) -> Iterator[Change]:
-    """A value has another type or another size, or a field or a table has another record.
+    """A value has another type, other digits or another size, or a field or a table has another record.
 
     Why: the bytes are read as another number, and what follows them in a frame moves.
 
@@ -30,7 +30,7 @@ def type_changed(comparison: Comparison) -> Iterator[Change]:
 
     for value_pair in comparison.all_values:
         if value_pair.old.size != value_pair.new.size or (
-            value_pair.old.type != value_pair.new.type and not value_pair.reserved
+            _encoding(value_pair.old) != _encoding(value_pair.new) and not value_pair.reserved
         ):
             yield _change(value_pair, "type", _of(value_pair.old), _of(value_pair.new), named(value_pair.of.new))
     for word in comparison.of(Flags):
@@ -57,7 +57,15 @@ def type_changed(comparison: Comparison) -> Iterator[Change]:
 def _of(value: Value | None) -> str:
     if value is None:
         return ""
-    return value.type.name if value.type.size else f"{value.type.name} of {value.size} bytes"
+    digits = f" as {value.digits} digits" if value.digits else ""
+    places = f" with {value.places} places" if value.places else ""
+    size = "" if value.type.size and not digits else f" of {value.size} bytes"
+    return f"{value.type.name}{digits}{places}{size}"
+
+
+def _encoding(value: Value) -> tuple[Primitive, str, int]:
+    """What the bytes of a value are read as."""
+    return value.type, value.digits, value.places
 
 
 def _content(field: Field, record: str) -> tuple[str, str]:
@@ -233,7 +241,7 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def _ordered(value: Value, key: str) -> bool:
-    return value.has_words if key == "word_order" else value.type.size > 1
+    return value.has_words if key == "word_order" else value.type.size > 1 and not value.has_characters
 
 
 def _order(value: Value, device: Device, key: str) -> str:

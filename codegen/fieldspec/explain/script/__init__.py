@@ -7,6 +7,7 @@ RUNTIME = (
     "numbers",
     "texts",
     "device",
+    "digits",
     "values",
     "rows",
     "frames",

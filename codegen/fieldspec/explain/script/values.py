@@ -8,6 +8,7 @@ from decimal import Decimal
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.explain.row import citations
 from fieldspec.explain.script.literals import Data
+from fieldspec.model.digits import digits_text, has_sign
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Ranges, Value
@@ -51,6 +52,7 @@ def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str
             "signed": value.type.signed,
             "order": order if value.size > 1 and value.type.is_number else "",
             "swapped": swapped,
+            **_digits(value),
             "const": value.const,
             "enum": value.enum,
             "flags": value.flags,
@@ -67,6 +69,21 @@ def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str
             "default": value.default,
         }
     )
+
+
+def _digits(value: Value) -> dict[str, Data]:
+    """The form of the digits that a number is sent as, what they are called, and their bounds."""
+    if not value.digits:
+        return {}
+    return {
+        "digits": value.digits,
+        "places": value.places,
+        "hasSign": has_sign(value),
+        "bits": 8 * value.type.size if value.type.signed and not has_sign(value) else 0,
+        "digitsText": digits_text(value),
+        "low": value.low,
+        "high": value.high,
+    }
 
 
 def _scale(scale: Decimal | Fraction, offset: Decimal) -> dict[str, Data]:

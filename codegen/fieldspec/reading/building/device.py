@@ -10,7 +10,7 @@ from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.address_space import WORDS, AddressSpace
 from fieldspec.model.device import Detection, Device, Manual, Version, VersionLine
 from fieldspec.model.registers import RegisterGroup
-from fieldspec.reading.building import enums, links, records, registers, tasks, texts, values
+from fieldspec.reading.building import enums, links, machines, records, registers, tasks, texts, values
 from fieldspec.reading.building.context import Entry, Reused, reused_items
 from fieldspec.reading.nodes import Mapping, Scalar, mappings
 from fieldspec.source import Span
@@ -63,6 +63,7 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
             examples=_by_name(root, "examples", texts.example, reused, "id"),
             errata=tuple(_by_name(root, "errata", texts.erratum, reused, "id").values()),
             accepts=tuple(texts.acceptance(entry) for entry in root.named("accepts", "accepts")),
+            machines=machines.state_machines(root),
             stated_changes=tuple(texts.stated_change(entry) for entry in root.named("changes", "changes")),
         ),
         findings,

@@ -20,7 +20,8 @@ _KEYS = {
     "length": _NUMBER_KEYS | {"range", "counts"},
     "body": frozenset[str](),
     "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits"}),
-    "plain": VALUE_KEYS - {"length", "characters", "sentinels", "parameter", "default", "unit_default"}
+    "plain": VALUE_KEYS
+    - {"length", "characters", "digits", "places", "sentinels", "parameter", "default", "unit_default"}
     | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except those of every fact."""
@@ -172,7 +173,7 @@ def _bits(entry: Entry) -> tuple[int, int] | None:
 
 def _value(entry: Entry, bits: tuple[int, int] | None) -> Value:
     """The value of a part; one with bits has no greater number than these can hold."""
-    own = value(entry)
+    own = value(entry, takes_digits=False)
     highest = (1 << bits[1] - bits[0] + 1) - 1 if bits is not None else own.type.high
     if highest >= own.type.high or own.ranges is not None or own.const is not None or entry.text("role") == "code":
         return own

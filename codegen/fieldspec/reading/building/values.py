@@ -32,8 +32,9 @@ VALUE_KEYS = frozenset(schema()["$defs"]["value"]["properties"])
 """The keys for the encoding of a value and its meaning."""
 
 
-def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
+def value(entry: Entry, type_name: str = "", words: int | None = None, takes_digits: bool = True) -> Value:
     """The value that an entry describes. A missing type is a finding; the value is then a `u16`."""
+    digits = entry.text("digits") if takes_digits else ""
     primitive = PRIMITIVES.get(entry.text("type") or type_name)
     if primitive is None:
         entry.refuse("type_present", "type", "this value has no type", "add a `type`")
@@ -44,7 +45,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
     part = entry.entry("parameter")
     return Value(
         type=primitive,
-        size=_size(entry, primitive, words),
+        size=_size(entry, primitive, words, digits),
         characters=entry.integer("characters"),
         byte_order=entry.text("byte_order"),
         scale=scale,
@@ -60,6 +61,8 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         sentinels=tuple(_sentinel(inner) for inner in entry.entries("sentinels")),
         write_ranges=entry.whole_ranges("write_range"),
         word_order=entry.text("word_order"),
+        digits=digits,
+        places=entry.integer("places") or 0,
     )
 
 
@@ -92,14 +95,15 @@ def scale_text(scale: ScalarValue) -> str:
     return "" if scale is None else str(scale)
 
 
-def _size(entry: Entry, primitive: Primitive, words: int | None) -> int:
-    if primitive.kind not in (Kind.TEXT, Kind.BYTES):
+def _size(entry: Entry, primitive: Primitive, words: int | None, digits: str) -> int:
+    if primitive.kind not in (Kind.TEXT, Kind.BYTES) and not digits:
         return primitive.size
     length = entry.integer("length")
     if length is None and words is not None:
         return 2 * words
     if length is None:
-        entry.refuse("type_present", "type", f"a {primitive.name} has no fixed size", "add its `length` in bytes")
+        text = f"a {primitive.name} {'of digits ' if digits else ''}has no fixed size"
+        entry.refuse("type_present", "type", text, "add its `length` in bytes")
         return 2
     return length
 

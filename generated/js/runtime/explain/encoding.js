@@ -2,6 +2,7 @@ import { CodecError } from "../error.js";
 import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
 import { memberOf } from "./device.js";
+import { digitsBytes } from "./digits.js";
 import { sentinelOf, turnedWords } from "./values.js";
 import { checksumOf, escapedBytes, lengthNumber, typeBounds } from "./frames.js";
 
@@ -29,8 +30,14 @@ function bytesOfValue(device, name, value, raw) {
     return Uint8Array.from({ length: size }, (_, at) => bytes[at] ?? 0);
   }
   const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
-  const bytes = kind === "float" ? bytesOfFloat(name, value, raw, actual) : bytesOfNumber(checkedNumber(device, name, value, raw), size, actual);
+  const bytes = kind === "float" ? bytesOfFloat(name, value, raw, actual) : bytesOfWhole(value, checkedNumber(device, name, value, raw), actual);
   return swapped ? turnedWords(bytes) : bytes;
+}
+
+function bytesOfWhole(value, number, order) {
+  if (!value.digits) return bytesOfNumber(number, value.size, order);
+  const bytes = digitsBytes(value, number);
+  return order === "big" ? bytes : bytes.reverse();
 }
 
 function bytesOfFloat(name, value, number, order) {

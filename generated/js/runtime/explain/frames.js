@@ -74,7 +74,8 @@ export function lengthNumber(part, length) {
 }
 
 /** The least and the greatest whole number of a value's type; bigints for more than six bytes. */
-export function typeBounds({ kind, size, signed }) {
+export function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
+  if (digits) return [least, most];
   if (kind === "boolean") return [0, 1];
   const bits = BigInt(8 * size);
   const [low, high] = signed ? [-(1n << (bits - 1n)), (1n << (bits - 1n)) - 1n] : [0n, (1n << bits) - 1n];

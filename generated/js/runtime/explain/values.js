@@ -1,8 +1,9 @@
 import {
-  decimalOf, decimalProduct, decimalQuotient, decimalRounded, decimalSum, decimalText, floatText,
+  decimalOf, decimalProduct, decimalQuotient, decimalRounded, decimalSum, decimalText, floatText, isWhole,
 } from "./numbers.js";
 import { intervalsText, isWithin, latinOf, sameValue, valueText } from "./texts.js";
 import { memberOf, unsignedOf } from "./device.js";
+import { digitsNumber } from "./digits.js";
 
 const VIEW = new DataView(new ArrayBuffer(8));
 const WIDE = 6;
@@ -32,6 +33,7 @@ export function numberOfBytes(value, bytes, order, swapped) {
   if (value.kind === "text" || value.kind === "bytes") return bytes;
   const turned = swapped ? turnedWords(bytes) : bytes;
   const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
+  if (value.digits) return digitsNumber(value, actual === "big" ? turned : Uint8Array.from(turned).reverse()) ?? bytes;
   if (value.kind !== "float") return wholeOf(turned, actual, value.signed);
   turned.forEach((byte, at) => VIEW.setUint8(at, byte));
   return bytes.length === 4 ? VIEW.getFloat32(0, actual === "little") : VIEW.getFloat64(0, actual === "little");
@@ -96,6 +98,7 @@ export function decodeValue(device, value, bytes, order, swapped, reserved) {
     return decoded(latinOf(bytes).replace(/\0+$/, ""));
   }
   if (value.kind === "float") return decodedFloat(value, number);
+  if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");
   return value.kind === "bytes" ? decoded(number) : decodedWhole(device, value, number);
 }
 

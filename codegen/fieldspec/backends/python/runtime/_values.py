@@ -5,6 +5,7 @@ from __future__ import annotations
 from struct import Struct
 
 from ._conversions import Integer, counts, text, turned
+from ._digits import Digits, digits, no_digits
 from ._error import CodecError, no_boolean, unknown_member, wrong_const
 from ._flags import Flags
 from ._refusals import (
@@ -44,7 +45,7 @@ _LIMITS = {
 class Value(Generic[T]):
     """A value of type T in `size` bytes: a Struct of `letters`, with the words turned before it is read.
 
-    The letters of a number that no Struct has are the order and the type: `>u24`.
+    The letters of a number that no Struct has are the order and the type: `>u24`. Those of digits: see `Digits`.
 
     `limits` is the letter of a narrower type that fills a word. `ranges` are in counts. The scale, if
     there is one, is (a, b, c) of unit = (count * a + b) / c. `others` are the counts that stand for an absent value:
@@ -64,9 +65,13 @@ class Value(Generic[T]):
         others: tuple[float, ...] = (),
         limits: str = "",
     ) -> None:
-        self.struct: Struct | Integer = Integer(letters) if letters[-1].isdigit() else Struct(letters)
+        self.struct: Struct | Integer | Digits
+        if " " in letters:
+            self.struct = digits(letters)
+        else:
+            self.struct = Integer(letters) if letters[-1].isdigit() else Struct(letters)
         self.swapped, self.size = swapped, self.struct.size
-        if isinstance(self.struct, Integer):
+        if not isinstance(self.struct, Struct):
             self.low, self.high = self.struct.low, self.struct.high
         else:
             self.low, self.high = _LIMITS.get(limits or letters[-1], (0, 0))
@@ -77,7 +82,10 @@ class Value(Generic[T]):
         if len(data) != self.size:
             reason = "incomplete" if len(data) < self.size else "wrong_length"
             raise CodecError(reason, f"{name} has {self.size} bytes, not {len(data)}", min(len(data), self.size))
-        return self.of_raw(name, self.struct.unpack(turned(bytes(data)) if self.swapped else data)[0])
+        raw = self.struct.unpack(turned(bytes(data)) if self.swapped else data)[0]
+        if raw is None:
+            raise no_digits(name, bytes(data), 0)
+        return self.of_raw(name, raw)
 
     def encode(self, name: str, value: T) -> bytes:
         """The bytes of a value. Raises CodecError."""

@@ -1,0 +1,108 @@
+/* ---- digits ---- */
+
+/** Whether all bytes are digits; `letter` is that for 10, 0 if digits are decimal, and `places` of them follow a point. */
+static inline bool device_is_digits(const uint8_t *in, size_t size, size_t places, uint8_t letter)
+{
+    size_t at;
+    for (at = 0; at < size; at++) {
+        uint32_t character = in[at];
+        if (places != 0u && at + places + 1u == size) {
+            if (character != 0x2Eu) {
+                return false;
+            }
+        } else if ((character < 0x30u || character > 0x39u) &&
+                   (letter == 0u || character < letter || character > letter + 5u)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** The number of digits, of which one may be a point. */
+static inline uint64_t device_load_digits(const uint8_t *in, size_t size, uint32_t base)
+{
+    uint64_t value = 0;
+    size_t at;
+    for (at = 0; at < size; at++) {
+        uint32_t low = in[at] & 0x0Fu;
+        if (in[at] != 0x2Eu) {
+            value = value * base + ((in[at] & 0x40u) != 0u ? low + 9u : low);
+        }
+    }
+    return value;
+}
+
+/** Writes the digits of a number with leading zeros. */
+static inline void device_store_digits(uint8_t *out, size_t size, size_t places, uint8_t letter, uint64_t value)
+{
+    uint32_t base = letter == 0u ? 10u : 16u;
+    size_t at;
+    for (at = size; at > 0u; at--) {
+        uint32_t digit = (uint32_t)(value % base);
+        if (places != 0u && at + places == size) {
+            out[at - 1u] = 0x2Eu;
+        } else {
+            out[at - 1u] = (uint8_t)(digit < 10u ? 0x30u + digit : letter + digit - 10u);
+            value /= base;
+        }
+    }
+}
+
+/* ---- signed_digits ---- */
+
+/** Whether the bytes are a sign and decimal digits, of which `places` follow a point. */
+static inline bool device_is_signed_digits(const uint8_t *in, size_t size, size_t places)
+{
+    return (in[0] == 0x2Bu || in[0] == 0x2Du) && device_is_digits(in + 1, size - 1u, places, 0u);
+}
+
+/** The number of a sign and decimal digits, of which one may be a point. */
+static inline int64_t device_load_signed_digits(const uint8_t *in, size_t size)
+{
+    uint64_t value = device_load_digits(in + 1, size - 1u, 10u) & UINT64_C(0x7FFFFFFFFFFFFFFF);
+    return in[0] == 0x2Du ? -(int64_t)value : (int64_t)value;
+}
+
+/** Writes the sign and the decimal digits of a number. */
+static inline void device_store_signed_digits(uint8_t *out, size_t size, size_t places, int64_t value)
+{
+    uint64_t digits = value < 0 ? (uint64_t)-value : (uint64_t)value;
+    out[0] = value < 0 ? 0x2Du : 0x2Bu;
+    device_store_digits(out + 1, size - 1u, places, 0u, digits);
+}
+
+/* ---- bcd ---- */
+
+/** Whether four bits each are a decimal digit. */
+static inline bool device_is_bcd(uint64_t raw)
+{
+    for (; raw != 0u; raw >>= 4) {
+        if ((raw & 15u) > 9u) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** The number whose decimal digits have four bits each. */
+static inline uint64_t device_of_bcd(uint64_t raw)
+{
+    uint64_t value = 0;
+    uint32_t shift;
+    for (shift = 64u; shift > 0u; shift -= 4u) {
+        value = value * 10u + ((raw >> (shift - 4u)) & 15u);
+    }
+    return value;
+}
+
+/** The decimal digits of a number with four bits each. */
+static inline uint64_t device_to_bcd(uint64_t value)
+{
+    uint64_t raw = 0;
+    uint32_t shift;
+    for (shift = 0; shift < 64u; shift += 4u) {
+        raw |= (value % 10u) << shift;
+        value /= 10u;
+    }
+    return raw;
+}

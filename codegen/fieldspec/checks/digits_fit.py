@@ -1,0 +1,100 @@
+"""A whole number that is sent as digits has room for them, and a type with all numbers that they can express. A signed
+hexadecimal number has the digits of its whole type. Digits are those of fields and registers whose raw value is free:
+not of constants, reserved fields, sizes of other fields, selectors, and not of what reads and writes registers.
+
+Why: digits that the type cannot hold would be read as another number, and an output that expects binary numbers would
+take the characters for one.
+
+Example: `{name: flow, type: u8, digits: decimal, length: 3}`, as 999 does not fit a `u8`.
+
+Cure: Use the next wider type with a `range`, or correct `length`. State a constant of a text line as the bytes of its
+characters: `{name: mark, type: u8, const: 0x2C}` is a comma.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.facts import layers, values
+from fieldspec.checks.finding import finding
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.digits import BCD, digit_bounds, digit_count, digits_text
+from fieldspec.model.fact import Fact
+from fieldspec.model.record import Field
+from fieldspec.model.value import Kind, Value
+
+_CODE = "digits_fit"
+_MOST_BYTES = 8
+"""The bytes of the greatest number in BCD that outputs take apart."""
+
+
+def digits_fit(device: Device) -> Iterator[Diagnostic]:
+    taken = _binary_fields(device)
+    for fact, value in values(device):
+        if not value.digits:
+            if value.places:
+                text = f"{fact.name} is not sent as digits, so that no place follows a point"
+                yield finding(_CODE, fact.place, "places", text, "add `digits: decimal`, or use `scale`")
+            continue
+        yield from _of_form(fact, value)
+        use = taken.get(id(fact)) or _use(fact, value)
+        if use:
+            text = f"{fact.name} {use}, and is sent as digits"
+            yield finding(
+                _CODE, fact.place, "digits", text, "state it as a binary number, or as the bytes of its characters"
+            )
+
+
+def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    """The findings of the form of the digits, the first one of each value."""
+    kind = value.type
+    if kind.kind is not Kind.INTEGER or kind.is_odd:
+        text = f"{fact.name} is {kind.name}, and digits are those of a whole number of 8, 16, 32 or 64 bits"
+        yield finding(_CODE, fact.place, "digits", text, "use one of u8, i8, u16, i16, u32, i32, u64 and i64")
+    elif value.places and value.digits != "decimal":
+        text = f"{fact.name} has {value.places} places, which only decimal digits have"
+        yield finding(_CODE, fact.place, "places", text, "remove it, or use `digits: decimal`")
+    elif value.digits == BCD and (kind.signed or value.size > _MOST_BYTES):
+        text = f"{fact.name} is {kind.name} in {value.size} bytes; BCD is unsigned and has at most {_MOST_BYTES} bytes"
+        yield finding(
+            _CODE, fact.place, "digits", text, "use an unsigned type, or state the parts as values of their own"
+        )
+    elif digit_count(value) <= value.places:
+        text = f"{fact.name} has no room for a digit in {value.size} bytes"
+        yield finding(_CODE, fact.place, "length", text, "count the sign, the point and all digits")
+    elif kind.signed and value.digits != "decimal" and digit_count(value) != 2 * kind.size:
+        text = f"{fact.name} is {kind.name}, which has {2 * kind.size} hexadecimal digits and not {value.size}"
+        yield finding(_CODE, fact.place, "length", text, "use the type with as many digits")
+    elif digit_bounds(value)[1] > kind.high:
+        text = f"{fact.name} is {kind.name}, which does not hold {digit_bounds(value)[1]}: {digits_text(value)}"
+        yield finding(_CODE, fact.place, "type", text, "use a wider type, with a range")
+
+
+def _use(fact: Fact, value: Value) -> str:
+    """What a value is for that outputs read as a binary number; empty for other values."""
+    if value.const is not None:
+        return "is a constant"
+    if value.parameter is not None:
+        return "belongs to a numbered parameter"
+    if isinstance(fact, Field) and fact.measures is not None:
+        return f"contains the size of {fact.measures.field}"
+    return "is reserved" if getattr(fact, "reserved", False) else ""
+
+
+def _binary_fields(device: Device) -> dict[int, str]:
+    """The fields that outputs read as binary numbers, by their identity, with what they do."""
+    uses: dict[int, str] = {}
+    for layer in layers(device):
+        for field in layer.fields:
+            selector = layer.named(field.choice.by) if field.choice is not None else None
+            if selector is not None:
+                uses[id(selector)] = f"decides the type of {field.name}"
+    for message in device.messages.values():
+        access = message.accesses
+        if access is not None:
+            names = (access.start, access.count, access.values)
+            for field in (*message.request.fields, *message.response.fields):
+                if field.name in names:
+                    uses[id(field)] = "is what reads or writes registers"
+    return uses

@@ -1,0 +1,88 @@
+"""Numbers that are sent as digits: characters, or two decimal digits in each byte."""
+
+from __future__ import annotations
+
+from fieldspec.classes import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from fieldspec.model.value import Value
+
+BCD = "bcd"
+"""Two decimal digits in each byte; all other forms are characters."""
+
+_SIGNS = {0x2B: 1, 0x2D: -1}
+_CHARACTERS = {
+    "decimal": b"0123456789",
+    "upper_hex": b"0123456789ABCDEF",
+    "lower_hex": b"0123456789abcdef",
+    BCD: b"0123456789",
+}
+
+
+def has_sign(value: Value) -> bool:
+    """Whether a sign comes before the digits; a hexadecimal number has none, as it is in two's complement."""
+    return value.digits == "decimal" and value.type.signed
+
+
+def digit_count(value: Value) -> int:
+    """How many digits a number has, without its sign and its decimal point; 0 or less where there is no room."""
+    if value.digits == BCD:
+        return 2 * value.size
+    return value.size - has_sign(value) - (value.places > 0)
+
+
+def digit_bounds(value: Value) -> tuple[int, int]:
+    """The least and the greatest number that the digits of a value can express."""
+    count = max(digit_count(value), 0)
+    if value.digits in ("upper_hex", "lower_hex"):
+        high = 16**count - 1
+        return (-(high + 1) // 2, high // 2) if value.type.signed else (0, high)
+    high = 10**count - 1
+    return (-high if has_sign(value) else 0), high
+
+
+def digits_number(value: Value, data: bytes) -> int | None:
+    """The number of digits in `data`, the most significant digit first; None for anything but such digits."""
+    if value.digits == BCD:
+        return int(data.hex()) if data.hex().isdecimal() else None
+    text = data
+    sign = 1
+    if has_sign(value):
+        if text[0] not in _SIGNS:
+            return None
+        sign, text = _SIGNS[text[0]], text[1:]
+    if value.places:
+        point = len(text) - value.places - 1
+        if text[point : point + 1] != b".":
+            return None
+        text = text[:point] + text[point + 1 :]
+    known = _CHARACTERS[value.digits]
+    if any(character not in known for character in text):
+        return None
+    if value.digits == "decimal":
+        return sign * int(text)
+    number = int(text, 16)
+    return number - 16 ** len(text) if value.type.signed and number > value.type.high else number
+
+
+def digits_bytes(value: Value, number: int) -> bytes:
+    """The digits of a number within the bounds of a value, the most significant digit first."""
+    count = digit_count(value)
+    if value.digits == BCD:
+        return bytes.fromhex(f"{number:0{count}d}")
+    if value.digits != "decimal":
+        text = f"{number % 16**count:0{count}{'X' if value.digits == 'upper_hex' else 'x'}}"
+        return text.encode("ascii")
+    text = f"{abs(number):0{count}d}"
+    if value.places:
+        text = f"{text[: -value.places]}.{text[-value.places :]}"
+    return ((("-" if number < 0 else "+") if has_sign(value) else "") + text).encode("ascii")
+
+
+def digits_text(value: Value) -> str:
+    """How people call the digits: `5 decimal digits, 2 of them after a point, with a sign`."""
+    name = {"decimal": "decimal", BCD: "BCD"}.get(value.digits, "hexadecimal")
+    count = digit_count(value)
+    places = f", {value.places} of them after a point" if value.places else ""
+    case = {"upper_hex": " in upper case", "lower_hex": " in lower case"}.get(value.digits, "")
+    return f"{count} {name} digit{'s' * (count != 1)}{case}{places}{', with a sign' if has_sign(value) else ''}"

@@ -1,0 +1,115 @@
+"""Numbers that are sent as digits: characters, or two decimal digits in each byte."""
+
+from __future__ import annotations
+
+from ._conversions import turned
+from ._error import CodecError
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ._typing import Data
+
+_KNOWN = {
+    "decimal": b"0123456789",
+    "bcd": b"0123456789",
+    "upper_hex": b"0123456789ABCDEF",
+    "lower_hex": b"0123456789abcdef",
+}
+
+
+class Digits:
+    """What reads and writes a number as digits.
+
+    `letters` are the order of the bytes and the type of the number, the form of the digits, the number of bytes, and
+    how many digits follow a point: `>i32 decimal 8 2` are a sign, four digits, a point and two digits.
+    """
+
+    __slots__ = ("count", "form", "has_sign", "high", "is_reversed", "letters", "low", "places", "signed", "size")
+
+    def __init__(self, letters: str) -> None:
+        kind, self.form, size, places = letters.split()
+        self.letters, self.size, self.places = letters, int(size), int(places)
+        self.is_reversed, self.signed = kind[0] == "<", kind[1] == "i"
+        self.has_sign = self.signed and self.form == "decimal"
+        self.count = 2 * self.size if self.form == "bcd" else self.size - self.has_sign - (self.places > 0)
+        bits = int(kind[2:])
+        high = (16 if self.form.endswith("hex") else 10) ** self.count - 1
+        if self.signed:
+            self.high = min(high, (1 << (bits - 1)) - 1)
+            self.low = -self.high if self.has_sign else -self.high - 1
+        else:
+            self.low, self.high = 0, min(high, (1 << bits) - 1)
+
+    def number(self, name: str, raw: bytes, at: int, words_turned: bool = False) -> int:
+        """The number in exactly its bytes, which are at byte `at` of the whole. Raises CodecError."""
+        (number,) = self.unpack(turned(raw) if words_turned else raw)
+        if number is None:
+            raise no_digits(name, raw, at)
+        return number
+
+    def numbers(self, name: str, raws: Sequence[bytes], at: int, words_turned: bool = False) -> list[int]:
+        """The numbers of a list that begins at byte `at` of the whole. Raises CodecError."""
+        return [self.number(name, raw, at + index * self.size, words_turned) for index, raw in enumerate(raws)]
+
+    def data(self, number: int, words_turned: bool = False) -> bytes:
+        """The digits of a number. Raises OverflowError for one that has more of them."""
+        data = self.pack(number)
+        return turned(data) if words_turned else data
+
+    def unpack(self, data: Data) -> tuple[int | None]:
+        """The number in exactly its bytes, None for anything but its digits."""
+        return (self._parsed(bytes(data)),)
+
+    def pack(self, number: int) -> bytes:
+        """The same, before the bytes of words are turned."""
+        if not self.low <= number <= self.high:
+            raise OverflowError
+        if self.form == "bcd":
+            data = bytes.fromhex(f"{number:0{self.count}d}")
+            return data[::-1] if self.is_reversed else data
+        if self.form != "decimal":
+            return f"{number % 16**self.count:0{self.count}{'X' if self.form == 'upper_hex' else 'x'}}".encode("ascii")
+        text = f"{abs(number):0{self.count}d}"
+        if self.places:
+            text = f"{text[: -self.places]}.{text[-self.places :]}"
+        if self.has_sign:
+            text = ("-" if number < 0 else "+") + text
+        return text.encode("ascii")
+
+    def _parsed(self, raw: bytes) -> int | None:
+        """The number of digits; None for anything else."""
+        if self.form == "bcd":
+            text = (raw[::-1] if self.is_reversed else raw).hex()
+            return int(text) if text.isdecimal() else None
+        characters = raw[1:] if self.has_sign else raw
+        if self.has_sign and raw[:1] not in (b"+", b"-"):
+            return None
+        if self.places:
+            point = len(characters) - self.places - 1
+            if characters[point : point + 1] != b".":
+                return None
+            characters = characters[:point] + characters[point + 1 :]
+        if characters.strip(_KNOWN[self.form]):
+            return None
+        if self.form == "decimal":
+            return -int(characters) if raw[:1] == b"-" else int(characters)
+        number = int(characters, 16)
+        return number - 16**self.count if number > self.high else number
+
+
+def no_digits(name: str, raw: bytes, at: int) -> CodecError:
+    """The error of bytes that are not the digits of a number."""
+    return CodecError("unknown_value", f"{name} is {raw!r}, which are not the digits of a number", at)
+
+
+_FORMS: dict[str, Digits] = {}
+
+
+def digits(letters: str) -> Digits:
+    """What reads and writes digits, made once for each form."""
+    form = _FORMS.get(letters)
+    if form is None:
+        form = _FORMS[letters] = Digits(letters)
+    return form

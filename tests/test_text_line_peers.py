@@ -1,0 +1,94 @@
+"""Generated codecs of an instrument with lines of text talk with pyvisa over a pseudo-terminal."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import pytest
+import pyvisa
+
+from fieldspec.reference import CodecError, codec
+from layouts import TEST_SPECS, newest
+from python_package import codec_error, link_of, module_of
+from serial_lines import SECONDS, Line, serial_line
+
+WEIGHER = module_of(newest(TEST_SPECS, "weigher"))
+LINES = link_of(WEIGHER, "lines")
+
+
+def answer(frame: bytes, limits: dict[int, int], weight: int) -> bytes:
+    """What an instrument with a weight on it, in grams, answers to a request."""
+    match LINES.decode_request(frame).message:
+        case WEIGHER.WeighRequest():
+            response: Any = WEIGHER.WeighResponse(weight, WEIGHER.Stability.STABLE, WEIGHER.Lamps(0x8001))
+        case WEIGHER.SetLimitRequest() as asked:
+            limits[asked.number] = asked.limit
+            response = WEIGHER.SetLimitResponse(asked.number)
+        case _:
+            point = WEIGHER.Checkpoint(250)
+            response = WEIGHER.ReadCountersResponse(10**18 - 1, -2, [point, point], [2024])
+    data = LINES.encode_response(response)
+    assert isinstance(data, bytes)
+    return data
+
+
+@contextmanager
+def instrument(limits: dict[int, int], weight: int) -> Iterator[Any]:
+    """An instrument on a line, as pyvisa sees it."""
+    ended = threading.Event()
+
+    def serve(line: Line) -> None:
+        framer = LINES.request_framer()
+        while not ended.is_set():
+            for frame in framer.feed(line.receive(0.02)):
+                line.send(answer(frame, limits, weight))
+
+    with serial_line() as (near, path):
+        thread = threading.Thread(target=serve, args=(Line(near),), daemon=True)
+        thread.start()
+        manager = pyvisa.ResourceManager("@py")
+        try:
+            opened: Any = manager.open_resource(f"ASRL{path}::INSTR")
+            opened.read_termination = opened.write_termination = "\r\n"
+            opened.timeout = 1000 * SECONDS
+            yield opened
+        finally:
+            manager.close()
+            ended.set()
+            thread.join(SECONDS)
+
+
+def test_pyvisa_reads_the_numbers_that_the_generated_codec_sends() -> None:
+    limits: dict[int, int] = {}
+    with instrument(limits, -12345) as opened:
+        weight, state, lamps = opened.query("W").removeprefix("W").split(",")
+        assert (float(weight), int(state), int(lamps, 16)) == (-12.345, 1, 0x8001)
+        assert opened.query_ascii_values("W", converter=lambda text: float(text.lstrip("W")))[:2] == [-12.345, 1.0]
+        assert opened.query("LB,00012500TOP\0\0\0") == "LB"
+        assert limits == {11: 12500}
+        counters = opened.query("C")
+        assert counters.startswith("C" + "9" * 18 + "fffe,0250,0250")
+
+
+OTHER_LINES = {
+    "W+0012,345,01,8001": 1,
+    "W 0012.345,01,8001": 1,
+    "W+012.3450,01,8001": 1,
+    "W+0012.345, 1,8001": 11,
+    "W+0012.345,01,80f1": 14,
+}
+"""Lines in another form than the device's, and the byte at which they are refused."""
+
+
+@pytest.mark.parametrize("text", OTHER_LINES)
+def test_a_line_in_another_form_is_refused_where_the_number_begins(text: str) -> None:
+    frame = text.encode() + b"\r\n"
+    with pytest.raises(codec_error()) as refused:
+        LINES.decode_response(frame, WEIGHER.WeighRequest())
+    with pytest.raises(CodecError) as expected:
+        codec(newest(TEST_SPECS, "weigher")).links["lines"].decode(frame, "response", "weigh")
+    assert (refused.value.reason, refused.value.offset) == ("unknown_value", OTHER_LINES[text])
+    assert (expected.value.reason, expected.value.offset) == ("unknown_value", OTHER_LINES[text])
