@@ -11,7 +11,7 @@ from layouts import newest
 WIDGET = newest(TEST_SPECS, "widget")
 READ = ["read_registers", "station=1", "address=0x1000", "word_count=2"]
 WRITE = ["write_registers", "station=16", "address=0x2001"]
-PACKET = ["--link", "packet", "address=7", "sequence=1"]
+PACKET = ["--link", "packet", "receiver=7", "sequence=1"]
 
 
 @pytest.fixture
@@ -109,7 +109,7 @@ def test_what_is_encoded_can_be_decoded(run: CommandLine) -> None:
         ([*READ[:3], "word_count=two"], "word_count: `two` is no number; give a count"),
         (["read_registers", "station=99", *READ[2:]], "out_of_range: station is 99"),
         (["read_registers", "station=1", "address=nothing", READ[3]], "address: `nothing` is no number"),
-        (["exchange", *PACKET, "size=3", "data=1,2,3"], "there is no field size; there are address, data, sequence"),
+        (["exchange", *PACKET, "size=3", "data=1,2,3"], "there is no field size; there are data, receiver, sequence"),
         (["exchange", *PACKET, "data=1,300"], "out_of_range: data is 300"),
         (["nest", *PACKET, "nest=4"], "nest: a mapping of fields is expected"),
         (["nest", *PACKET, "nest=4", "nest.color=1"], "nest.color: nest has a value of its own"),

@@ -9,8 +9,9 @@ import pytest
 from fieldspec import checks
 from fieldspec.model.texts import JUDGEMENT
 from fieldspec.proofs.errata import put_back
-from fieldspec.proofs.running import errata_proofs
+from fieldspec.proofs.running import FindingsCache, errata_proofs, everything
 from fieldspec.reading.project import DeviceSpec, read
+from layouts import TEST_SPECS, newest
 
 SPECS = Path(__file__).resolve().parent.parent / "specs"
 FILES = {path.relative_to(SPECS).as_posix(): path.read_bytes() for path in sorted(SPECS.glob("*/*.yaml"))}
@@ -66,3 +67,8 @@ def test_an_erratum_about_no_fact_is_a_finding() -> None:
 def _faults(spec: DeviceSpec) -> list[str]:
     """The findings about the errata of a device."""
     return [fault.code for proof in errata_proofs(spec) for fault in proof.faults]
+
+
+def test_a_device_is_judged_without_a_cache_too() -> None:
+    device = newest(TEST_SPECS, "caller").device
+    assert everything(device, []) == everything(device, [], remembered=FindingsCache()) == []

@@ -241,7 +241,7 @@ def test_a_value_out_of_its_range_is_decoded_with_a_remark() -> None:
 
 
 def test_a_unit_address_out_of_range_has_a_remark() -> None:
-    field_row = row(explained(WIDGET, "packet", "request", bytes.fromhex("00 06 08 00 20 2E")), "address")
+    field_row = row(explained(WIDGET, "packet", "request", bytes.fromhex("00 06 08 00 20 2E")), "receiver")
     assert field_row.verdict == "wrong: should be 0..7, 32..39"
 
 

@@ -11,6 +11,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from example_counts import examples
+from fieldspec.backends import OUTPUTS
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.value import Conversion
 from layouts import TEST_SPECS, all_layouts, newest
@@ -51,7 +52,7 @@ def test_a_count_comes_back_from_its_quantity(
 ) -> None:
     module = module_of(layout)
     raw, reference = data.draw(counts_of(layout, conversion)), data.draw(REFERENCES.filter(bool))
-    quantity = getattr(module, conversion.name)(raw, reference)
+    quantity = getattr(module, f"{conversion.name}_from_raw")(raw, reference)
     exact = conversion.quantity(raw, Fraction(reference))
     assert quantity == float(exact)
     back = getattr(module, f"{conversion.name}_to_raw")
@@ -90,7 +91,7 @@ def test_a_quantity_that_no_count_stands_for_is_refused(layout: DeviceLayout, co
     ],
 )
 def test_a_count_is_a_share_of_its_reference(name: str, raw: int, reference: float, quantity: float) -> None:
-    assert getattr(GLIDER, name)(raw, reference) == quantity
+    assert getattr(GLIDER, f"{name}_from_raw")(raw, reference) == quantity
     assert getattr(GLIDER, f"{name}_to_raw")(quantity, reference) == raw
 
 
@@ -108,11 +109,11 @@ def test_the_nearest_count_is_taken_and_of_two_the_even_one() -> None:
 
 
 def test_the_docstring_gives_the_formula_and_what_holds_the_reference() -> None:
-    doc = " ".join(GLIDER.commanded_speed.__doc__.split())
+    doc = " ".join(GLIDER.commanded_speed_from_raw.__doc__.split())
     assert "reference * raw / 0x40000000" in doc
     assert "actual = NSET / 40000000h * reference" in doc
     assert "Pt317 (`reference_speed`, in rpm)" in doc
-    assert "reference * (1 - raw / 0x4000)" in " ".join(GLIDER.output_torque.__doc__.split())
+    assert "reference * (1 - raw / 0x4000)" in " ".join(GLIDER.output_torque_from_raw.__doc__.split())
 
 
 def telegram(**changes: Any) -> Any:
@@ -147,3 +148,11 @@ def test_a_normalised_count_is_rounded_once_and_comes_back(raw: int) -> None:
     assert message.speed_setpoint_percent == float(Fraction(100 * raw, 2**30))
     message.speed_setpoint_percent = message.speed_setpoint_percent
     assert message.speed_setpoint == raw
+
+
+def test_conversions_have_the_same_names_in_python_and_in_c() -> None:
+    layout = newest(TEST_SPECS, "glider-x")
+    header = "".join(str(content) for path, content in OUTPUTS["c"].files([layout]).items() if path.endswith(".h"))
+    functions = [f"{name}_{end}" for name in layout.device.conversions for end in ("from_raw", "to_raw")]
+    assert functions
+    assert all(callable(getattr(GLIDER, function)) and f" glider_x_{function}(" in header for function in functions)

@@ -114,7 +114,7 @@ assert_type(cyclic.decode_request(b"", str(3)).message, glider_x.AnyCyclicReques
 assert_type(glider_x.ControlWord(on=True, sign_of_life=3).on, bool)
 assert_type(glider_x.ControlWordPositioning(path=glider_x.Path.POSITIVE).path, glider_x.Path | int)
 assert_type(glider_x.StatusWord(3).state, glider_x.StatusWordState | None)
-assert_type(glider_x.commanded_speed(1, 3000), float)
+assert_type(glider_x.commanded_speed_from_raw(1, 3000), float)
 assert_type(glider_x.commanded_speed_to_raw(1.5, 3000), int)
 values = glider_x.ReadParameterResponse(glider_x.Format.WORD, (1,))
 assert_type(values.values, tuple[bool | int | float, ...])

@@ -52,9 +52,9 @@ class Bench:
             self.engine.memory.write(space, occupant, raw)
         self.engine.saved = dict(self.engine.memory.words)
 
-    def run(self, *arguments: str) -> int:
+    def run(self, *arguments: str, timeout: str = "0.2") -> int:
         place = self.device.place.replace("tcp://", "socket://")
-        options = ("--port", place, "--timeout", "0.2", "--pause", "0", "--specs", FOLDER)
+        options = ("--port", place, "--timeout", timeout, "--pause", "0", "--specs", FOLDER)
         return main(["live", "widget", *arguments, *options])
 
     def words(self, path: str) -> list[int]:
@@ -111,7 +111,7 @@ def list_is_right(name: str) -> Callable[[Bench, str], bool]:
     return is_right
 
 
-def written(path: str, text: str) -> Callable[[Bench, str], bool]:
+def has_value(path: str, text: str) -> Callable[[Bench, str], bool]:
     return lambda bench, output: bench.means(path, text)
 
 
@@ -126,7 +126,7 @@ def nothing_differs(bench: Bench, text: str) -> bool:
 VERBS: dict[str, tuple[list[str], Callable[[Bench, str], bool], bool]] = {
     "read": (["read", *NAMES, "--format", "json"], rows_are_right, False),
     "watch": (["watch", *NAMES, "--count", "2", "--every", "0", "--format", "json"], rows_are_right, False),
-    "write": (["write", "limit=3", "--yes"], written("limit", "3"), True),
+    "write": (["write", "limit=3", "--yes"], has_value("limit", "3"), True),
     "dump": (["dump", "{dump.csv}"], dump_is_right, False),
     "scan": (["scan", "--format", "json"], scan_is_right, False),
     "points download": (["points", "download", "{saved.csv}", "--table", "points"], list_is_right("saved.csv"), False),
@@ -175,6 +175,6 @@ def test_a_fault_in_a_verb_gives_a_right_value_or_an_error(
                 assert is_right(bench, output.out), where
             device.command(clear=True)
             if writes and verb != "write":
-                assert bench.run(*texts) == 0, where
+                assert bench.run(*texts, timeout="10") == 0, where
                 assert is_right(bench, ""), where
                 assert not list(tmp_path.glob("*.journal")), where

@@ -144,22 +144,29 @@ class Soak:
         return None
 
 
+def undetected(soak: Soak) -> int:
+    """How many damaged frames a checksum of one byte may let pass: one in 256. No other link lets one pass."""
+    sizes = [part.size for part in soak.unit.codec.link.response.checksums]
+    damaged = sum(soak.faults.struck.get(kind, 0) for kind in ("garbage", "inserted_word", "truncated"))
+    return damaged // 256 if sizes == [1] else 0
+
+
 @pytest.mark.parametrize(("device", "link", "message"), UNITS, ids=[f"{d}-{link}-{m}" for d, link, m in UNITS])
 def test_a_device_stands_random_requests_and_faults(device: str, link: str, message: str) -> None:
     soak = Soak(device, link, message)
-    sizes = []
+    halfway = 0
     longest, begun = 0.0, time.process_time()
     while soak.clock.now() < HOURS * 3600:
         before = time.perf_counter()
         soak.step()
         longest = max(longest, time.perf_counter() - before)
-        if soak.totals["requests"] % 16 == 0:
-            sizes.append(sys.getallocatedblocks())
+        if not halfway and soak.clock.now() > HOURS * 1800:
+            halfway = sys.getallocatedblocks()
         assert len(soak.wrong) < 20, soak.wrong
         for (space, address), word in list(soak.unit.engine.memory.words.items())[:3]:
             assert 0 <= word <= 0xFFFF, (space, address)
     totals, wrong = soak.totals, soak.wrong
-    growth = sizes[-1] - sizes[len(sizes) // 2]
+    growth = sys.getallocatedblocks() - halfway
     if FIGURES:
         row = {
             "device": device,
@@ -175,7 +182,7 @@ def test_a_device_stands_random_requests_and_faults(device: str, link: str, mess
         }
         with Path(FIGURES).open("a", encoding="utf-8") as file:
             file.write(json.dumps(row) + "\n")
-    assert not wrong
+    assert len(wrong) <= undetected(soak), wrong
     assert totals["requests"] > HOURS * 3600 / 3
     assert totals["values"] > totals["requests"] * 0.15
     assert growth < 20_000

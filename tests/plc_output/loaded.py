@@ -89,4 +89,4 @@ def words_in(frame: bytes, unit: str, order: str) -> list[int]:
 
 def judged(status: str, error: CodecError, about: object) -> None:
     """The status must say what the reference refuses."""
-    assert status == reason(error), (about, error)
+    assert status == reason(error), (status, about, error)

@@ -58,7 +58,7 @@ class Proof:
     def out(self, value: Value, kind: Type, plc_value: Any) -> Any:
         """What a variable holds, as a raw value of the reference."""
         if value.type.kind is Kind.TEXT:
-            return bytes(plc_value).rstrip(b"\0").decode("ascii")
+            return bytes(plc_value).rstrip(b"\0").decode("ascii", "replace")  # where it is refused
         if value.type.kind is Kind.BYTES:
             return bytes(plc_value)
         if value.type.signed and value.type.kind is Kind.INTEGER and _bits(kind) and plc_value > value.type.high:

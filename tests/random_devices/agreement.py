@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import random
 import tempfile
 from collections.abc import Callable
@@ -13,6 +14,7 @@ from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.proofs.running import outcome
 from fieldspec.reading.project import read
+from matiec import VARIABLE
 from random_devices.access_judge import Access
 from random_devices.c_judge import C
 from random_devices.command_judge import Command
@@ -27,6 +29,7 @@ from random_devices.reference_answers import Reference
 from random_devices.script_judge import ScriptExplainer
 from random_devices.selftest_judge import Selftest
 from random_devices.spec_changes import examples_are_proven, identities_agree
+from random_devices.structured_text_judge import StructuredText
 
 SANITIZED = ["gcc", "-std=c99", "-w", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 BIG_ENDIAN = ["m68k-linux-gnu-gcc", "-std=c99", "-w", "-static"]
@@ -46,6 +49,11 @@ class Judge:
     drops_bits: bool = False
 
 
+def has_matiec() -> bool:
+    """Whether there is a compiler of Structured Text; `docs/plc.md` says how to get it."""
+    return Path(os.environ.get(VARIABLE) or "/nowhere").exists()
+
+
 JUDGES = (
     Judge("python", 1, Python),
     Judge("access", 1, Access),
@@ -56,6 +64,8 @@ JUDGES = (
     Judge("command", 5, Command),
     Judge("selftest", 25, Selftest),
     Judge("sanitized", 20, lambda layout, folder, number: C(layout, folder, SANITIZED), True),
+    Judge("structured_text", 8, lambda layout, folder, number: StructuredText(layout, folder)),
+    *([Judge("matiec", 60, lambda layout, folder, number: StructuredText(layout, folder, True))] * has_matiec()),
     Judge("duckdb", 6, lambda layout, folder, number: Queries(layout, "duckdb")),
     Judge("polars", 6, lambda layout, folder, number: Queries(layout, "polars")),
     Judge("big_endian", 50, lambda layout, folder, number: C(layout, folder, BIG_ENDIAN, ("qemu-m68k",)), True),

@@ -39,7 +39,7 @@ def fixed_field(draft: Draft, place: str = "field") -> tuple[Spec, int]:
         count = draft.number(2, 3) if draft.chance(30) else 1
         return {**fact, "record": record.name, **({"count": count} if count > 1 else {})}, record.size * count
     keys = value(draft, place)
-    if draft.chance(8):
+    if draft.chance(8) and "digits" not in keys:
         keys = {key: keys[key] for key in ("type", "length", "byte_order", "const") if key in keys} | {"reserved": True}
         if keys["type"] == "f32":
             keys["type"] = "u32"

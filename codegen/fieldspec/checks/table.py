@@ -44,6 +44,7 @@ from fieldspec.checks.finding import Allowance, Check, allowances, covered
 from fieldspec.checks.flags_forms_agree import flags_forms_agree
 from fieldspec.checks.frame_length_matches import frame_length_matches
 from fieldspec.checks.gaps_declared import gaps_declared
+from fieldspec.checks.header_names_distinct import header_names_distinct
 from fieldspec.checks.identifiers_consistent import identifiers_consistent
 from fieldspec.checks.illegible_inferred import illegible_inferred
 from fieldspec.checks.inferred_keys_present import inferred_keys_present
@@ -146,6 +147,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("flags_forms_agree", flags_forms_agree),
     ("frame_length_matches", frame_length_matches),
     ("gaps_declared", gaps_declared),
+    ("header_names_distinct", header_names_distinct),
     ("identifiers_consistent", identifiers_consistent),
     ("illegible_inferred", illegible_inferred),
     ("inferred_keys_present", inferred_keys_present),

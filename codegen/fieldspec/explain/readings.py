@@ -6,8 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.explain.explanation import Explanation, explained
-from fieldspec.explain.lengths import lengths
-from fieldspec.explain.recognition import Reading, closest, recognised
+from fieldspec.explain.recognition import Reading, closest, lengths, recognised
 from fieldspec.layout.bits import packed_size
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.link import Link

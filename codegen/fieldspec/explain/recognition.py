@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from fieldspec.explain.explanation import explained
-from fieldspec.explain.lengths import names_of_length
+from fieldspec.explain.row import unwrapped
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout
 
 Reading = tuple[str, str, str, bool]
 """What a frame may be: its link, its direction, its message, and whether it is an exception response."""
@@ -36,7 +37,7 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
     reasons_of: dict[Reading, frozenset[str]] = {}
     for link in layout.links.values():
         for direction in ("request", "response"):
-            names = names_of_length(link, direction, frame) if steps is _FITTING else list(link.carried(direction))
+            names = _of_length(link, direction, frame) if steps is _FITTING else list(link.carried(direction))
             if link.frame(direction).role("code") is not None:
                 several = link.ambiguous_codes(direction).values()
                 names = ["", *(message.name for messages in several for message in messages if message.name in names)]
@@ -53,3 +54,21 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
         if fitting:
             return fitting
     return []
+
+
+def _of_length(link: LinkLayout, direction: str, frame: bytes) -> list[str]:
+    """The messages whose body can be as long as that of the frame."""
+    length = len(unwrapped(link.link, direction, frame).data)
+    escape = link.frame(direction).escape
+    if escape is not None:
+        bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
+        return [name for name, (_, most) in bounds if most is None or length <= escape.most(most)]
+    bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
+    return [name for name, (least, most) in bounds if least <= length and (most is None or length <= most)]
+
+
+def lengths(link: LinkLayout, direction: str, message: str) -> tuple[int, int | None]:
+    """The least and the greatest size of a message's frames without delimiters, in bytes; None is unbounded."""
+    shape, body = link.frame(direction), link.messages[message].data(direction)
+    around = shape.header_size + shape.trailer_size
+    return body.least + around, None if body.most is None else body.most + around

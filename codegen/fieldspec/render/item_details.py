@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.classes import replace
 from fieldspec.explain.body import references_text
-from fieldspec.explain.lengths import lengths
+from fieldspec.explain.recognition import lengths
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import RecordLayout

@@ -151,7 +151,7 @@ def conversion_view(conversion: Conversion, device: Device, scope: Scope) -> Con
         "Raises CodecError where the quantity is out of range, and where the reference is 0.",
     ]
     return ConversionView(
-        name=scope.take(conversion.name),
+        name=scope.take(f"{conversion.name}_from_raw"),
         inverse=scope.take(f"{conversion.name}_to_raw"),
         constant=f"_{Name.of(conversion.name).upper()}_CONVERSION",
         call=f"_Conversion({', '.join(arguments)})",

@@ -153,6 +153,11 @@ def _build(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     return draft.finished(wrap)
 
 
+def _own_count(field: FieldLayout, fields: Fields) -> Expression | None:
+    """How many elements a repeated field has; None for any other, also for a list of a fixed length beside it."""
+    return fields.count if field.field.repeat is not None else None
+
+
 def _write_body(draft: Draft, world: World, record: RecordLayout, fields: Fields, holder: Bytes) -> Expression:
     """Writes the fields; the expression is how many bytes they are."""
     last = record.fields[-1] if record.fields else None
@@ -173,7 +178,7 @@ def _write_body(draft: Draft, world: World, record: RecordLayout, fields: Fields
             selector = selecting(draft, world, record.selector, fields.place(record.selector))
             draft.add(write_choice(draft, world, field, selector, holder, fields.place(field), fields.count, element))
         else:
-            draft.add(write_field(draft, world, field, holder, fields.place, fields.count))
+            draft.add(write_field(draft, world, field, holder, fields.place, _own_count(field, fields)))
     if fields.count is not None and last is not None:
         size = plus(Operation("*", (fields.count, element), INT), last.offset)
         size = plus(fields.count, last.offset) if element == number(1) else size
@@ -300,7 +305,7 @@ def _read_body(
                 read_choice(draft, world, field, selector, holder, fields.place(field), fields.count, size, element)
             )
         else:
-            draft.add(read_field(draft, world, field, holder, fields.place, fields.count))
+            draft.add(read_field(draft, world, field, holder, fields.place, _own_count(field, fields)))
     for field in record.fields:
         if field.field.measures is not None:
             wire = Wire.of_field(field)

@@ -179,7 +179,7 @@ class World:
 
     @property
     def frame(self) -> ArrayType:
-        """The bytes of the longest frame of any link that has a head or a check."""
+        """The bytes of the longest frame of any link whose frames are more than a body."""
         return sequence(max(_frame_sizes(self.layout), default=1), BYTE)
 
     @property
@@ -221,7 +221,7 @@ def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
             shape = link.frame(direction)
             marks = len(shape.start) + len(shape.end)
             around = shape.header_size + shape.trailer_size
-            if around:
+            if around + marks or width > 1:
                 bodies = [message.data(direction).most or 0 for message in link.carried(direction).values()]
                 yield (around + max(bodies, default=0)) * width + marks
 

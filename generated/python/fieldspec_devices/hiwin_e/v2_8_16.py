@@ -168,30 +168,30 @@ __all__ = [
     "WarningCode",
     "WriteParameterRequest",
     "WriteParameterResponse",
-    "actual_speed",
-    "actual_speed_a",
+    "actual_speed_a_from_raw",
     "actual_speed_a_to_raw",
+    "actual_speed_from_raw",
     "actual_speed_to_raw",
-    "commanded_speed",
-    "commanded_speed_a",
+    "commanded_speed_a_from_raw",
     "commanded_speed_a_to_raw",
+    "commanded_speed_from_raw",
     "commanded_speed_to_raw",
     "cyclic",
     "drive_parameters",
     "monitoring_parameters",
-    "motor_torque",
+    "motor_torque_from_raw",
     "motor_torque_to_raw",
-    "output_torque",
+    "output_torque_from_raw",
     "output_torque_to_raw",
-    "overridden_velocity",
+    "overridden_velocity_from_raw",
     "overridden_velocity_to_raw",
     "parameter_channel",
     "pnu",
     "profidrive_parameters",
     "servo_parameters",
-    "share_of_acceleration",
+    "share_of_acceleration_from_raw",
     "share_of_acceleration_to_raw",
-    "torque_reduced_by",
+    "torque_reduced_by_from_raw",
     "torque_reduced_by_to_raw",
 ]
 
@@ -9445,7 +9445,7 @@ parameter_channel: _Final = ParameterChannelLink()
 _COMMANDED_SPEED_CONVERSION = _Conversion("commanded_speed", 0x40000000, ((-2147483648, 2147483647),))
 
 
-def commanded_speed(raw: int, reference: _Quantity) -> float:
+def commanded_speed_from_raw(raw: int, reference: _Quantity) -> float:
     """Speed from NSOLL_B: reference * raw / 0x40000000.
 
     The reference is Pt317 for rotary motors, in rpm, and Pt386 for linear ones, in mm/s.
@@ -9478,7 +9478,7 @@ def commanded_speed_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
 _ACTUAL_SPEED_CONVERSION = _Conversion("actual_speed", 0x40000000, ((-2147483648, 2147483647),))
 
 
-def actual_speed(raw: int, reference: _Quantity) -> float:
+def actual_speed_from_raw(raw: int, reference: _Quantity) -> float:
     """Speed from NIST_B: reference * raw / 0x40000000.
 
     The reference is Pt317 for rotary motors, in rpm, and Pt386 for linear ones, in mm/s.
@@ -9511,7 +9511,7 @@ def actual_speed_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
 _COMMANDED_SPEED_A_CONVERSION = _Conversion("commanded_speed_a", 0x4000, ((-32768, 32767),))
 
 
-def commanded_speed_a(raw: int, reference: _Quantity) -> float:
+def commanded_speed_a_from_raw(raw: int, reference: _Quantity) -> float:
     """Speed from NSOLL_A: reference * raw / 0x4000.
 
     The form of 16 bits, which is in no telegram of this drive. The reference is Pt317 for rotary
@@ -9548,7 +9548,7 @@ def commanded_speed_a_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
 _ACTUAL_SPEED_A_CONVERSION = _Conversion("actual_speed_a", 0x4000, ((-32768, 32767),))
 
 
-def actual_speed_a(raw: int, reference: _Quantity) -> float:
+def actual_speed_a_from_raw(raw: int, reference: _Quantity) -> float:
     """Speed from NIST_A: reference * raw / 0x4000.
 
     The form of 16 bits, which is in no telegram of this drive. The reference is Pt317 for rotary
@@ -9585,7 +9585,7 @@ def actual_speed_a_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
 _OUTPUT_TORQUE_CONVERSION = _Conversion("output_torque", 0x4000, ((0, 16384),), complement=True)
 
 
-def output_torque(raw: int, reference: _Quantity) -> float:
+def output_torque_from_raw(raw: int, reference: _Quantity) -> float:
     """Torque that MOMRED leaves: reference * (1 - raw / 0x4000).
 
     The reference is Pt42A for rotary motors, a torque in Nm, and Pt43A for linear ones, a force in N.
@@ -9618,7 +9618,7 @@ def output_torque_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
 _TORQUE_REDUCED_BY_CONVERSION = _Conversion("torque_reduced_by", 0x4000, ((0, 16384),))
 
 
-def torque_reduced_by(raw: int, reference: _Quantity) -> float:
+def torque_reduced_by_from_raw(raw: int, reference: _Quantity) -> float:
     """Torque that MOMRED takes away: reference * raw / 0x4000.
 
     The reference is Pt42A for rotary motors, a torque in Nm, and Pt43A for linear ones, a force in N.
@@ -9651,7 +9651,7 @@ def torque_reduced_by_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
 _MOTOR_TORQUE_CONVERSION = _Conversion("motor_torque", 0x4000, ((-32768, 32767),))
 
 
-def motor_torque(raw: int, reference: _Quantity) -> float:
+def motor_torque_from_raw(raw: int, reference: _Quantity) -> float:
     """Torque from M_ACT: reference * raw / 0x4000.
 
     The reference is Pt42A for rotary motors, a torque in Nm, and Pt43A for linear ones, a force in N.
@@ -9684,7 +9684,7 @@ def motor_torque_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
 _SHARE_OF_ACCELERATION_CONVERSION = _Conversion("share_of_acceleration", 0x4000, ((0, 16384),))
 
 
-def share_of_acceleration(raw: int, reference: _Quantity) -> float:
+def share_of_acceleration_from_raw(raw: int, reference: _Quantity) -> float:
     """What MDI_ACC and MDI_DEC leave of the acceleration: reference * raw / 0x4000.
 
     The reference is the acceleration or the deceleration that the time in Pt534 or Pt537 gives.
@@ -9717,7 +9717,7 @@ def share_of_acceleration_to_raw(quantity: _Quantity, reference: _Quantity) -> i
 _OVERRIDDEN_VELOCITY_CONVERSION = _Conversion("overridden_velocity", 0x4000, ((0, 32767),))
 
 
-def overridden_velocity(raw: int, reference: _Quantity) -> float:
+def overridden_velocity_from_raw(raw: int, reference: _Quantity) -> float:
     """What the override leaves of a speed: reference * raw / 0x4000.
 
     The reference is the speed of the MDI command or, for jogging with telegram 111, Pt533 for rotary

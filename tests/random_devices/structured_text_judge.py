@@ -1,0 +1,48 @@
+"""Generated Structured Text as a judge: its functions are run, by an interpreter or compiled by matiec and gcc."""
+
+from __future__ import annotations
+
+import random
+import sys
+from pathlib import Path
+
+from fieldspec.backends.iec.backend import source
+from fieldspec.backends.iec.backend import text as standard_text
+from fieldspec.backends.st.backend import text
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.plc.structured.program import declared_in_text, program
+from random_devices.queries import Answer, Query
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "plc_output"))
+
+from comparisons import compare_requests, compare_responses, compare_telegrams
+from compiled import Compiled
+from proving import Proof
+from st_machine import Machine
+from st_syntax import parsed
+
+SILENT = Answer(reason=None)
+TRIES = 6
+"""Values for each message; a compiled program runs them faster, but takes seconds to compile."""
+
+
+class StructuredText:
+    """The functions of a device; those of a device that the output refuses are not asked."""
+
+    def __init__(self, layout: DeviceLayout, folder: Path, is_compiled: bool = False) -> None:
+        self.prover: Proof | None = None
+        if is_compiled and not source(layout).declared.findings:
+            own = source(layout)
+            self.prover = Proof(own.declared.world, Compiled(standard_text(own), folder))
+        elif not is_compiled and not declared_in_text(layout).findings:
+            own_program = program(layout)
+            self.prover = Proof(own_program.declared.world, Machine(parsed(text(own_program))))
+
+    def answers(self, queries: list[Query]) -> list[Answer]:
+        """Nothing about single queries; raises AssertionError where a function does other than the reference."""
+        if self.prover is not None:
+            dice = random.Random(len(queries))
+            compare_telegrams(self.prover, dice, TRIES)
+            compare_requests(self.prover, dice, TRIES)
+            compare_responses(self.prover, dice, 2 * TRIES)
+        return [SILENT] * len(queries)
