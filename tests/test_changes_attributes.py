@@ -91,6 +91,7 @@ IGNORED = {
     **{f"StatedChange/Citation.{name}": "it gives changes their reasons, and is none" for name in ("section", "lines")},
     **{f"Acceptance.{name}": "it judges changes, and is none" for name in ("rule", "path", "reason", "date", "since")},
     "RegisterGroup.space": "it is that of its registers",
+    "RegisterGroup/Register.unit_size": "it is that of its space",
     "RegisterGroup.ascending": "it says how the table is checked, nothing about the device",
     "*.allowed": "it is for checks, no output shows it",
     "*.place": "a place in the spec says nothing about the device",

@@ -25,7 +25,7 @@ _KEYS = {
 
 
 def framing_changed(comparison: Comparison) -> Iterator[Change]:
-    """Frames have other delimiters, another encoding or another escape.
+    """Frames have other delimiters, another encoding or another escape, or identifiers have their parts elsewhere.
 
     Why: neither side recognises the frames of the other.
 
@@ -42,6 +42,16 @@ def framing_changed(comparison: Comparison) -> Iterator[Change]:
             if old != new and not common:
                 text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("framing_changed", Effect.WIRE, pair, key, text, old, new)
+    for part in comparison.of(Part):
+        old, new = _bits(part.old), _bits(part.new)
+        if old != new:
+            text = f"{named(part.new)}: {difference_text('its bits', old, new)}"
+            yield change("framing_changed", Effect.WIRE, part, "bits", text, old, new)
+
+
+def _bits(part: Part) -> str:
+    """The bits of an identifier that a part takes, as a spec has them."""
+    return "..".join(map(str, part.bits)) if part.bits is not None else ""
 
 
 def _framing(link: Link, key: str) -> bytes | str:
