@@ -94,7 +94,10 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["can_frames"] = refused("there are no functions for them: plc_frames_supported")
     capabilities["other_frames"] = refused("there are no functions for them: plc_frames_supported")
     capabilities["byte_registers"] = refused("there are no functions for them: plc_spaces_supported")
-    capabilities["choices"] = lossy("are bit strings as wide as the widest type, with a function that says which it is")
+    capabilities["choices"] = lossy(
+        "are bit strings as wide as the widest type, with a function that says which it is; whoever makes a number of "
+        "them compares it with the ranges and the enum"
+    )
     capabilities["bit_numbers"] = lossy("are masks with the sign and the scale in a comment")
     if dialect.bits == "packed":
         capabilities["bit_fields"] = lossy("are masks and single bits in images, because a BOOL is one bit")
