@@ -3666,7 +3666,10 @@ class MessageForm {
     const { path, count, bit } = target.dataset;
     if (count) {
       const number = Math.floor(Number(target.value));
-      if (!(number >= Number(target.min) && number <= Number(target.max))) return;
+      if (!(number >= Number(target.min) && number <= Number(target.max))) {
+        this.refuse(`Number of ${path}: enter ${target.min} to ${target.max}.`);
+        return;
+      }
       this.counts.set(path, number);
       this.draw();
     } else if (bit !== undefined) {
@@ -3704,12 +3707,20 @@ class MessageForm {
     for (const item of items.flatMap((text) => (/^[-+0-9a-fx ]+$/i.test(text) ? text.split(/\s+/) : [text]))) {
       const count = countOf(item);
       const isWord = count !== undefined && count >= 0 && count <= 0xFFFF;
-      const occupant = !isWord ? occupantAt(device, access.space ?? "", address + words.length) : undefined;
-      if (!occupant) {
+      const occupant = occupantAt(device, access.space ?? "", address + words.length);
+      const isOneWord = occupant?.value.kind === "integer" && occupant.value.size === 2 && !occupant.skip;
+      if (!occupant || (isWord && !isOneWord)) {
         words.push(rawOf(device, leaf.path, leaf.field.value, item));
         continue;
       }
       const { path, value } = occupant;
+      if (isWord) {
+        // A word is written as it is, but not if the register cannot have it.
+        const number = value.signed && count > 0x7FFF ? count - 0x10000 : count;
+        encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, number]]));
+        words.push(count);
+        continue;
+      }
       if (value.size % 2) throw new CodecError("wrong_type", `${path} shares a word with others; enter the whole word`);
       const bytes = encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, rawOf(device, path, value, item)]]));
       for (let at = 0; at < bytes.length; at += 2) words.push(Number(unsignedOf(bytes.subarray(at, at + 2), device.data.wordOrder)));
@@ -3759,15 +3770,23 @@ class MessageForm {
 
   build() {
     if (!this.choice?.message) return;
+    this.refuse("");  // until there is a frame, whatever happens
     try {
       const frame = encodeFrame(this.lab.device, this.choice, this.values());
       this.message("");
       this.lab.edited(frame, this.choice);
     } catch (error) {
       if (!(error instanceof CodecError)) throw error;
-      this.message(error.message);
-      byId("built").textContent = "";
+      this.refuse(error.message);
     }
+  }
+
+  // What is entered makes no frame, and the frame before it is not what somebody wants to send.
+  refuse(text) {
+    this.message(text);
+    byId("built").textContent = "";
+    this.lab.isEntryRefused = true;
+    this.lab.panel.update();
   }
 
   message(text) {
@@ -4016,7 +4035,7 @@ class DevicePanel {
   // The request of the page; null where what is there is none.
   request() {
     const { current } = this.lab;
-    if (!current || current.explanation.direction !== "request" || reasonsOf(current.explanation).length) return null;
+    if (!current || this.lab.isEntryRefused || current.explanation.direction !== "request" || reasonsOf(current.explanation).length) return null;
     return current.explanation;
   }
 
@@ -4058,6 +4077,7 @@ class DevicePanel {
   }
 
   remark(request, writes, isAllowed) {
+    if (this.lab.isEntryRefused) return "What is entered in the form makes no frame, so nothing is sent.";
     if (!request) return "There is no valid request above. Paste one, or build it.";
     if (this.isElsewhere(request)) return `The request is one of the link ${request.link}, and the connection is to ${this.exchange.carrier.link}.`;
     const name = request.message || "The request";
@@ -4139,6 +4159,8 @@ class DevicePanel {
 
   explainTraffic() {
     byId("frames").value = `${this.lines.join("\n")}\n`;
+    byId("request").value = "";
+    this.lab.forgetKnown();
     this.lab.read();
     byId("frames").focus();
   }
@@ -4156,6 +4178,7 @@ class Lab {
     this.device = null;
     this.page = "";
     this.current = null;
+    this.isEntryRefused = false;
     this.timer = 0;
     this.loads = new Map();
     this.table = new FrameTable(this);
@@ -4164,9 +4187,15 @@ class Lab {
     this.panel = new DevicePanel(this);
     byId("lab").hidden = false;
     byId("version").addEventListener("change", () => this.open(byId("version").value));
-    byId("frames").addEventListener("input", () => this.soon());
+    byId("frames").addEventListener("input", () => {
+      if (this.isKnownFromForm) this.forgetKnown();
+      this.soon();
+    });
     byId("request").addEventListener("input", () => this.soon());
-    for (const name of KNOWN) byId(`known-${name}`).addEventListener("change", () => this.read());
+    for (const name of KNOWN) byId(`known-${name}`).addEventListener("change", () => {
+      this.isKnownFromForm = false;
+      this.read();
+    });
     byId("example").addEventListener("change", () => this.example());
     byId("file").addEventListener("change", () => this.file());
     byId("clear").addEventListener("click", () => this.clear());
@@ -4247,6 +4276,7 @@ class Lab {
     if (!this.device) return;
     const text = byId("frames").value;
     this.current = null;
+    this.isEntryRefused = false;
     this.panel.update();
     byId("input-fault").textContent = "";
     delete byId("lab").dataset.frames;
@@ -4280,6 +4310,7 @@ class Lab {
     const [link, direction, message, error] = entry.reading;
     const explanation = explained(this.device, link, direction, entry.frame, error ? "" : message, asked);
     this.current = { frame: entry.frame, explanation, request: asked };
+    this.isEntryRefused = false;
     this.table.show({ explanation, remarks: entry.remarks, wrong: entry.wrong });
     this.form.take(explanation);
     byId("built").textContent = "";
@@ -4297,6 +4328,7 @@ class Lab {
     const reading = readFrame(this.device, frame, options, "", asked && { request: asked, sure: true });
     const remarks = remarksOn(this.device, reading, 0, options);
     this.current = { frame, explanation: reading.explanation, request: asked };
+    this.isEntryRefused = false;
     byId("built").textContent = this.frameText();
     byId("input-fault").textContent = "";
     this.table.show({ explanation: reading.explanation, remarks, wrong: isWrong(reading) });
@@ -4304,7 +4336,14 @@ class Lab {
     if (this.list.entries.length > 1) return;
     byId("frames").value = this.frameText();
     for (const name of KNOWN) byId(`known-${name}`).value = known[name];
+    this.isKnownFromForm = true;
     this.remember(byId("frames").value);
+  }
+
+  // What the form says of its own frame is not known of another one.
+  forgetKnown() {
+    for (const name of KNOWN) byId(`known-${name}`).value = "";
+    this.isKnownFromForm = false;
   }
 
   frameText() {

@@ -106,7 +106,8 @@
       const rank = rankOf(entry, terms, whole);
       if (rank) { result.push({ entry, rank, terms }); }
     }
-    return result.sort((a, b) => a.rank[0] - b.rank[0] || a.rank[1] - b.rank[1] || a.entry.order - b.entry.order);
+    return result.sort((a, b) => a.rank[0] - b.rank[0] || a.rank[1] - b.rank[1]
+      || (a.entry.device === b.entry.device ? a.entry.order - b.entry.order : a.entry.device < b.entry.device ? -1 : 1));
   }
 
   // ---- data ----
@@ -134,6 +135,7 @@
           keys: keys ? keys.toLowerCase().split(" ").map(parsedKey) : [],
           text: text ? folded(text) : "",
           context: folded(`${data.name} ${data.id} ${kind} ${KINDS[kind] || ""} ${section} ${start.replace(/\//g, " ")}`),
+          device: data.id,
           order: entries.length
         });
       }

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from selenium import webdriver
 from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
@@ -104,8 +105,10 @@ def test_a_read_is_answered_and_explained(browser: webdriver.Chrome, folder: Pat
     assert text_of(browser, "frame-title").startswith("read_registers response, rtu")
     assert cells(browser, "registers")[0][2] == "action_status"
     assert text_of(browser, "traffic-lines") == f"TX: {READ}\nRX: 01 03 02 00 00 B8 44"
+    browser.execute_script("document.getElementById('known-direction').value = 'request'")
     click(browser, "traffic-log")
     wait_for(browser, 2)
+    assert browser.find_element(By.ID, "known-direction").get_attribute("value") == ""
     click(browser, "connect")
     WebDriverWait(browser, 40).until(lambda _: text_of(browser, "connect") == "Connect")
     assert browser.get_log("browser") == []
@@ -128,6 +131,38 @@ def test_a_write_waits_for_the_switch_and_names_its_hazards(
     WebDriverWait(browser, 40).until(lambda _: text_of(browser, "connect") == "Connect")
     assert not browser.find_element(By.ID, "allow-writes").is_selected()
     device.command(power="cycle")
+
+
+@pytest.mark.parametrize(
+    ("address", "entry", "reason"),
+    [
+        ("motion_speed", "100000", "not in 0..100"),
+        ("motion_speed", "101", "not in 0..100"),
+        ("motion_speed", "fast", "fast"),
+        ("motion_speed", "", "value"),
+        ("motion_sped", "50", "motion_sped"),
+    ],
+)
+def test_nothing_is_sent_while_an_entry_is_refused(
+    browser: webdriver.Chrome, folder: Path, device: Simulated, address: str, entry: str, reason: str
+) -> None:
+    connected(browser, folder, device.addresses["rtu"], HOMING)
+    click(browser, "allow-writes")
+    for path, text in (("address", address), ("value", entry)):
+        box = browser.find_element(By.CSS_SELECTOR, f"#fields [data-path='{path}']")
+        box.send_keys(Keys.CONTROL, "a")
+        box.send_keys(Keys.BACKSPACE, text)
+    assert reason in text_of(browser, "build-fault")
+    assert not browser.find_element(By.ID, "send").is_enabled()
+    assert text_of(browser, "send-remark") == "What is entered in the form makes no frame, so nothing is sent."
+    for path, text in (("address", "motion_speed"), ("value", "50")):
+        box = browser.find_element(By.CSS_SELECTOR, f"#fields [data-path='{path}']")
+        box.send_keys(Keys.CONTROL, "a")
+        box.send_keys(Keys.BACKSPACE, text)
+    assert text_of(browser, "built") == "01 06 20 14 00 32 43 DB"
+    assert browser.find_element(By.ID, "send").is_enabled()
+    click(browser, "connect")
+    WebDriverWait(browser, 40).until(lambda _: text_of(browser, "connect") == "Connect")
 
 
 @pytest.mark.parametrize(

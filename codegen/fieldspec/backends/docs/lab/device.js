@@ -81,7 +81,7 @@ class DevicePanel {
   // The request of the page; null where what is there is none.
   request() {
     const { current } = this.lab;
-    if (!current || current.explanation.direction !== "request" || reasonsOf(current.explanation).length) return null;
+    if (!current || this.lab.isEntryRefused || current.explanation.direction !== "request" || reasonsOf(current.explanation).length) return null;
     return current.explanation;
   }
 
@@ -123,6 +123,7 @@ class DevicePanel {
   }
 
   remark(request, writes, isAllowed) {
+    if (this.lab.isEntryRefused) return "What is entered in the form makes no frame, so nothing is sent.";
     if (!request) return "There is no valid request above. Paste one, or build it.";
     if (this.isElsewhere(request)) return `The request is one of the link ${request.link}, and the connection is to ${this.exchange.carrier.link}.`;
     const name = request.message || "The request";
@@ -204,6 +205,8 @@ class DevicePanel {
 
   explainTraffic() {
     byId("frames").value = `${this.lines.join("\n")}\n`;
+    byId("request").value = "";
+    this.lab.forgetKnown();
     this.lab.read();
     byId("frames").focus();
   }

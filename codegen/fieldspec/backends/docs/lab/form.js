@@ -245,7 +245,10 @@ class MessageForm {
     const { path, count, bit } = target.dataset;
     if (count) {
       const number = Math.floor(Number(target.value));
-      if (!(number >= Number(target.min) && number <= Number(target.max))) return;
+      if (!(number >= Number(target.min) && number <= Number(target.max))) {
+        this.refuse(`Number of ${path}: enter ${target.min} to ${target.max}.`);
+        return;
+      }
       this.counts.set(path, number);
       this.draw();
     } else if (bit !== undefined) {
@@ -283,12 +286,20 @@ class MessageForm {
     for (const item of items.flatMap((text) => (/^[-+0-9a-fx ]+$/i.test(text) ? text.split(/\s+/) : [text]))) {
       const count = countOf(item);
       const isWord = count !== undefined && count >= 0 && count <= 0xFFFF;
-      const occupant = !isWord ? occupantAt(device, access.space ?? "", address + words.length) : undefined;
-      if (!occupant) {
+      const occupant = occupantAt(device, access.space ?? "", address + words.length);
+      const isOneWord = occupant?.value.kind === "integer" && occupant.value.size === 2 && !occupant.skip;
+      if (!occupant || (isWord && !isOneWord)) {
         words.push(rawOf(device, leaf.path, leaf.field.value, item));
         continue;
       }
       const { path, value } = occupant;
+      if (isWord) {
+        // A word is written as it is, but not if the register cannot have it.
+        const number = value.signed && count > 0x7FFF ? count - 0x10000 : count;
+        encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, number]]));
+        words.push(count);
+        continue;
+      }
       if (value.size % 2) throw new CodecError("wrong_type", `${path} shares a word with others; enter the whole word`);
       const bytes = encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, rawOf(device, path, value, item)]]));
       for (let at = 0; at < bytes.length; at += 2) words.push(Number(unsignedOf(bytes.subarray(at, at + 2), device.data.wordOrder)));
@@ -338,15 +349,23 @@ class MessageForm {
 
   build() {
     if (!this.choice?.message) return;
+    this.refuse("");  // until there is a frame, whatever happens
     try {
       const frame = encodeFrame(this.lab.device, this.choice, this.values());
       this.message("");
       this.lab.edited(frame, this.choice);
     } catch (error) {
       if (!(error instanceof CodecError)) throw error;
-      this.message(error.message);
-      byId("built").textContent = "";
+      this.refuse(error.message);
     }
+  }
+
+  // What is entered makes no frame, and the frame before it is not what somebody wants to send.
+  refuse(text) {
+    this.message(text);
+    byId("built").textContent = "";
+    this.lab.isEntryRefused = true;
+    this.lab.panel.update();
   }
 
   message(text) {

@@ -10,6 +10,7 @@ class Lab {
     this.device = null;
     this.page = "";
     this.current = null;
+    this.isEntryRefused = false;
     this.timer = 0;
     this.loads = new Map();
     this.table = new FrameTable(this);
@@ -18,9 +19,15 @@ class Lab {
     this.panel = new DevicePanel(this);
     byId("lab").hidden = false;
     byId("version").addEventListener("change", () => this.open(byId("version").value));
-    byId("frames").addEventListener("input", () => this.soon());
+    byId("frames").addEventListener("input", () => {
+      if (this.isKnownFromForm) this.forgetKnown();
+      this.soon();
+    });
     byId("request").addEventListener("input", () => this.soon());
-    for (const name of KNOWN) byId(`known-${name}`).addEventListener("change", () => this.read());
+    for (const name of KNOWN) byId(`known-${name}`).addEventListener("change", () => {
+      this.isKnownFromForm = false;
+      this.read();
+    });
     byId("example").addEventListener("change", () => this.example());
     byId("file").addEventListener("change", () => this.file());
     byId("clear").addEventListener("click", () => this.clear());
@@ -101,6 +108,7 @@ class Lab {
     if (!this.device) return;
     const text = byId("frames").value;
     this.current = null;
+    this.isEntryRefused = false;
     this.panel.update();
     byId("input-fault").textContent = "";
     delete byId("lab").dataset.frames;
@@ -134,6 +142,7 @@ class Lab {
     const [link, direction, message, error] = entry.reading;
     const explanation = explained(this.device, link, direction, entry.frame, error ? "" : message, asked);
     this.current = { frame: entry.frame, explanation, request: asked };
+    this.isEntryRefused = false;
     this.table.show({ explanation, remarks: entry.remarks, wrong: entry.wrong });
     this.form.take(explanation);
     byId("built").textContent = "";
@@ -151,6 +160,7 @@ class Lab {
     const reading = readFrame(this.device, frame, options, "", asked && { request: asked, sure: true });
     const remarks = remarksOn(this.device, reading, 0, options);
     this.current = { frame, explanation: reading.explanation, request: asked };
+    this.isEntryRefused = false;
     byId("built").textContent = this.frameText();
     byId("input-fault").textContent = "";
     this.table.show({ explanation: reading.explanation, remarks, wrong: isWrong(reading) });
@@ -158,7 +168,14 @@ class Lab {
     if (this.list.entries.length > 1) return;
     byId("frames").value = this.frameText();
     for (const name of KNOWN) byId(`known-${name}`).value = known[name];
+    this.isKnownFromForm = true;
     this.remember(byId("frames").value);
+  }
+
+  // What the form says of its own frame is not known of another one.
+  forgetKnown() {
+    for (const name of KNOWN) byId(`known-${name}`).value = "";
+    this.isKnownFromForm = false;
   }
 
   frameText() {
