@@ -13,6 +13,7 @@ STRICT = [
 ]
 COMPILERS = {
     "gcc": ["gcc", "-std=c99", "-O1"],
+    "clang": ["clang", "-std=c99"],
     "g++": ["g++", "-std=c++11", "-x", "c++"],
     # tcc knows none of the extensions of gcc.
     "tcc": ["tcc", "-std=c99"],

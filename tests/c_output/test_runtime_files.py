@@ -38,6 +38,16 @@ PROGRAMS = {
         " if (out[0] != 5 || device_load_u48_be_words_le(out) != UINT64_C(0x010203040506)) return 1;"
         " if (device_signed_24(0x800000u) != -8388608 || device_signed_40(UINT64_C(0x7FFFFFFFFF)) < 0) return 1;",
     ),
+    "digits.h": (
+        [],
+        'uint8_t out[6]; const uint8_t *text = (const uint8_t *)"-12.50";'
+        " device_store_digits(out, 4, 0, 0x61u, 0x1abfu);"
+        ' if (memcmp(out, "1abf", 4) != 0 || device_load_digits(out, 4, 16u) != 0x1abfu) return 1;'
+        " if (!device_is_digits(out, 4, 0, 0x61u) || device_is_digits(out, 4, 0, 0)) return 1;"
+        " if (!device_is_signed_digits(text, 6, 2) || device_load_signed_digits(text, 6) != -1250) return 1;"
+        " device_store_signed_digits(out, 6, 2, -1250); if (memcmp(out, text, 6) != 0) return 1;"
+        " if (device_to_bcd(1250u) != 0x1250u || device_of_bcd(0x1250u) != 1250u || device_is_bcd(0x12A0u)) return 1;",
+    ),
     "checksums.h": (
         [],
         'const uint8_t *text = (const uint8_t *)"123456789"; if (device_crc16_modbus(text, 9) != 0x4B37u) return 1;'

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from fieldspec.backends import OUTPUTS
+from fieldspec.backends.queries.plan import Names
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.names import Name
@@ -15,11 +16,26 @@ from queries_output.expected import is_equal, record_columns
 from random_devices.queries import UNKNOWN, Answer, Query
 
 
+def query_names(layout: DeviceLayout) -> dict[str | tuple[str, str], str]:
+    """The names of the queries of records, and of messages with their directions, some of which are words of Python."""
+    names = Names(layout.device.enums)
+    result: dict[str | tuple[str, str], str] = {}
+    for record in layout.records:
+        own = Name.of(record).snake()
+        result[record] = names.take(own, f"{own}_record")
+    for message in layout.messages.values():
+        for direction in ("request", "response") if message.message.is_answered else ("request",):
+            own = f"{Name.of(message.name).snake()}_{direction}"
+            result[message.name, direction] = names.take(own, f"{own}_data")
+    return result
+
+
 class Queries:
     """The answers of an engine about records and messages. It compares the columns with the reference itself."""
 
     def __init__(self, layout: DeviceLayout, engine: str) -> None:
         self.layout = layout
+        self.names = query_names(layout)
         self.engine = None if OUTPUTS["queries"].refusals([layout]) else ENGINES[engine](layout)
 
     def answers(self, queries: list[Query]) -> list[Answer]:
@@ -30,12 +46,11 @@ class Queries:
         groups: dict[str, list[tuple[int, bytes]]] = {}
         for place, query in enumerate(queries):
             if query.kind == "record" and query.values is None:
-                groups.setdefault(Name.of(query.path[0]).snake(), []).append((place, query.data))
+                groups.setdefault(self.names[query.path[0]], []).append((place, query.data))
             elif query.kind == "frame" and query.values is not None and not query.error:
                 data = self._body(query)
                 if data is not None:
-                    name = f"{Name.of(query.path[2]).snake()}_{query.path[1]}"
-                    groups.setdefault(name, []).append((place, data))
+                    groups.setdefault(self.names[query.path[2], query.path[1]], []).append((place, data))
         for name, places in groups.items():
             rows = self.engine.rows(name, {"payload": [data for _, data in places]})
             for (place, data), row in zip(places, rows, strict=True):

