@@ -33,6 +33,7 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chro
         options.add_argument(flag)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     with webdriver.Chrome(options=options, service=Service(require_tool("chromedriver"))) as driver:
+        driver.set_script_timeout(240)  # axe takes long on a busy machine
         driver.get("about:blank")
         yield driver
 
