@@ -12,7 +12,9 @@ from fieldspec.model.value import Value
 _HELP = "leave this output out for the device: name the others after --to"
 
 
-def digits_refusals(versions: Sequence[DeviceLayout], reader: str) -> list[Diagnostic]:
+def digits_refusals(
+    versions: Sequence[DeviceLayout], reader: str, for_controllers: bool = False
+) -> list[Diagnostic]:
     """A finding for each value that is sent as digits; `reader` is what does not convert them."""
     facts = {
         fact.place.path: fact
@@ -22,7 +24,7 @@ def digits_refusals(versions: Sequence[DeviceLayout], reader: str) -> list[Diagn
     }
     return [
         Diagnostic(
-            "output_numbers_binary",
+            "plc_numbers_binary" if for_controllers else "output_numbers_binary",
             f"{fact.name} is sent as digits, which {reader} does not convert",
             fact.place["digits"],
             help=_HELP,

@@ -8,7 +8,9 @@ from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.explain.values import DecodedValue
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.live.client import Client
+from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.value import Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,3 +146,12 @@ def find(access: Access, names: Sequence[str]) -> tuple[list[Item], list[str]]:
             unknown.append(name)
         result |= {access.path(item): item for item in own}
     return list(result.values()), unknown
+
+
+def role_masks(device: Device, fact: Fact, value: Value, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
+    """Those of the roles that a value or its bits have, each with its mask; -1 for all bits."""
+    bits = device.flags[value.flags].bits if value.flags else ()
+    for role in roles:
+        if role in fact.roles:
+            yield role, -1
+        yield from ((role, bit.mask) for bit in bits if role in bit.roles)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from fieldspec.live.access import DumpRow
+from fieldspec.live.access import DumpRow, role_masks
 from fieldspec.live.messages import (
     ParameterAssignment,
     Signal,
@@ -142,13 +142,7 @@ class ParameterAccess:
 
     def signals(self, item: Signal, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
         """The roles of a value or of its bits, each with its mask; -1 for all bits."""
-        for role in roles:
-            if role in item.fact.roles:
-                yield role, -1
-            if item.value.flags:
-                for bit in self.layout.device.flags[item.value.flags].bits:
-                    if role in bit.roles:
-                        yield role, bit.mask
+        yield from role_masks(self.layout.device, item.fact, item.value, roles)
 
     def item(self, chosen: ParameterAssignment) -> Signal:
         """What a value is assigned to."""

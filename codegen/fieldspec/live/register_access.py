@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from fieldspec.live import writing
-from fieldspec.live.access import DumpRow
+from fieldspec.live.access import DumpRow, role_masks
 from fieldspec.live.reading import Reading, all_occupants, blocks, read, reading
 from fieldspec.live.value_lists import COMMANDS
 from fieldspec.live.writing import Assignment, request_frame
@@ -114,15 +114,8 @@ class RegisterAccess:
     def signals(self, item: Placed, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
         """The roles of a value or of its bits, each with its mask; -1 for all bits."""
         occupant = item[1]
-        if not readable(occupant.access):
-            return
-        for role in roles:
-            if role in occupant.fact.roles:
-                yield role, -1
-            if occupant.value.flags:
-                for bit in self.layout.device.flags[occupant.value.flags].bits:
-                    if role in bit.roles:
-                        yield role, bit.mask
+        if readable(occupant.access):
+            yield from role_masks(self.layout.device, occupant.fact, occupant.value, roles)
 
     def item(self, chosen: Assignment) -> Placed:
         """What a value is assigned to."""

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.digits import digits_refusals
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.enums import Flags
 from fieldspec.model.fact import Fact
@@ -15,7 +16,7 @@ from fieldspec.names import Name
 from fieldspec.plc.absent import absent_reals
 from fieldspec.plc.constants import LISTS, Constant, ConstantList, Draft
 from fieldspec.plc.dialects import Dialect, Scope
-from fieldspec.plc.digits import digits_findings, without_digits
+from fieldspec.plc.digits import without_digits
 from fieldspec.plc.enums import EnumDeclaration, EnumMember, TextTable, available, coded
 from fieldspec.plc.frames import with_supported_links
 from fieldspec.plc.layout import fitting
@@ -77,7 +78,7 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     with_spaces, space_findings = with_supported_spaces(layout, dialect)
     supported, frame_findings = with_supported_links(with_spaces, dialect)
     narrowed_layout, findings = narrowed(supported, dialect)
-    binary_findings = digits_findings(with_spaces, dialect)
+    binary_findings = digits_refusals([with_spaces], dialect.title, for_controllers=True)
     if binary_findings:
         narrowed_layout, _ = narrowed(without_digits(supported), dialect)
     findings += [*absent_reals(with_spaces, dialect), *binary_findings]

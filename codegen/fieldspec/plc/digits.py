@@ -3,29 +3,10 @@
 from __future__ import annotations
 
 from fieldspec.classes import replace
-from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.value import PRIMITIVES, Value
-from fieldspec.plc.absent import stated_values
-from fieldspec.plc.dialects import Dialect
-
-_HELP = "leave this output out for the device: name the others after --to"
-
-
-def digits_findings(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
-    """A finding for each value that is sent as digits."""
-    facts = {id(fact): fact for fact, value in stated_values(layout) if value.digits}
-    return [
-        Diagnostic(
-            "plc_numbers_binary",
-            f"{fact.name} is sent as digits, which {dialect.title} does not convert",
-            fact.place["digits"],
-            help=_HELP,
-        )
-        for fact in facts.values()
-    ]
 
 
 def without_digits(layout: DeviceLayout) -> DeviceLayout:
