@@ -499,13 +499,13 @@ function sameValue(left, right) {
   return left == right;  // numbers, bigints and truth values
 }
 
-/** A raw value as a verdict prints it. */
-function valueText(value) {
+/** A raw value as a verdict prints it. The number 3 of a field of floats is `3.0`. */
+function valueText(value, isFloat = false) {
   if (typeof value === "boolean") return value ? "True" : "False";
-  if (typeof value === "number" && !Number.isInteger(value)) return floatText(value);
+  if (typeof value === "number" && (isFloat || !Number.isInteger(value))) return floatText(value);
   if (value instanceof Uint8Array) return `b${quotedText(latinOf(value))}`;
   if (typeof value === "string") return quotedText(value);
-  if (Array.isArray(value)) return `[${value.map(valueText).join(", ")}]`;
+  if (Array.isArray(value)) return `[${value.map((item) => valueText(item, isFloat)).join(", ")}]`;
   if (value instanceof Map) return `{${[...value].map(([key, item]) => `${quotedText(key)}: ${valueText(item)}`).join(", ")}}`;
   return String(value);
 }
@@ -947,8 +947,8 @@ function bitMeaning(device, bit, number) {
 }
 
 /** A decoded value, compared with the one that it repeats. */
-function repeatedValue(value, should) {
-  return judged(value, sameValue(value.number, should), valueText(should), "");
+function repeatedValue(value, should, isFloat = false) {
+  return judged(value, sameValue(value.number, should), valueText(should, isFloat), "");
 }
 
 /**
@@ -1712,7 +1712,7 @@ class ExplainedBody {
   /** The value of a field that repeats one of the request, judged by the value there. */
   repeated(field, read) {
     const should = field.sameAs ? this.asked.get(field.sameAs) : undefined;
-    return read.reason || should === undefined ? read : repeatedValue(read, should);
+    return read.reason || should === undefined ? read : repeatedValue(read, should, field.value.kind === "float");
   }
 }
 

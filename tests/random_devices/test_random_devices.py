@@ -64,7 +64,6 @@ def test_every_key_of_the_language_is_in_random_devices_or_has_a_reason_why_not(
         phases=(Phase.generate,),
         suppress_health_check=list(HealthCheck),
     )
-    # What is drawn depends on the constants in the source too, so some numbers of draws are not enough for all keys.
     for number in range(60):
         seed(number)(limits(given(devices())(lambda spec: specs.append(spec))))()
         if number >= 9 and not missing(iter(specs)):
