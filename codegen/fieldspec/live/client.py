@@ -40,6 +40,9 @@ class Timing:
     retries: int = 2
 
 
+_SILENCE = 0.1
+"""The seconds without a byte after which a frame has ended that nothing else ends; adapters pause for up to 0.02."""
+
 Trace = Callable[[str, bytes], None]
 """Called with `request` or `response` and the bytes."""
 
@@ -57,7 +60,8 @@ class Client:
 
     An answer that comes after its request was given up is not taken for that to the next one: this waits until all late
     answers have come, or can no longer come within another time-out. Requests whose frames have a number that the
-    response repeats need not wait.
+    response repeats need not wait. `fixed` has raw values by the names of fields: a request with such a field carries
+    them, unless it has a value of its own.
     """
 
     def __init__(
@@ -69,7 +73,9 @@ class Client:
         timing: Timing | None = None,
         clock: Clock | None = None,
         trace: Trace | None = None,
+        fixed: Mapping[str, Any] | None = None,
     ) -> None:
+        self.fixed = fixed or {}
         self.layout, self.carrier, self.unit_address = layout, carrier, unit_address
         self.timing, self.clock = timing or Timing(), clock or SystemClock()
         self.trace = trace
@@ -87,10 +93,12 @@ class Client:
 
     def request(self, message: str, values: Mapping[str, Any]) -> bytes:
         """The frame of a request. Parts that only mark it have another number in each. Raises CodecError."""
+        fields = self.layout.messages[message].request
+        fixed = {name: raw for name, raw in self.fixed.items() if fields.named(name) is not None}
         for part in self.counters:
             most = part.value.type.high if part.value is not None else 0xFF
             self.head[part.name] = self.head.get(part.name, 0) % most + 1
-        return self.frames.encode("request", message, {**self.head, **values})
+        return self.frames.encode("request", message, {**self.head, **fixed, **values})
 
     def is_answered(self, message: str) -> bool:
         """Whether the device answers a message on this link."""
@@ -130,9 +138,9 @@ class Client:
         received = 0
         try:
             while (left := deadline - self.clock.now()) > 0:
-                data = self.carrier.read(left)
+                data = self.carrier.read(min(left, _SILENCE) if received else left)
                 received += len(data)
-                for decoded in self._answers(asked, data):
+                for decoded in self._answers(asked, data) if data else self._answers_before_silence(asked):
                     self._owed -= self._owed > 0
                     if decoded.error:
                         raise self._refusal(decoded)
@@ -146,11 +154,19 @@ class Client:
         """The answers to a request that some bytes complete, refusals among them."""
         framer = None if self.carrier.datagrams else self.framer
         for frame in [data] if framer is None and data else framer.feed(data) if framer is not None else ():
-            if self.trace is not None:
-                self.trace("response", frame)
-            decoded = self._decoded(asked, frame)
-            if decoded is not None:
-                yield decoded
+            yield from self._decoded_answers(asked, frame)
+
+    def _answers_before_silence(self, asked: _Request) -> Iterator[Decoded]:
+        """The answers in the bytes so far, where frames end with silence alone."""
+        for frame in self.framer.idle() if self.framer is not None and not self.carrier.datagrams else ():
+            yield from self._decoded_answers(asked, frame)
+
+    def _decoded_answers(self, asked: _Request, frame: bytes) -> Iterator[Decoded]:
+        if self.trace is not None:
+            self.trace("response", frame)
+        decoded = self._decoded(asked, frame)
+        if decoded is not None:
+            yield decoded
 
     def _prepare(self, asked: _Request | None) -> None:
         """Waits until the line may be used, and drops what earlier requests have left on it."""

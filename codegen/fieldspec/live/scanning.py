@@ -8,7 +8,7 @@ from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.read_plan import read_plan
-from fieldspec.live.client import Client, RefusedError
+from fieldspec.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.live.messages import parameter_message
 from fieldspec.live.reading import all_occupants, message_for, read_words
 from fieldspec.model.registers import ParameterSet
@@ -82,7 +82,8 @@ def scan_spaces(layout: DeviceLayout, link: LinkLayout) -> list[ScanSpace]:
         number = part_of(message_layout.request, "number") if message_layout is not None else None
         if number is not None and number.value is not None and parameter_set.space not in spaces:
             spaces[parameter_set.space] = parameter_set
-            result.append(ScanSpace(parameter_set.space, number.value.type.high + 1, 1, parameter_set))
+            most = number.value.ranges.high if number.value.ranges is not None else number.value.type.high
+            result.append(ScanSpace(parameter_set.space, int(most) + 1, 1, parameter_set))
     return result
 
 
@@ -113,9 +114,11 @@ def usual_ranges(layout: DeviceLayout, space: ScanSpace) -> list[range]:
 def scan(client: Client, space: ScanSpace, ranges: Sequence[range], done: Callable[[int], None] | None = None) -> Scan:
     """Reads all addresses of some ranges, in large requests where the device answers them.
 
-    What is cleared by reading is left out. Raises NoAnswerError and CarrierError.
+    What is cleared by reading is left out. A device may be silent at an address that it does not have, as long as it
+    still answers one that it has. Raises NoAnswerError and CarrierError.
     """
-    items = scanned_items(client.layout, space)
+    items = list(scanned_items(client.layout, space))
+    known = [item.addresses.start for item in items if item.readable and not item.spared]
     spared = {address for item in items if item.spared for address in item.addresses}
     words: dict[int, tuple[int, ...]] = {}
     asked: set[int] = set()
@@ -124,7 +127,7 @@ def scan(client: Client, space: ScanSpace, ranges: Sequence[range], done: Callab
             for start in range(run.start, run.stop, space.most):
                 part = range(start, min(start + space.most, run.stop))
                 asked.update(part)
-                _scan_part(client, space, part, words)
+                _scan_part(client, space, part, words, known)
                 if done is not None:
                     done(len(part))
     return Scan(space, frozenset(asked), words, frozenset(spared))
@@ -141,19 +144,43 @@ def _runs(addresses: range, spared: set[int]) -> Iterator[range]:
         yield range(start, addresses.stop)
 
 
-def _scan_part(client: Client, space: ScanSpace, part: range, words: dict[int, tuple[int, ...]]) -> None:
-    """Reads a part, and divides it where the device refuses it."""
+def _scan_part(
+    client: Client, space: ScanSpace, part: range, words: dict[int, tuple[int, ...]], known: Sequence[int]
+) -> None:
+    """Reads a part, and divides it where the device refuses it, or is silent but answers another address."""
     try:
-        if space.parameters is not None:
-            words[part.start] = _parameter_counts(client, space.parameters, part.start)
-            return
-        counts = read_words(client, space.name, part.start, len(part))
-        words.update((address, (count,)) for address, count in zip(part, counts, strict=True))
+        words.update(_counts(client, space, part))
+        return
     except RefusedError:
-        if len(part) > 1:
-            middle = part.start + len(part) // 2
-            _scan_part(client, space, range(part.start, middle), words)
-            _scan_part(client, space, range(middle, part.stop), words)
+        pass
+    except NoAnswerError:
+        if not _is_answering(client, space, [next(reversed(words))] if words else known[:2]):
+            raise
+    if len(part) > 1:
+        middle = part.start + len(part) // 2
+        _scan_part(client, space, range(part.start, middle), words, known)
+        _scan_part(client, space, range(middle, part.stop), words, known)
+
+
+def _is_answering(client: Client, space: ScanSpace, addresses: Sequence[int]) -> bool:
+    """Whether the device answers at one of some addresses, be it with a refusal. Raises CarrierError."""
+    for address in addresses:
+        try:
+            _counts(client, space, range(address, address + 1))
+        except RefusedError:
+            return True
+        except NoAnswerError:
+            continue
+        return True
+    return False
+
+
+def _counts(client: Client, space: ScanSpace, part: range) -> dict[int, tuple[int, ...]]:
+    """The counts by address. Raises RefusedError, NoAnswerError and CarrierError."""
+    if space.parameters is not None:
+        return {part.start: _parameter_counts(client, space.parameters, part.start)}
+    counts = read_words(client, space.name, part.start, len(part))
+    return {address: (count,) for address, count in zip(part, counts, strict=True)}
 
 
 def _parameter_counts(client: Client, parameter_set: ParameterSet, number: int) -> tuple[int, ...]:
