@@ -9,7 +9,7 @@ import pytest
 from mutants import DEVICES, files, judged, right
 from spec_mutants import KINDS, Slip, scalars, slips
 
-ALWAYS_NOTICED = ("address", "code", "order", "enum value", "bit", "length", "scale", "checksum")
+ALWAYS_NOTICED = ("address", "code", "order", "enum value", "bit", "checksum")
 """The kinds of slips of which `docs/trust.md` says that all are noticed."""
 
 

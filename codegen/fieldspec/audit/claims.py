@@ -32,7 +32,16 @@ NUMBERS = (
 )
 """The keys of numbers that identify a fact: the manual prints them on the lines of the fact."""
 
-VALUES = ("range", "unit_range", "write_range", "count", "scale", "full_scale", "default")
+VALUES = (
+    "range",
+    "unit_range",
+    "write_range",
+    "count",
+    "length",
+    "scale",
+    "full_scale",
+    "default",
+)
 """The keys of the numbers of a value. The lines of the fact print them, or the spec says why they do not."""
 
 SIGN = "type"

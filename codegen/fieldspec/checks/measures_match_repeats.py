@@ -1,8 +1,8 @@
 """The range of a field that carries the size of another field is from the least to the greatest size of that
-field.
+field, and its type has no sign.
 
 Why: the number of bytes or elements follows from the permitted repetitions. The manual prints both limits, so
-a misprint in one of them shows.
+a misprint in one of them shows. No number of bytes or elements is below zero.
 
 Example: `values` has 1 to 60 words, and the byte count has the range `2..127`, but the maximum is 120 bytes.
 
@@ -15,10 +15,12 @@ from collections.abc import Iterator
 
 from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, interval, label, range_key
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.device import Device
 from fieldspec.model.record import Field, Record
 from fieldspec.model.sizes import RecordSizes
+
+_CODE = "measures_match_repeats"
 
 
 def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
@@ -26,6 +28,11 @@ def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
     for layer in layers(device):
         for field in layer.fields:
             yield from _compare_sizes(layer, field, sizes)
+            if field.measures is not None and field.value is not None and field.value.type.signed:
+                text = f"{field.name} counts {field.measures.of} of {field.measures.field}, and {field.value.type.name}"
+                help = "use a type without a sign, or allow it with a reason"
+                severity = Severity.WARNING
+                yield finding(_CODE, field.place, "type", f"{text} has a sign", help, severity=severity)
 
 
 def _compare_sizes(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
@@ -39,7 +46,7 @@ def _compare_sizes(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[
     low, high = measured.repeat.low * size, measured.repeat.high * size
     if (ranges.low, ranges.high) != (low, high):
         yield finding(
-            "measures_match_repeats",
+            _CODE,
             field.place,
             range_key(field.place),
             f"{field.name} has the range {ranges.text()}, but {measured.name}"

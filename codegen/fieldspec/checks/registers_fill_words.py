@@ -1,11 +1,12 @@
-"""A number in a register of words has a whole number of words. A byte alone is half a word.
+"""A value in a register of words has a whole number of words: a byte alone is half a word, and a text has two bytes in
+each word that the manual counts.
 
 Why: a manual that counts words prints no bytes. The device sends a whole word, and a byte takes its high half.
 
-Example: a register of type `u8` at 0x2001.
+Example: a register of type `u8` at 0x2001, or a text with `length: 31` and `words: 16`.
 
-Cure: State the word as `u16` or `i16`, with a `range` if it is known. If the device has its value in the high half, set
-`allow: {registers_fill_words: <reason>}`.
+Cure: State the word as `u16` or `i16`, with a `range` if it is known. State the length of all words of the text, and
+its `characters`. If the device has its value in the high half, set `allow: {registers_fill_words: <reason>}`.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from fieldspec.checks.finding import finding
 from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.address_space import WORD
 from fieldspec.model.device import Device
+from fieldspec.model.value import Kind
 
 
 def registers_fill_words(device: Device) -> Iterator[Diagnostic]:
@@ -24,3 +26,9 @@ def registers_fill_words(device: Device) -> Iterator[Diagnostic]:
             text = f"the register {register.name} is {register.value.type.name}, half of its word"
             help = "state the whole word as u16 or i16, with a range if it is known"
             yield finding("registers_fill_words", register.place, "type", text, help, severity=Severity.WARNING)
+        elif (
+            register.value.type.kind in (Kind.TEXT, Kind.BYTES) and 2 * (register.words or 0) == register.value.size + 1
+        ):
+            text = f"{register.name} has {register.value.size} bytes, which do not fill its {register.words} words"
+            help = "correct the length or the words"
+            yield finding("registers_fill_words", register.place, "length", text, help, severity=Severity.WARNING)
