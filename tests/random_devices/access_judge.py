@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -32,6 +33,13 @@ def _has_digits(record: RecordLayout) -> bool:
     return any(
         _has_digits(field.record) if field.record is not None else field.value is not None and bool(field.value.digits)
         for field in record.fields
+    )
+
+
+def _has_values(record: RecordLayout) -> bool:
+    """Whether a record, or a record in it, has fields that are not reserved."""
+    return any(
+        _has_values(field.record) if field.record is not None else not is_computed(field) for field in record.fields
     )
 
 
@@ -141,9 +149,16 @@ class Access(Python):
         if value.enum or value.flags or value.const is not None or value.type.kind is not Kind.INTEGER:
             return
         raw = int.from_bytes(query.data[: value.size], "big", signed=value.type.signed)
-        for count in (raw, *(sentinel.value for sentinel in value.sentinels)):
-            quantity = self._holder(query).in_unit(count)
-            exact = None if value.sentinel(count) is not None else float(value.in_unit(count))
+        exponent = self.layout.device.register(value.scale_by) if value.scale_by else None
+        intervals = (
+            exponent.value.ranges.intervals if exponent is not None and exponent.value.ranges is not None else ()
+        )
+        powers = [(power,) for ends in intervals for power in ends] or [()]
+        counts = (raw, *(sentinel.value for sentinel in value.sentinels))
+        for count, power in product(counts, powers):
+            quantity = self._holder(query).in_unit(count, *power)
+            own = value.scaled_by(*power) if power else value
+            exact = None if value.sentinel(count) is not None else float(own.in_unit(count))
             same = quantity == exact or (
                 quantity is not None and exact is not None and abs(quantity - exact) <= abs(exact) * 1e-12 + 1e-9
             )
@@ -151,7 +166,7 @@ class Access(Python):
 
     def _assert_columns(self, query: Query) -> None:
         """Many records at once are read or refused as one is."""
-        if len(query.data) != query.shape.size or all(map(is_computed, query.shape.fields)):
+        if len(query.data) != query.shape.size or not _has_values(query.shape):
             return
         single = self._result(lambda: record_class(self.module, query.shape).decode(query.data))
         many = self._result(lambda: self.many.arrays(record_class(self.module, query.shape), query.data))

@@ -8,9 +8,10 @@ from typing import TypeAlias
 
 from fieldspec.caches import ByIdentity
 from fieldspec.model.fact import PRINTED, REPORTED, STANDARD, Citation, Claim, Fact, Report
+from fieldspec.model.ranges import Ranges, intervals
 from fieldspec.model.record import Message
 from fieldspec.model.registers import Parameter
-from fieldspec.model.value import Ranges, Value, exact_scale, intervals
+from fieldspec.model.value import Value, exact_scale
 
 COLUMNS = (
     "kind",
