@@ -36,10 +36,10 @@ def _has_digits(record: RecordLayout) -> bool:
     )
 
 
-def _has_values(record: RecordLayout) -> bool:
-    """Whether a record, or a record in it, has fields that are not reserved."""
-    return any(
-        _has_values(field.record) if field.record is not None else not is_computed(field) for field in record.fields
+def _is_empty(record: RecordLayout) -> bool:
+    """Whether a record, and every record in it, has reserved fields only, which have no columns."""
+    return all(
+        field.field.reserved or (field.record is not None and _is_empty(field.record)) for field in record.fields
     )
 
 
@@ -166,7 +166,7 @@ class Access(Python):
 
     def _assert_columns(self, query: Query) -> None:
         """Many records at once are read or refused as one is."""
-        if len(query.data) != query.shape.size or not _has_values(query.shape):
+        if len(query.data) != query.shape.size or all(map(is_computed, query.shape.fields)) or _is_empty(query.shape):
             return
         single = self._result(lambda: record_class(self.module, query.shape).decode(query.data))
         many = self._result(lambda: self.many.arrays(record_class(self.module, query.shape), query.data))
