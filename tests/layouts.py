@@ -41,11 +41,6 @@ def has_digits(layout: DeviceLayout) -> bool:
     return bool(digits_refusals([layout], ""))
 
 
-def has_exponents(layout: DeviceLayout) -> bool:
-    """Whether scales of a device are read from its registers, which queries refuse."""
-    return any(register.register.value.scale_by for register in layout.registers)
-
-
 def newest(root: Path, device: str) -> DeviceLayout:
     """The newest version of a device."""
     return layouts(root)[device][-1]

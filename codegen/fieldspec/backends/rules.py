@@ -11,14 +11,6 @@ Example: a field with `type: u16, digits: decimal, length: 5`.
 
 Cure: Exclude the output for the device (`--to`), or state the digits as a text.
 """,
-    "query_scales_fixed": """Every quantity in a query has a scale that the spec states.
-
-Why: a query decodes the words of one register. The exponent is in another one, and is missing where that was not read.
-
-Example: a register with `scale_by: power_sf`.
-
-Cure: Exclude the output for the device (`--to`), or state `scale` where the device always has the same exponent.
-""",
     "wireshark_frames_unescaped": """The frames that a dissector shows have the bytes that are sent.
 
 Why: the dissector does not undo escapes, so it would show other values than the frame has.

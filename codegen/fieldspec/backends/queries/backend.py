@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from fieldspec.backends.queries.polars_text import polars_text
 from fieldspec.backends.queries.sql_text import sql_text
@@ -18,20 +18,8 @@ def shared() -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Values that are sent as digits, and scales that are read from the device, which the queries do not apply."""
-    return [*digits_refusals(versions, "a query"), *_scales(versions)]
-
-
-def _scales(versions: Sequence[DeviceLayout]) -> Iterator[Diagnostic]:
-    seen = set()
-    for layout in versions:
-        for register in layout.registers:
-            scale_by, place = register.register.value.scale_by, register.register.place
-            if scale_by and place["scale_by"] not in seen:
-                seen.add(place["scale_by"])
-                text = f"a query does not read the scale of {register.name} from {scale_by}"
-                help = "exclude the output, or state the scale under `scale` where the device always has the same"
-                yield Diagnostic("query_scales_fixed", text, place["scale_by"], (), help)
+    """Values that are sent as digits, which the queries do not convert."""
+    return digits_refusals(versions, "a query")
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
