@@ -5,10 +5,12 @@ The models of the made-up inverter are compared with the model definitions that 
 
 from __future__ import annotations
 
+import csv
 import importlib
 import json
 from collections.abc import Iterator
 from decimal import Decimal
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -246,3 +248,15 @@ def test_an_exponent_that_is_none_is_refused(register: str, arguments: tuple[Any
 def occupant(name: str) -> Occupant:
     every = occupants(LAYOUT, Span("", 0, 0x10000, 0, b""))
     return next(own for own in every if own.path == name)
+
+
+def test_an_exported_list_names_the_exponent_and_is_compared_without_a_difference(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    run, path = CommandLine(capsys, monkeypatch, TEST_SPECS), tmp_path / "inverter.csv"
+    assert run("export", "inverter", "--out", str(path))[0] == 0
+    (power,) = [row for row in csv.DictReader(path.read_text("utf-8-sig").splitlines()) if row["name"] == "power"]
+    assert (power["unit"], power["ucum"], power["scale"]) == ("W", "W", "10^power_sf")
+    assert "0 differ" in run("compare", "inverter", str(path))[1]
+    path.write_text(path.read_text("utf-8").replace("10^power_sf", "0.1"), "utf-8")
+    assert "power  scale  10^power_sf  0.1" in run("compare", "inverter", str(path))[1]

@@ -150,8 +150,8 @@ def of_value(value: Value | None) -> FactRow:
     return {
         "type": value.type.name,
         "bytes": value.size,
-        "unit": value.unit,
-        "scale": value.scale_number if value.scaled else None,
+        "unit": value.quantity_unit,
+        "scale": f"10^{value.scale_by}" if value.scale_by else value.scale_number if value.scaled else None,
         "default": value.default if value.const is None else value.const,
         **of_ranges(value.ranges),
         "write_ranges": value.write_ranges.text() if value.write_ranges is not None else None,
