@@ -309,6 +309,18 @@ class Float(Value[float]):
 
     __slots__ = ()
 
+    def __init__(
+        self,
+        letters: str,
+        *,
+        swapped: bool = False,
+        ranges: tuple[tuple[float, float], ...] = (),
+        unit: str = "",
+        others: tuple[float, ...] = (),
+    ) -> None:
+        super().__init__(letters, swapped=swapped, unit=unit, others=others)
+        self.ranges = ranges  # type: ignore[assignment]  # those of other values are whole numbers
+
     def of_carried(self, name: str, raw: Any) -> float:
         """The number that a message carries. Raises CodecError."""
         if not isinstance(raw, (int, float)):
