@@ -255,7 +255,7 @@ def test_an_exported_list_names_the_exponent_and_is_compared_without_a_differenc
 ) -> None:
     run, path = CommandLine(capsys, monkeypatch, TEST_SPECS), tmp_path / "inverter.csv"
     assert run("export", "inverter", "--out", str(path))[0] == 0
-    (power,) = [row for row in csv.DictReader(path.read_text("utf-8-sig").splitlines()) if row["name"] == "power"]
+    (power,) = [row for row in csv.DictReader(path.read_text("utf-8").splitlines()) if row["name"] == "power"]
     assert (power["unit"], power["ucum"], power["scale"]) == ("W", "W", "10^power_sf")
     assert "0 differ" in run("compare", "inverter", str(path))[1]
     path.write_text(path.read_text("utf-8").replace("10^power_sf", "0.1"), "utf-8")
