@@ -19,6 +19,7 @@ RUNTIME = (
     "index",
     "link",
     "parameter",
+    "parts",
     "quantity",
     "record",
     "register",

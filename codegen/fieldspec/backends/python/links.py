@@ -349,7 +349,8 @@ def _exchange(
     shared = code is not None and len(link.messages_with_code(code, direction)) > 1
     marked = any(marks_exceptions(link, frame, part) for part in frame.header)
     reads = together and not shared and not marked and (part is None or (part.size == 1 and not (code or 0) & flag))
-    tests, refusals = head_tests(link, frame), head_refusals(link, frame)
+    asked = exchange.message if direction == "request" else None
+    tests, refusals = head_tests(link, frame, asked), head_refusals(link, frame, asked)
     unfit = f"_unfit({literal(shaped.record.name)})"
     return ExchangeView(
         writer=f"_to_{link.name}",
@@ -394,5 +395,5 @@ def _error(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> ErrorVi
         record=words.records[error.record],
         head=f"[{', '.join(head)}]",
         bind=[f"{part.variable} = {part.name}" for part in arguments],
-        refusals=chained("error = ", [*head_refusals(link, frame, True), limit], "or", "", 8),
+        refusals=chained("error = ", [*head_refusals(link, frame, is_exception=True), limit], "or", "", 8),
     )
