@@ -94,6 +94,26 @@ def test_registers_within_a_payload_have_their_values_and_others_are_null(device
 
 
 @pytest.mark.parametrize("engine", ENGINES)
+def test_a_register_has_a_quantity_where_the_payload_has_the_exponent_of_its_scale(engine: str) -> None:
+    cases = {
+        "268EFFFF": 987.0,
+        "268E000A": 9870e10,
+        "D972FFF6": -9870e-10,
+        "00070000": 7.0,
+        "268E000B": None,
+        "268E8000": None,
+        "268E7FFF": None,
+        "8000FFFF": None,
+        "268E": None,
+    }
+    payloads = list(map(bytes.fromhex, cases))
+    rows = engine_of(engine, layout_of("inverter")).rows("inverter", {"start": [40084] * 9, "payload": payloads})
+    assert [row["power_w"] for row in rows] == list(cases.values())
+    assert [row["power_raw"] for row in rows] == [int.from_bytes(data[:2], "big", signed=True) for data in payloads]
+    assert {row["power_state"] for row in rows} == {None, "not_implemented"}
+
+
+@pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("device", ["tc100", "ck10", "widget"])
 def test_each_element_of_a_table_within_a_payload_is_a_row(device: str, engine: str) -> None:
     layout, dice = layout_of(device), random.Random(device)
