@@ -35,7 +35,7 @@ OBJECTS = {
 
 def test_codecs_agree_on_random_frames_of_a_can_bus() -> None:
     result = Comparison()
-    names = {"python", "javascript", "tcc"}
+    names = {"python", "javascript", "tcc", "explainer", "script"}
     compare_layout(AXIS, 1, 90, tuple(judge for judge in JUDGES if judge.name in names), result)
     assert result.disagreements == []
     assert set(result.asked) == names
@@ -148,11 +148,32 @@ def test_generated_code_reads_and_writes_the_objects_of_a_node_of_canopen(bus: B
     assert [node.sdo[index].raw for index in (0x6040, 0x607A, 0x6060)] == [0x0F, -10, 1]
 
 
-def test_what_a_node_of_canopen_aborts_is_no_response(bus: Bus) -> None:
+def test_what_a_node_of_canopen_aborts_is_an_exception_response(bus: Bus) -> None:
     bus.network.create_node(NODE, dictionary.ObjectDictionary())
-    with pytest.raises(codec_error()) as refused:
-        bus.ask(MODULE.ReadStatuswordRequest())
-    assert refused.value.reason == "wrong_const"
+    request = MODULE.ReadStatuswordRequest()
+    bus.send(MODULE.sdo, MODULE.sdo.encode_request(NODE, request))
+    reply = MODULE.sdo.decode_response(bus.receive(MODULE.sdo), request)
+    assert (reply.station, reply.code, reply.exception) == (
+        NODE,
+        0x40,
+        MODULE.Abort(index=0x6041, subindex=0, reason=MODULE.AbortCode.UNKNOWN_OBJECT),
+    )
+
+
+def test_canopen_raises_the_abort_of_an_exception_response(bus: Bus) -> None:
+    def refuse() -> None:
+        request = MODULE.sdo.decode_request(bus.receive(MODULE.sdo)).message
+        reason = MODULE.AbortCode.READ_ONLY
+        abort = MODULE.Abort(index=0x607A, subindex=0, reason=reason)
+        assert request == MODULE.WriteTargetRequest(target=1)
+        bus.send(MODULE.sdo, MODULE.sdo.encode_error(NODE, abort))
+
+    drive = threading.Thread(target=refuse, daemon=True)
+    drive.start()
+    with pytest.raises(canopen.SdoAbortedError) as aborted:
+        bus.network.add_node(NODE, objects()).sdo[0x607A].raw = 1
+    drive.join(TIMEOUT)
+    assert aborted.value.code == 0x06010002
 
 
 def test_canopen_reads_and_writes_what_generated_code_answers(bus: Bus) -> None:

@@ -51,6 +51,7 @@ def devices(draw: Any) -> Spec:
         spec["signals"] = drawn_words.signals(draft)
         spec["conversions"] = drawn_words.conversions(draft)
     spec["messages"] = drawn_messages.messages(draft, coded, others)
+    drawn_messages.mark_exceptions(draft)
     return {section: spec[section] for section in SECTIONS if spec.get(section)}
 
 

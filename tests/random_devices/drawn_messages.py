@@ -38,6 +38,24 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
     return drawn
 
 
+def mark_exceptions(draft: Draft) -> None:
+    """Links whose responses carry no code may mark exception responses by the first bytes of their data."""
+    for link in draft.spec["links"]:
+        if any(part.get("role") == "code" for part in link["response"]) or not draft.chance(40):
+            continue
+        kind = draft.pick(("u8", "u16", "i16"))
+        low, high = bounds(kind)
+        number = draft.edge(low, high)
+        another = number - 1 if number > low else number + 1
+        mark = draft.fact(type=kind, const=number)
+        record = draft.fact(fields=[mark, *([draft.fact(type="u16")] if draft.chance(80) else [])])
+        draft.spec["records"].append(record)
+        link["exception_response"] = {"field": mark["name"], "record": record["name"]}
+        for message in draft.spec["messages"]:
+            if link["name"] in message.get("links", [link["name"]]) and "response" in message:
+                message["response"] = [draft.fact(type=kind, const=another), *message["response"]]
+
+
 def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
     """Several messages with the code of the first one; a constant at the beginning of their data tells them apart."""
     kind = draft.pick(("u8", "u16", "i8", "i16"))

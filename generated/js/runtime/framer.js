@@ -1,5 +1,6 @@
 import { begins, find } from "./escapes.js";
-import { originalParts, readPart, withoutDelimiters, wrongParts } from "./link.js";
+import { withoutDelimiters } from "./delimiters.js";
+import { originalParts, readPart, wrongParts } from "./link.js";
 
 /**
  * Finds the frames of one direction in a stream of bytes that arrives in pieces of any size. It keeps at most the bytes

@@ -151,9 +151,7 @@ def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
             continue
         value = register.register.value
         wire = WireValue(value, register.order, register.swapped)
-        yield _value_macro(
-            naming, device, "register", (register.name,), wire, register.size, register.register.trigger
-        )
+        yield _value_macro(naming, device, "register", (register.name,), wire, register.size, register.register.trigger)
     orders = Orders(device.byte_order, device.word_order)
     for parameters in device.parameters.values():
         for parameter in parameters.parameters:
