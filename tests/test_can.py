@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,7 +17,7 @@ from fieldspec.explain.log import log_line
 from fieldspec.reference.frames import codec
 from fieldspec.reference.records import CodecError
 from layouts import TEST_SPECS, newest
-from python_package import codec_error, module_of
+from python_package import codec_error, module_of, package, runtime
 from random_devices.agreement import JUDGES, Comparison, compare_layout
 
 AXIS = newest(TEST_SPECS, "axis")
@@ -219,6 +220,27 @@ def test_process_data_are_those_of_canopen_both_ways(bus: Bus) -> None:
     timer.start()
     assert sent.wait_for_reception(TIMEOUT) is not None
     assert (sent["statusword"].raw, sent["position"].raw) == (0x1637, -1000)
+
+
+def test_a_generated_client_asks_a_node_of_canopen(bus: Bus) -> None:
+    node = bus.network.create_node(NODE, objects())
+    node.sdo[0x6064].raw = -123456
+    client = importlib.import_module(f"{package().__name__}.axis.client")
+    drive = client.Client(runtime("transports").CanTransport(bus.driver, can.Message), station=NODE)
+    bus.network.send_message(0x701, b"\x05")
+    assert drive.ask(MODULE.ReadPositionRequest()).message.position == -123456
+    drive.ask(MODULE.WriteTargetRequest(target=77))
+    assert node.sdo[0x607A].raw == 77
+    del node.object_dictionary[0x6041]
+    with pytest.raises(runtime("errors").RefusedError) as refused:
+        drive.ask(MODULE.ReadStatuswordRequest())
+    assert (refused.value.number, refused.value.exception.index) == (0x06020000, 0x6041)
+
+
+def test_a_client_does_not_speak_where_nothing_says_which_identifier() -> None:
+    client = importlib.import_module(f"{package().__name__}.axis.client")
+    with pytest.raises(TypeError, match="link"):
+        client.Client(None, link="pdo")
 
 
 def test_a_node_is_started_as_canopen_starts_it(bus: Bus) -> None:

@@ -247,6 +247,15 @@ class LinkLayout:
             return self.messages
         return {name: message for name, message in self.messages.items() if message.message.is_answered_on(self.name)}
 
+    @property
+    def open_identifier(self) -> str:
+        """The part of a request's identifier on a CAN bus that users supply; empty where there is none.
+
+        A client cannot choose it: another number is that of another device, or of another service.
+        """
+        arguments = (part for part in self.request.header if part.role == "plain" and part.is_argument)
+        return next((part.name for part in arguments if part.part.bits is not None), "")
+
     def frame(self, direction: str) -> FrameLayout:
         """The frame in one direction."""
         return self.request if direction == "request" else self.response

@@ -157,8 +157,9 @@ class Client:
         """Waits until the line may be used, and drops what earlier requests have left on it."""
         if self._owed and asked is not self._owed_request:
             self._take_late_answers()
-        while self.carrier.read(0.0005):
-            pass
+        until = self.clock.now() + self.timing.timeout
+        while self.carrier.read(0.0005) and self.clock.now() < until:
+            pass  # on a bus, others go on talking
         self.clock.sleep(self._silent_until - self.clock.now())
 
     def _take_late_answers(self) -> None:

@@ -70,6 +70,10 @@ class Server:
             broadcast = addresses is not None and head[addressed.name] == addresses.broadcast
             if not broadcast:
                 return Answer(b"", f"for unit {head[addressed.name]}")
+        if frames.link.link.is_can and any(
+            head.get(part.name, part.constant) != part.constant for part in shape.constants
+        ):
+            return Answer(b"", "another identifier")
         code = head[coded.name] if (coded := shape.role("code")) is not None else None
         asked = frames.link.announced(code, parts[shape.header_size : len(parts) - shape.trailer_size], message)
         silent = "broadcast" if broadcast else ""
