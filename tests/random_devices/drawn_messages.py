@@ -12,7 +12,7 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
     codes: set[int] = set()
     for _ in range(draft.number(1, 5) if coded_links else 0):
         request, response = body(draft), body(draft)
-        drawn.append(draft.bounded(draft.fact(code=_code(draft, codes), request=request, response=response), 5))
+        drawn.append(draft.bounded(draft.fact(code=free_code(draft, codes), request=request, response=response), 5))
         if other_links or draft.chance(20):
             drawn[-1]["links"] = draft.some(coded_links)
         if draft.chance(10):
@@ -79,7 +79,7 @@ def _leave_unanswered(draft: Draft, message: Spec, links: list[str]) -> None:
         message.pop("response", None)
 
 
-def _code(draft: Draft, codes: set[int]) -> int:
+def free_code(draft: Draft, codes: set[int]) -> int:
     high = (1 << (draft.code_bits - 1)) - 1
     code = draft.number(0, high)
     while code in codes:
@@ -107,14 +107,14 @@ def _accesses(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
         most = draft.number(1, 60)
         for operation in ("read", "write"):
             message = _access(draft, operation, space, most, "u8" if units.get(space) == "byte" else "u16")
-            message["code"] = _code(draft, codes)
+            message["code"] = free_code(draft, codes)
             if links:
                 message["links"] = list(links)
             drawn.append(message)
     for space in [space["name"] for space in draft.spec.get("spaces", []) if space.get("unit") == "bit"]:
         for operation in ("read", "write"):
             message = _bit_access(draft, operation, space)
-            message["code"] = _code(draft, codes)
+            message["code"] = free_code(draft, codes)
             if links:
                 message["links"] = list(links)
             drawn.append(message)
@@ -172,7 +172,7 @@ def _parameter_messages(draft: Draft, codes: set[int], links: list[str]) -> list
     value = draft.fact(type=kind, parameter={"set": name, "part": "value", "number": number["name"]})
     drawn = [draft.fact(request=[number], response=[number, value]), draft.fact(request=[number, value], response=[])]
     for message in drawn:
-        message["code"] = _code(draft, codes)
+        message["code"] = free_code(draft, codes)
         if links:
             message["links"] = list(links)
     return drawn

@@ -23,7 +23,7 @@ RTAC_SERIAL = 250
 """Serial lines that a real-time automation controller records: 12 bytes of its own come first."""
 
 CAN = 227
-"""CAN buses as SocketCAN records them: the identifier with its flags, the number of the data, which may be filled up."""
+"""CAN buses as SocketCAN records them: the identifier with its flags, and the data, which may be filled up."""
 
 CAN_HEADER, CAN_DATA, CAN_NO_DATA, CAN_FD = 8, 8, 0x60, 0x04
 """Bytes before the data and of the data, flags of remote requests and errors in the first byte, that of CAN FD."""
