@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from hypothesis import settings
+from hypothesis.internal.conjecture import providers
 
 TESTS = Path(__file__).parent
 
@@ -70,6 +71,12 @@ SLOW = (
 settings.register_profile("fixed", derandomize=True, deadline=None)
 settings.register_profile("random", derandomize=False, deadline=None, print_blob=True)
 settings.load_profile("fixed")
+
+# Hypothesis draws constants from the sources of all modules that are imported by then. A fixed seed would mean other
+# examples whenever tests run in another order, or beside others.
+assert callable(providers._get_local_constants)
+NO_CONSTANTS = providers.Constants()
+providers._get_local_constants = lambda: NO_CONSTANTS
 
 
 # A shell that starts the tests in the background has them ignore interrupts, which the commands under test would

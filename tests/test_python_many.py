@@ -192,7 +192,7 @@ def test_counts_become_values_in_the_unit() -> None:
 
 
 def test_records_of_different_lengths_are_refused() -> None:
-    with pytest.raises(TypeError, match="ExchangeRequest has no fixed length, or digits; decode one after the other"):
+    with pytest.raises(TypeError, match="ExchangeRequest has no columns; decode one after the other"):
         MANY.decode_many(WIDGET.ExchangeRequest, b"")
 
 

@@ -15,7 +15,10 @@ from simulators import Unit
 
 
 class Wire:
-    """The carrier. `true_answer` is what the device has answered to the last request, before any fault."""
+    """The carrier. `true_answer` is what the device has answered to the last request, before any fault.
+
+    `arrived` is what the client has read since then.
+    """
 
     name = "wire"
 
@@ -24,6 +27,7 @@ class Wire:
         self.datagrams = usual_place(unit.codec.link).startswith("udp:")
         self.coming: list[tuple[float, bytes, bool]] = []
         self.true_answer = Answer(b"", "")
+        self.arrived = b""
         own = unit.server.answer
 
         def answer(*arguments: Any) -> Answer:
@@ -44,6 +48,7 @@ class Wire:
 
     def write(self, data: bytes) -> None:
         self.true_answer = Answer(b"", "")
+        self.arrived = b""
         now = self.clock.now()
         sendings = [*self.line.feed(now, data), *self.line.idle(now)]
         self.coming += [(now + sending.seconds, sending.data, sending.hang_up) for sending in sendings]
@@ -58,6 +63,7 @@ class Wire:
         self.clock.sleep(at - self.clock.now())
         if hang_up:
             raise CarrierError("the connection was closed")
+        self.arrived += data
         return data
 
     def close(self) -> None:

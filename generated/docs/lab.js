@@ -499,13 +499,13 @@ function sameValue(left, right) {
   return left == right;  // numbers, bigints and truth values
 }
 
-/** A raw value as a verdict prints it. */
-function valueText(value) {
+/** A raw value as a verdict prints it. The number 3 of a field of floats is `3.0`. */
+function valueText(value, isFloat = false) {
   if (typeof value === "boolean") return value ? "True" : "False";
-  if (typeof value === "number" && !Number.isInteger(value)) return floatText(value);
+  if (typeof value === "number" && (isFloat || !Number.isInteger(value))) return floatText(value);
   if (value instanceof Uint8Array) return `b${quotedText(latinOf(value))}`;
   if (typeof value === "string") return quotedText(value);
-  if (Array.isArray(value)) return `[${value.map(valueText).join(", ")}]`;
+  if (Array.isArray(value)) return `[${value.map((item) => valueText(item, isFloat)).join(", ")}]`;
   if (value instanceof Map) return `{${[...value].map(([key, item]) => `${quotedText(key)}: ${valueText(item)}`).join(", ")}}`;
   return String(value);
 }
@@ -947,8 +947,8 @@ function bitMeaning(device, bit, number) {
 }
 
 /** A decoded value, compared with the one that it repeats. */
-function repeatedValue(value, should) {
-  return judged(value, sameValue(value.number, should), valueText(should), "");
+function repeatedValue(value, should, isFloat = false) {
+  return judged(value, sameValue(value.number, should), valueText(should, isFloat), "");
 }
 
 /**
@@ -1712,7 +1712,7 @@ class ExplainedBody {
   /** The value of a field that repeats one of the request, judged by the value there. */
   repeated(field, read) {
     const should = field.sameAs ? this.asked.get(field.sameAs) : undefined;
-    return read.reason || should === undefined ? read : repeatedValue(read, should);
+    return read.reason || should === undefined ? read : repeatedValue(read, should, field.value.kind === "float");
   }
 }
 
@@ -2112,8 +2112,8 @@ function readingOf({ link, direction, message, error }) {
   return [link, direction, message, error];
 }
 
-function explainedReading(device, frame, [link, direction, message, error]) {
-  return explained(device, link, direction, frame, error ? "" : message);
+function explainedReading(device, frame, [link, direction, message]) {
+  return explained(device, link, direction, frame, message);
 }
 
 /** What the user says about the frames: `places` are links and directions; what is empty is open. */
@@ -2146,7 +2146,9 @@ function readFrame(device, frame, options, mark = "", asked = null) {
     const answer = answerOf(device, frame, asked.request);
     if (asked.sure || (mark !== "request" && !isWrong(answer))) return answer;
   }
-  const fitting = readingsOf(device, frame).filter((reading) => options.allows(reading));
+  const fitting = readingsOf(device, frame)
+    .map((reading) => namedByExample(reading, exampleReadings(device, frame)))
+    .filter((reading) => options.allows(reading));
   if (!fitting.length) return closestReading(device, frame, options, mark);
   const examples = exampleKeys(device, frame);
   const doubts = new Map(fitting.map((reading) => [reading, doubtsOf(device, reading, mark, examples)]));
@@ -2161,9 +2163,22 @@ function isWrong({ explanation, readings, mismatches }) {
   return Boolean(reasonsOf(explanation).length || mismatches.length || !readings.length);
 }
 
-function exampleKeys(device, frame) {
+/** The readings of the examples that have exactly these bytes. */
+function exampleReadings(device, frame) {
   const digits = Array.from(frame, (byte) => byte.toString(16).toUpperCase().padStart(2, "0")).join("");
-  return new Set((device.readingsOf.get(digits) ?? []).map((reading) => JSON.stringify(reading)));
+  return device.readingsOf.get(digits) ?? [];
+}
+
+function exampleKeys(device, frame) {
+  return new Set(exampleReadings(device, frame).map((reading) => JSON.stringify(reading)));
+}
+
+/** A reading, with the message of an example where it is an exception response to one of several messages. */
+function namedByExample(reading, examples) {
+  const [link, direction, message, error] = reading;
+  if (message || !error) return reading;
+  const example = examples.find(([ownLink, way, , isError]) => ownLink === link && way === direction && isError);
+  return example ?? reading;
 }
 
 /**

@@ -53,8 +53,7 @@ class Bench:
         self.engine.saved = dict(self.engine.memory.words)
 
     def run(self, *arguments: str, timeout: str = "0.2") -> int:
-        place = self.device.place.replace("tcp://", "socket://")
-        options = ("--port", place, "--timeout", timeout, "--pause", "0", "--specs", FOLDER)
+        options = ("--port", self.device.place, "--timeout", timeout, "--pause", "0", "--specs", FOLDER)
         return main(["live", "widget", *arguments, *options])
 
     def words(self, path: str) -> list[int]:

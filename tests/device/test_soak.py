@@ -94,7 +94,8 @@ class Soak:
             return
         self.totals["values"] += 1
         if decoded.values != self._true(name, "values") or decoded.head != self._true(name, "head"):
-            self.wrong.append(f"{name} {values}: {decoded.values} instead of {self._true(name, 'values')}")
+            frames = f"{self.wire.arrived.hex(' ')} arrived instead of {self.wire.true_answer.frame.hex(' ')}"
+            self.wrong.append(f"{name} {values}: {decoded.values} instead of {self._true(name, 'values')}; {frames}")
 
     def _true(self, message: str, attribute: str) -> Any:
         """What the device itself has answered to the last request; None where it has not."""

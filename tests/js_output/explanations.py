@@ -42,8 +42,11 @@ def _whole(data: dict[str, Any]) -> Any:
 
 
 def portable(data: object) -> Any:
-    """Data of the compiler as JSON has them; remarks name options of the command line by hyphens."""
-    return json.loads(re.sub(r"--(?=[a-z])", "", json.dumps(data)))
+    """Data of the compiler as JSON has them. Remarks name options, which have hyphens on the command line alone."""
+    result = json.loads(json.dumps(data))
+    if isinstance(result, dict) and "remarks" in result:
+        result["remarks"] = [re.sub(r"--(?=[a-z])", "", remark) for remark in result["remarks"]]
+    return result
 
 
 def explained_by_python(layout: DeviceLayout, job: Mapping[str, Any]) -> dict[str, Any]:

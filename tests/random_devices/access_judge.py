@@ -35,6 +35,13 @@ def _has_digits(record: RecordLayout) -> bool:
     )
 
 
+def _is_empty(record: RecordLayout) -> bool:
+    """Whether a record, and every record in it, has reserved fields only, which have no columns."""
+    return all(
+        field.field.reserved or (field.record is not None and _is_empty(field.record)) for field in record.fields
+    )
+
+
 class Access(Python):
     """Requests for registers, quantities of registers, and columns of records."""
 
@@ -151,7 +158,7 @@ class Access(Python):
 
     def _assert_columns(self, query: Query) -> None:
         """Many records at once are read or refused as one is."""
-        if len(query.data) != query.shape.size or all(map(is_computed, query.shape.fields)):
+        if len(query.data) != query.shape.size or all(map(is_computed, query.shape.fields)) or _is_empty(query.shape):
             return
         single = self._result(lambda: record_class(self.module, query.shape).decode(query.data))
         many = self._result(lambda: self.many.arrays(record_class(self.module, query.shape), query.data))

@@ -18,7 +18,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
-from random_devices.queries import ABSENT_OFFSET, Answer, Query, flat, flat_value
+from random_devices.queries import ABSENT_OFFSET, UNKNOWN, Answer, Query, flat, flat_value
 
 SCRIPT = Path(__file__).with_name("javascript_judge.mjs")
 
@@ -97,7 +97,9 @@ class JavaScript:
             values = flat(query.shape, values_of(query.shape, result["value"]))
         else:
             values = flat_value(query.shape[0], _typed(query.shape[0], result["value"]))
-        return Answer(values=values, again=result["again"])
+        # Which NaN an engine writes is its own choice, and it may change while a program runs.
+        again = UNKNOWN if json.dumps({"$f": "NaN"}) in json.dumps(result["value"]) else result["again"]
+        return Answer(values=values, again=again)
 
 
 def object_of(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from fieldspec.caches import ByIdentity
 from fieldspec.model.attributes import descendants
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
@@ -11,17 +12,29 @@ from fieldspec.model.record import Case, Field, Record
 from fieldspec.model.registers import Register
 from fieldspec.model.value import Signal, Value
 
+_FACTS: ByIdentity[Device, tuple[Fact, ...]] = ByIdentity(most=1)
+_VALUES: ByIdentity[Device, tuple[tuple[Fact, Value], ...]] = ByIdentity(most=1)
+"""Those of the last device: many checks in a row look at all of them."""
 
-def facts(device: Device) -> Iterator[Fact]:
+
+def facts(device: Device) -> tuple[Fact, ...]:
     """All facts in the order of the spec's sections, each before those that it contains."""
-    return (item for item in descendants(device) if isinstance(item, Fact))
+    return _FACTS.get_or_compute(device, _facts)
 
 
-def values(device: Device) -> Iterator[tuple[Fact, Value]]:
+def _facts(device: Device) -> tuple[Fact, ...]:
+    return tuple(item for item in descendants(device) if isinstance(item, Fact))
+
+
+def values(device: Device) -> tuple[tuple[Fact, Value], ...]:
     """Every fact that states a value, with the value.
 
     What a field takes as a whole from its signal, and a register from the one of which it is a copy, is stated there.
     """
+    return _VALUES.get_or_compute(device, lambda device: tuple(_values(device)))
+
+
+def _values(device: Device) -> Iterator[tuple[Fact, Value]]:
     registers = {register.name: register for register in device.registers()}
     for fact in facts(device):
         value = getattr(fact, "value", None)

@@ -66,7 +66,8 @@ def _has_words(device: Device) -> bool:
     if any(
         device.word_access(message) is not None
         or device.bit_access(message) is not None
-        or message.request_words is not None or message.response_words is not None
+        or message.request_words is not None
+        or message.response_words is not None
         for message in device.messages.values()
     ):
         return True

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands import specs
-from fieldspec.commands.live_connection import access_of, connected
+from fieldspec.commands.live_connection import access_of, connected, unsent
 from fieldspec.commands.live_output import print_values, progress
 from fieldspec.commands.live_transfer import TRANSFERS, transfer_values
 from fieldspec.commands.live_writing import write_values
@@ -18,6 +18,7 @@ from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.live.access import find
 from fieldspec.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.live.firmware import firmware_of
+from fieldspec.reference.records import CodecError
 from fieldspec.simulator.clock import SystemClock
 
 if TYPE_CHECKING:
@@ -38,6 +39,8 @@ def run(arguments: argparse.Namespace) -> int:
     except (NoAnswerError, RefusedError) as error:
         print(f"fieldspec: {layout.device.id}: {error}", file=sys.stderr)
         return 1
+    except CodecError as error:
+        raise unsent(error) from None
 
 
 def _writes(arguments: argparse.Namespace) -> bool:

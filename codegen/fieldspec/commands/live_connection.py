@@ -14,10 +14,12 @@ from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.values import MeaningError, Raw, raw_value
 from fieldspec.live.client import Client, Timing
 from fieldspec.live.messages import link_of, signals
 from fieldspec.live.parameter_access import ParameterAccess
 from fieldspec.live.register_access import RegisterAccess
+from fieldspec.reference.records import CodecError, encoded_value
 from fieldspec.simulator.simulation import can_objection, settings_of
 
 if TYPE_CHECKING:
@@ -126,4 +128,32 @@ def _client(layout: DeviceLayout, arguments: argparse.Namespace, carrier: Carrie
     def trace(direction: str, frame: bytes) -> None:
         print(f"{direction} {frame.hex(' ').upper()}", file=sys.stderr)
 
-    return Client(layout, link.name, carrier, unit or 0, timing, trace=trace if arguments.trace else None)
+    fixed = dict(_fixed_value(layout, layout.links[link.name], text) for text in arguments.fixed)
+    return Client(layout, link.name, carrier, unit or 0, timing, trace=trace if arguments.trace else None, fixed=fixed)
+
+
+def _fixed_value(layout: DeviceLayout, link: LinkLayout, text: str) -> tuple[str, Raw]:
+    """The name and the raw value of a field of requests, from `NAME=VALUE`. Raises UsageError."""
+    name, equals, entered = text.partition("=")
+    if not equals:
+        raise UsageError(f"--with {text} has no value; write it as NAME=VALUE, such as axis=0")
+    fields = {
+        field.name: field
+        for message in link.carried("request").values()
+        for field in message.request.fields
+        if field.value is not None and not field.is_list and not field.field.reserved
+    }
+    if name not in fields:
+        raise unknown(f"field of requests on {link.name}", name, fields)
+    value = fields[name].value
+    assert value is not None
+    try:
+        return name, encoded_value(name, value, raw_value(layout.device, name, value, entered), layout.device)
+    except (MeaningError, CodecError) as error:
+        raise UsageError(f"--with {text}: {error}") from None
+
+
+def unsent(error: CodecError) -> UsageError:
+    """That a request lacks a value, or cannot carry one."""
+    advice = "; add it with --with NAME=VALUE" if error.reason == "missing_value" else ""
+    return UsageError(f"a request cannot be sent: {error}{advice}")

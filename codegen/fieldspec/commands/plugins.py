@@ -97,15 +97,15 @@ def _searched() -> tuple[Plugin, ...]:
     from importlib.metadata import distributions
 
     rows = set()
-    seen = set()
-    for distribution in distributions(path=sys.path[1:]):  # the first is the folder of the script, or the current one
+    folders = sys.path[1:]  # the first is the folder of the script, or the current one
+    for distribution in distributions(path=folders):
+        if not any(entry.group in GROUPS for entry in distribution.entry_points):
+            continue  # reading the name as well would take longer than all else
         package = distribution.metadata["Name"]
-        if package in seen:
-            continue  # an older copy, behind the one that is imported
-        seen.add(package)
-        for entry in distribution.entry_points:
+        imported = next(iter(distributions(name=package, path=folders)), distribution)  # an older copy may be behind
+        for entry in imported.entry_points:
             if entry.group in GROUPS:
-                rows.add((entry.group, entry.name, entry.value, package, distribution.version))
+                rows.add((entry.group, entry.name, entry.value, package, imported.version))
     return tuple(Plugin(*row) for row in sorted(rows))
 
 

@@ -10,12 +10,13 @@ from collections.abc import Sequence
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands import specs
-from fieldspec.commands.live_connection import connected
+from fieldspec.commands.live_connection import connected, unsent
 from fieldspec.commands.live_output import progress
 from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.live.scanning import Scan, ScanSpace, compared, scan, scan_spaces, usual_ranges
+from fieldspec.reference.records import CodecError
 from fieldspec.render.blocks import Line, Table
 
 if TYPE_CHECKING:
@@ -34,6 +35,8 @@ def run(arguments: argparse.Namespace) -> int:
     except (NoAnswerError, RefusedError) as error:
         print(f"fieldspec: {layout.device.id}: {error}", file=sys.stderr)
         return 1
+    except CodecError as error:
+        raise unsent(error) from None
 
 
 def scan_device(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> int:

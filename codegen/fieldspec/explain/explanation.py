@@ -256,7 +256,9 @@ class _Frame:
             self.values[part.name] = code
         carried = "request" if self.error else self.direction
         link = self.layout.links[self.link.name]
-        body = None if self.error else self.data[self.shape.header_size : len(self.data) - self.shape.trailer_size]
+        start = self.shape.header_size
+        end = max(start, len(self.data) - self.shape.trailer_size)
+        body = None if self.error else self.data[start:end]
         self.message = link.message_with_code(code, carried, body, self.named)
         if self.error and self.message is None and link.messages_with_code(code, carried):
             # An exception response carries no subcode; only the request tells which message it answers.

@@ -84,23 +84,32 @@ def read(
         answer = _answer(layout, frame, asked)
         if asked.sure or (mark != "request" and not answer.wrong):
             return answer
-    fitting = [reading for reading in recognised(layout, frame) if options.allows(reading)]
+    examples = _examples(layout, frame)
+    readings = (_named_by_example(reading, examples) for reading in recognised(layout, frame))
+    fitting = [reading for reading in readings if options.allows(reading)]
     if not fitting:
         return _closest(layout, frame, options, mark)
-    examples = _examples(layout, frame)
     fitting.sort(key=lambda reading: _doubts(layout, reading, mark, examples))
     marked = [reading for reading in fitting if reading[1] == mark]
     chosen = "only" if len(fitting) == 1 else "mark" if len(marked) == 1 else "likeliest"
     return ChosenReading(_explained(layout, frame, fitting[0]), tuple(fitting), chosen)
 
 
-def _examples(layout: DeviceLayout, frame: bytes) -> frozenset[Reading]:
+def _examples(layout: DeviceLayout, frame: bytes) -> list[Reading]:
     """The readings of the examples that have exactly these bytes."""
-    return frozenset(
+    return [
         (example.link, example.direction, example.message, example.exception_response)
         for example in layout.device.examples.values()
         if example.frame == frame
-    )
+    ]
+
+
+def _named_by_example(reading: Reading, examples: Sequence[Reading]) -> Reading:
+    """A reading, with the message of an example where it is an exception response to one of several messages."""
+    link, direction, message, error = reading
+    if message or not error:
+        return reading
+    return next((other for other in examples if (other[0], other[1], other[3]) == (link, direction, True)), reading)
 
 
 def _reading(explanation: Explanation) -> Reading:
@@ -108,12 +117,12 @@ def _reading(explanation: Explanation) -> Reading:
 
 
 def _explained(layout: DeviceLayout, frame: bytes, reading: Reading) -> Explanation:
-    link, direction, message, error = reading
-    return explained(layout, link, direction, frame, "" if error else message)
+    link, direction, message, _ = reading
+    return explained(layout, link, direction, frame, message)
 
 
 def _doubts(
-    layout: DeviceLayout, reading: Reading, mark: str, examples: frozenset[Reading]
+    layout: DeviceLayout, reading: Reading, mark: str, examples: Sequence[Reading]
 ) -> tuple[bool, bool, bool, bool]:
     """What speaks against a reading, the gravest first: the mark in the log, that no example is such a frame, that the
     message is a guess, and that its length may be any.

@@ -69,16 +69,17 @@ def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
     kind = value.type.kind
     if kind in (Kind.TEXT, Kind.BYTES):
         return data
+    in_order = data
     if swapped:
-        data = b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+        in_order = b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
     big = (order == "big") != swapped
     if kind is Kind.FLOAT:
-        number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", data)[0]
+        number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", in_order)[0]
         return number
     if value.digits:
-        number_of_digits = digits_number(value, data if big else data[::-1])
+        number_of_digits = digits_number(value, in_order if big else in_order[::-1])
         return data if number_of_digits is None else number_of_digits
-    return int.from_bytes(data, "big" if big else "little", signed=value.type.signed)
+    return int.from_bytes(in_order, "big" if big else "little", signed=value.type.signed)
 
 
 def decimal_text(number: Decimal) -> str:

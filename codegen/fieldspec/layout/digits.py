@@ -12,9 +12,7 @@ from fieldspec.model.value import Value
 _HELP = "leave this output out for the device: name the others after --to"
 
 
-def digits_refusals(
-    versions: Sequence[DeviceLayout], reader: str, for_controllers: bool = False
-) -> list[Diagnostic]:
+def digits_refusals(versions: Sequence[DeviceLayout], reader: str, for_controllers: bool = False) -> list[Diagnostic]:
     """A finding for each value that is sent as digits; `reader` is what does not convert them."""
     facts = {
         fact.place.path: fact

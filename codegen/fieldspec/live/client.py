@@ -58,7 +58,8 @@ class Client:
 
     An answer that comes after its request was given up is not taken for that to the next one: this waits until all late
     answers have come, or can no longer come within another time-out. Requests whose frames have a number that the
-    response repeats need not wait.
+    response repeats need not wait. `fixed` has raw values by the names of fields: a request with such a field carries
+    them, unless it has a value of its own.
     """
 
     def __init__(
@@ -70,7 +71,9 @@ class Client:
         timing: Timing | None = None,
         clock: Clock | None = None,
         trace: Trace | None = None,
+        fixed: Mapping[str, Any] | None = None,
     ) -> None:
+        self.fixed = fixed or {}
         self.layout, self.carrier, self.unit_address = layout, carrier, unit_address
         self.timing, self.clock = timing or Timing(), clock or SystemClock()
         self.trace = trace
@@ -88,10 +91,12 @@ class Client:
 
     def request(self, message: str, values: Mapping[str, Any]) -> bytes:
         """The frame of a request. Parts that only mark it have another number in each. Raises CodecError."""
+        fields = self.layout.messages[message].request
+        fixed = {name: raw for name, raw in self.fixed.items() if fields.named(name) is not None}
         for part in self.counters:
             most = part.value.type.high if part.value is not None else 0xFF
             self.head[part.name] = self.head.get(part.name, 0) % most + 1
-        return self.frames.encode("request", message, {**self.head, **values})
+        return self.frames.encode("request", message, {**self.head, **fixed, **values})
 
     def is_answered(self, message: str) -> bool:
         """Whether the device answers a message on this link."""

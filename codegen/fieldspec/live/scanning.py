@@ -8,7 +8,7 @@ from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.read_plan import read_plan
-from fieldspec.live.client import Client, RefusedError
+from fieldspec.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.live.messages import parameter_message
 from fieldspec.live.reading import all_occupants, message_for, read_words
 from fieldspec.model.registers import ParameterSet
@@ -113,7 +113,8 @@ def usual_ranges(layout: DeviceLayout, space: ScanSpace) -> list[range]:
 def scan(client: Client, space: ScanSpace, ranges: Sequence[range], done: Callable[[int], None] | None = None) -> Scan:
     """Reads all addresses of some ranges, in large requests where the device answers them.
 
-    What is cleared by reading is left out. Raises NoAnswerError and CarrierError.
+    What is cleared by reading is left out. A device may be silent at an address that it does not have, as long as it
+    still answers one that it has. Raises NoAnswerError and CarrierError.
     """
     items = scanned_items(client.layout, space)
     spared = {address for item in items if item.spared for address in item.addresses}
@@ -142,18 +143,29 @@ def _runs(addresses: range, spared: set[int]) -> Iterator[range]:
 
 
 def _scan_part(client: Client, space: ScanSpace, part: range, words: dict[int, tuple[int, ...]]) -> None:
-    """Reads a part, and divides it where the device refuses it."""
+    """Reads a part, and divides it where the device refuses it, or is silent but answers another address."""
     try:
-        if space.parameters is not None:
-            words[part.start] = _parameter_counts(client, space.parameters, part.start)
-            return
-        counts = read_words(client, space.name, part.start, len(part))
-        words.update((address, (count,)) for address, count in zip(part, counts, strict=True))
+        words.update(_counts(client, space, part))
+        return
     except RefusedError:
-        if len(part) > 1:
-            middle = part.start + len(part) // 2
-            _scan_part(client, space, range(part.start, middle), words)
-            _scan_part(client, space, range(middle, part.stop), words)
+        pass
+    except NoAnswerError:
+        if not words:
+            raise
+        answering = next(reversed(words))
+        _counts(client, space, range(answering, answering + 1))
+    if len(part) > 1:
+        middle = part.start + len(part) // 2
+        _scan_part(client, space, range(part.start, middle), words)
+        _scan_part(client, space, range(middle, part.stop), words)
+
+
+def _counts(client: Client, space: ScanSpace, part: range) -> dict[int, tuple[int, ...]]:
+    """The counts by address. Raises RefusedError, NoAnswerError and CarrierError."""
+    if space.parameters is not None:
+        return {part.start: _parameter_counts(client, space.parameters, part.start)}
+    counts = read_words(client, space.name, part.start, len(part))
+    return {address: (count,) for address, count in zip(part, counts, strict=True)}
 
 
 def _parameter_counts(client: Client, parameter_set: ParameterSet, number: int) -> tuple[int, ...]:

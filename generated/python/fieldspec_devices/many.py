@@ -380,8 +380,8 @@ def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np
 
 def _number(record: type[Record], data: Data) -> int:
     """The number of records. Raises CodecError for bytes left over."""
-    if not hasattr(record, "_columns"):
-        raise TypeError(f"{record.__name__} has no fixed length, or digits; decode one after the other")
+    if not hasattr(record, "_columns"):  # its length varies, or all of it is reserved, or a number is sent as digits
+        raise TypeError(f"{record.__name__} has no columns; decode one after the other")
     size = len(data) if isinstance(data, (bytes, bytearray)) else memoryview(data).nbytes
     left = size % record._SIZE
     if left:

@@ -125,11 +125,11 @@ def _number(field: Slots, at: int) -> tuple[list[str], str]:
     """Lines that assemble the number of a field from its slots, and the expression of the number."""
     raw = local(field)
     if field.field.value is not None and field.value.digits:
-        function = "numbers" if field.is_list else "number"
+        form = digits_form(field.value, field.field.order, field.field.swapped)
         arguments = f"{literal(field.title)}, {raw}, {at}, {field.field.swapped}"
-        return [
-            f"{raw} = {digits_form(field.value, field.field.order, field.field.swapped)}.{function}({arguments})"
-        ], raw
+        if not field.is_list:
+            return [f"{raw} = {form}.number({arguments})"], raw
+        return [f"{raw} = {form}.numbers({arguments}{_accepted(field)})"], raw
     if field.parted:
         parts = [f"{raw}__{part}" for part in range(field.parted)]
         if not field.big:
@@ -140,6 +140,15 @@ def _number(field: Slots, at: int) -> tuple[list[str], str]:
         return [], raw
     converted = _from_bytes(field, "item" if field.is_list else raw)
     return [f"{raw} = [{converted} for item in {raw}]" if field.is_list else f"{raw} = {converted}"], raw
+
+
+def _accepted(field: Slots) -> str:
+    """The argument with the numbers that a list of digits may have; empty where it may have all."""
+    if field.constant is not None:
+        return f", ({field.constant},)"
+    if field.enum is None or field.enum.open:
+        return ""
+    return f", {_member_table(field)}"
 
 
 def _from_bytes(field: Slots, raw: str) -> str:
@@ -160,18 +169,23 @@ def _member(field: Slots, owner: str, raw: str, at: int) -> list[str]:
             f"[{enum.table}.get(raw, raw) for raw in {raw}]" if field.is_list else f"{enum.table}.get({raw}, {raw})"
         )
         return [f"{attribute} = {construction}"]
-    table = enum.table
-    if field.sentinels:
-        others = ", ".join(f"{value}: {value}" for value in field.sentinels)
-        table = f"{{**{enum.table}, {others}}}"
     if field.is_list:
-        return [f"{attribute} = _members({title}, {raw}, {table}, {name}, {at}, {field.field.size})"]
+        return [f"{attribute} = _members({title}, {raw}, {_member_table(field)}, {name}, {at}, {field.field.size})"]
     wrong = f"raise _unknown_member({title}, {raw}, {name}, {at}) from None"
     lines = ["try:", f"    {attribute} = {enum.table}[{raw}]", "except KeyError:"]
     if not field.sentinels:
         return [*lines, f"    {wrong}"]
     others = ", ".join(map(str, field.sentinels)) + ","
     return [*lines, f"    if {raw} not in ({others}):", f"        {wrong}", f"    {attribute} = {raw}"]
+
+
+def _member_table(field: Slots) -> str:
+    """The expression of the members of a closed enum by their numbers, and of sentinels."""
+    assert field.enum is not None
+    if not field.sentinels:
+        return field.enum.table
+    others = ", ".join(f"{value}: {value}" for value in field.sentinels)
+    return f"{{**{field.enum.table}, {others}}}"
 
 
 CASE = "case"

@@ -204,6 +204,6 @@ function bitMeaning(device, bit, number) {
 }
 
 /** A decoded value, compared with the one that it repeats. */
-export function repeatedValue(value, should) {
-  return judged(value, sameValue(value.number, should), valueText(should), "");
+export function repeatedValue(value, should, isFloat = false) {
+  return judged(value, sameValue(value.number, should), valueText(should, isFloat), "");
 }

@@ -7,7 +7,7 @@ from ._error import CodecError
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Container, Sequence
 
     from ._typing import Data
 
@@ -49,9 +49,24 @@ class Digits:
             raise no_digits(name, raw, at)
         return number
 
-    def numbers(self, name: str, raws: Sequence[bytes], at: int, words_turned: bool = False) -> list[int]:
-        """The numbers of a list that begins at byte `at` of the whole. Raises CodecError."""
-        return [self.number(name, raw, at + index * self.size, words_turned) for index, raw in enumerate(raws)]
+    def numbers(
+        self,
+        name: str,
+        raws: Sequence[bytes],
+        at: int,
+        words_turned: bool = False,
+        accepted: Container[int] | None = None,
+    ) -> list[int]:
+        """The numbers of a list that begins at byte `at` of the whole, at most up to the first that is not `accepted`.
+
+        The caller refuses that one, which comes before bytes behind it that are no digits. Raises CodecError.
+        """
+        numbers = []
+        for index, raw in enumerate(raws):
+            numbers.append(self.number(name, raw, at + index * self.size, words_turned))
+            if accepted is not None and numbers[-1] not in accepted:
+                break
+        return numbers
 
     def data(self, number: int, words_turned: bool = False) -> bytes:
         """The digits of a number. Raises OverflowError for one that has more of them."""

@@ -62,8 +62,8 @@ export function readingOf({ link, direction, message, error }) {
   return [link, direction, message, error];
 }
 
-function explainedReading(device, frame, [link, direction, message, error]) {
-  return explained(device, link, direction, frame, error ? "" : message);
+function explainedReading(device, frame, [link, direction, message]) {
+  return explained(device, link, direction, frame, message);
 }
 
 /** What the user says about the frames: `places` are links and directions; what is empty is open. */
@@ -96,7 +96,9 @@ export function readFrame(device, frame, options, mark = "", asked = null) {
     const answer = answerOf(device, frame, asked.request);
     if (asked.sure || (mark !== "request" && !isWrong(answer))) return answer;
   }
-  const fitting = readingsOf(device, frame).filter((reading) => options.allows(reading));
+  const fitting = readingsOf(device, frame)
+    .map((reading) => namedByExample(reading, exampleReadings(device, frame)))
+    .filter((reading) => options.allows(reading));
   if (!fitting.length) return closestReading(device, frame, options, mark);
   const examples = exampleKeys(device, frame);
   const doubts = new Map(fitting.map((reading) => [reading, doubtsOf(device, reading, mark, examples)]));
@@ -111,9 +113,22 @@ export function isWrong({ explanation, readings, mismatches }) {
   return Boolean(reasonsOf(explanation).length || mismatches.length || !readings.length);
 }
 
-function exampleKeys(device, frame) {
+/** The readings of the examples that have exactly these bytes. */
+function exampleReadings(device, frame) {
   const digits = Array.from(frame, (byte) => byte.toString(16).toUpperCase().padStart(2, "0")).join("");
-  return new Set((device.readingsOf.get(digits) ?? []).map((reading) => JSON.stringify(reading)));
+  return device.readingsOf.get(digits) ?? [];
+}
+
+function exampleKeys(device, frame) {
+  return new Set(exampleReadings(device, frame).map((reading) => JSON.stringify(reading)));
+}
+
+/** A reading, with the message of an example where it is an exception response to one of several messages. */
+function namedByExample(reading, examples) {
+  const [link, direction, message, error] = reading;
+  if (message || !error) return reading;
+  const example = examples.find(([ownLink, way, , isError]) => ownLink === link && way === direction && isError);
+  return example ?? reading;
 }
 
 /**
