@@ -51,10 +51,10 @@ export interface Unit {
 
 /** A share of a reference. */
 export interface Conversion {
-  /** The quantity of a count. */
-  quantity(count: number, reference: Quantity): number;
+  /** The quantity of a count, the raw value. */
+  fromRaw(raw: number, reference: Quantity): number;
   /** The nearest count of a quantity. Throws CodecError out of range. */
-  count(quantity: Quantity, reference: Quantity): number;
+  toRaw(quantity: Quantity, reference: Quantity): number;
 }
 
 /** A record: its values are plain objects. */
