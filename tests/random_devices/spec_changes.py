@@ -102,10 +102,7 @@ def examples_are_proven(spec: Spec, layouts: list[DeviceLayout], queries: list[Q
             same = [other for other in result[-1].device.examples.values() if other.frame == example.frame]
             explanation = read(result[-1], example.frame, FrameOptions()).explanation
             reading = explanation.link, explanation.direction, explanation.message, explanation.error
-            # Without a code, an exception response does not say which message it answers.
-            nameless = result[-1].links[explanation.link].mark is not None and explanation.error
-            readings = [(e.link, e.direction, "" if nameless else e.message, e.exception_response) for e in same]
-            if reading not in readings:
+            if reading not in [(e.link, e.direction, e.message, e.exception_response) for e in same]:
                 yield f"examples: {example.frame.hex(' ')} is explained as {reading}, not as {example.id}"
 
 
