@@ -94,7 +94,7 @@ JUDGES = {
         (
             "test_python_records.py test_python_registers.py test_python_flags.py test_python_choices.py",
             "test_python_many.py test_python_conversions.py test_python_parameters.py test_python_framers.py",
-            f"{USAGES} device/test_client.py",
+            f"test_python_client_tasks.py {USAGES} device/test_client.py",
             "random_devices",
         ),
     ),

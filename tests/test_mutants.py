@@ -9,7 +9,7 @@ import pytest
 from mutants import DEVICES, files, judged, right
 from spec_mutants import KINDS, Slip, scalars, slips
 
-ALWAYS_NOTICED = ("address", "code", "order", "enum value", "bit", "checksum")
+ALWAYS_NOTICED = ("address", "code", "order", "enum value", "bit", "length", "scale", "checksum")
 """The kinds of slips of which `docs/trust.md` says that all are noticed."""
 
 
@@ -27,8 +27,8 @@ def test_slips_in_facts_that_are_printed_twice_or_proven_are_noticed(device: str
 
 def test_a_slip_that_contradicts_nothing_is_not_noticed() -> None:
     path, text = "tc100/registers-motion.yaml", files()["tc100/registers-motion.yaml"].decode()
-    start = text.index("trigger: true", text.index("0x201E")) + len("trigger: ")
-    slip = Slip("access", path, start, start + 4, 0, "trigger", "true", "false")
+    start = text.index("access: wo", text.index("0x999B")) + len("access: ")
+    slip = Slip("access", path, start, start + 2, 0, "access", "wo", "rw")
     verdict = judged("tc100", slip)
     assert verdict is not None
     assert (verdict.wire, verdict.judge) == (True, "")

@@ -21,7 +21,7 @@ from fieldspec.commands import specs
 from fieldspec.simulator.clock import Clock, SystemClock
 from fieldspec.simulator.control import carried_out
 from fieldspec.simulator.faults import fault_of
-from fieldspec.simulator.simulation import Simulation, settings_of, usual_place
+from fieldspec.simulator.simulation import Simulation, settings_of, usual_place, usual_unit_address
 
 __all__ = ["SimulatedDevice", "simulated", "simulation"]
 
@@ -80,12 +80,10 @@ def simulation(
     """
     spec, version = specs.spec_at(folder, device)
     layout = specs.layout_of(spec, version)
-    addresses = next((link.unit_addresses for link in layout.device.links.values() if link.unit_addresses), None)
-    lowest = addresses.ranges.low if addresses is not None and addresses.ranges is not None else 1
     running = Simulation(
         layout,
         behaviour_of(spec.tree_at(version)),
-        unit_address=lowest if unit_address is None else unit_address,
+        unit_address=usual_unit_address(layout) if unit_address is None else unit_address,
         message=message,
         clock=clock or SystemClock(rate),
         faults=[fault_of(fault) for fault in faults],

@@ -1,7 +1,7 @@
 /*
  * CK10 (unknown), version 1
  * From: CK10 series, Modbus communication, user manual
- * Identity: 4332a6ea93cee82e
+ * Identity: 15bdadc67ed9a75b
  *
  * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
  * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
@@ -31,7 +31,7 @@
 #include <stdint.h>
 
 #define CK10_VERSION "1"
-#define CK10_IDENTITY "4332a6ea93cee82e"
+#define CK10_IDENTITY "15bdadc67ed9a75b"
 
 /* ---- Compilers and machines ---- */
 
@@ -9761,6 +9761,9 @@ static inline ck10_codec_status ck10_rtu_encode_read_registers_request(uint8_t s
     if (status != CK10_OK) {
         return status;
     }
+    if (station == 0) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
     return ck10_rtu_request_close(station, 3u, body_length, out, capacity, length);
 }
 
@@ -9848,6 +9851,9 @@ static inline ck10_codec_status ck10_rtu_encode_write_registers_response(uint8_t
 static inline ck10_codec_status ck10_rtu_encode_report_server_id_request(uint8_t station, uint8_t *out, size_t capacity,
         size_t *length)
 {
+    if (station == 0) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
     return ck10_rtu_request_close(station, 17u, 0, out, capacity, length);
 }
 
@@ -10087,6 +10093,9 @@ static inline ck10_codec_status ck10_ascii_encode_read_registers_request(uint8_t
     if (status != CK10_OK) {
         return status;
     }
+    if (station == 0) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
     return ck10_ascii_request_close(station, 3u, body_length, out, capacity, length);
 }
 
@@ -10174,6 +10183,9 @@ static inline ck10_codec_status ck10_ascii_encode_write_registers_response(uint8
 static inline ck10_codec_status ck10_ascii_encode_report_server_id_request(uint8_t station, uint8_t *out,
         size_t capacity, size_t *length)
 {
+    if (station == 0) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
     return ck10_ascii_request_close(station, 17u, 0, out, capacity, length);
 }
 

@@ -1,6 +1,6 @@
 /*
  * Fuzzes ck10_v1.h: CK10, version 1
- * Identity: 4332a6ea93cee82e
+ * Identity: 15bdadc67ed9a75b
  *
  * Generated; do not edit. For libFuzzer, and for AFL++ by afl-clang-fast:
  *

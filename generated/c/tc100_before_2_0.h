@@ -1,7 +1,7 @@
 /*
  * TC100 (TOYO), version before-2.0
  * From: TC100 series operation manual V.2001
- * Identity: 6f4511cfdbc65a9f
+ * Identity: 0f0fb1faee81de29
  *
  * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
  * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
@@ -31,7 +31,7 @@
 #include <stdint.h>
 
 #define TC100_VERSION "before-2.0"
-#define TC100_IDENTITY "6f4511cfdbc65a9f"
+#define TC100_IDENTITY "0f0fb1faee81de29"
 
 /* ---- Compilers and machines ---- */
 
@@ -4812,6 +4812,9 @@ static inline tc100_codec_status tc100_rtu_encode_read_registers_request(uint8_t
     if (status != TC100_OK) {
         return status;
     }
+    if (station == 0) {
+        return TC100_ERR_OUT_OF_RANGE;
+    }
     return tc100_rtu_request_close(station, 3u, body_length, out, capacity, length);
 }
 
@@ -5108,6 +5111,9 @@ static inline tc100_codec_status tc100_ascii_encode_read_registers_request(uint8
     status = tc100_read_registers_request_encode(in, out + 2, capacity - 2u, &body_length);
     if (status != TC100_OK) {
         return status;
+    }
+    if (station == 0) {
+        return TC100_ERR_OUT_OF_RANGE;
     }
     return tc100_ascii_request_close(station, 3u, body_length, out, capacity, length);
 }

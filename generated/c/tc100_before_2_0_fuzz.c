@@ -1,6 +1,6 @@
 /*
  * Fuzzes tc100_before_2_0.h: TC100, version before-2.0
- * Identity: 6f4511cfdbc65a9f
+ * Identity: 0f0fb1faee81de29
  *
  * Generated; do not edit. For libFuzzer, and for AFL++ by afl-clang-fast:
  *

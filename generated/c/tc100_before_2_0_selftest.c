@@ -1,6 +1,6 @@
 /*
  * Tests tc100_before_2_0.h: TC100, version before-2.0
- * Identity: 6f4511cfdbc65a9f
+ * Identity: 0f0fb1faee81de29
  *
  * Generated; do not edit. Compile and run it: it exits with 0 if every test passes. On a machine without an operating system
  * compile it with -ffreestanding; then it has no main, and you call tc100_selftest yourself.

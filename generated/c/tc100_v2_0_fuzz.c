@@ -1,6 +1,6 @@
 /*
  * Fuzzes tc100_v2_0.h: TC100, version 2.0
- * Identity: 5a28b0066026c37c
+ * Identity: 32841a77bd14b16e
  *
  * Generated; do not edit. For libFuzzer, and for AFL++ by afl-clang-fast:
  *

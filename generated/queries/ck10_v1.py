@@ -186,7 +186,7 @@ def payload_of(words: _pl.Expr | str) -> _pl.Expr:
     numbers = _column(words).cast(_pl.List(_pl.UInt16))
     return numbers.list.eval(_pl.concat_list(halves if _BIG else halves[::-1]).explode()).cast(_pl.Binary)
 
-IDENTITY = '4332a6ea93cee82e'
+IDENTITY = '15bdadc67ed9a75b'
 
 _NAMES_OF_EXCEPTION_CODE = {
     4: 'device_failure',

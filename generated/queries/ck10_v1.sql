@@ -4,7 +4,7 @@
 CREATE SCHEMA IF NOT EXISTS "ck10_v1";
 
 -- Identifies what is on the wire.
-CREATE OR REPLACE MACRO "ck10_v1".identity() AS '4332a6ea93cee82e';
+CREATE OR REPLACE MACRO "ck10_v1".identity() AS '15bdadc67ed9a75b';
 
 -- The bytes of a list of 16-bit words.
 CREATE OR REPLACE MACRO "ck10_v1".payload_of(words) AS

@@ -4,7 +4,7 @@
 CREATE SCHEMA IF NOT EXISTS "tc100_before_2_0";
 
 -- Identifies what is on the wire.
-CREATE OR REPLACE MACRO "tc100_before_2_0".identity() AS '6f4511cfdbc65a9f';
+CREATE OR REPLACE MACRO "tc100_before_2_0".identity() AS '0f0fb1faee81de29';
 
 -- The bytes of a list of 16-bit words.
 CREATE OR REPLACE MACRO "tc100_before_2_0".payload_of(words) AS

@@ -4,7 +4,7 @@
 CREATE SCHEMA IF NOT EXISTS "tc100_v2_0";
 
 -- Identifies what is on the wire.
-CREATE OR REPLACE MACRO "tc100_v2_0".identity() AS '5a28b0066026c37c';
+CREATE OR REPLACE MACRO "tc100_v2_0".identity() AS '32841a77bd14b16e';
 
 -- The bytes of a list of 16-bit words.
 CREATE OR REPLACE MACRO "tc100_v2_0".payload_of(words) AS

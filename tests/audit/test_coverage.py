@@ -73,6 +73,68 @@ def test_a_value_unlike_the_print_is_not_accounted_for(old: str, new: str, colum
     assert [text for text in messages if text.startswith("manual_accounted") and f"`{column}`" in text]
 
 
+UNPRINTED = [
+    ("an end of a range", "range: 0..1000", "range: 0..1001", "`range` 1001"),
+    ("the other end", "range: 0..1000", "range: -5..1000", "`range` -5"),
+    ("an end of the range of writing", "range: 0..1000", "range: 0..1000, write_range: 0..999", "`write_range` 999"),
+    ("a default", "range: 0..1000", "range: 0..1000, default: 7", "`default` 7"),
+    ("a scale", "range: 0..1000", "range: 0..1000, scale: 0.1, unit: mm", "`scale` 0.1"),
+    ("a number of elements", "type: u32, words: 2", "type: u32, words: 2, count: 7", "`count` 7"),
+    ("a sign", "name: mode, printed_name: Mode, type: u16", "name: mode, printed_name: Mode, type: i16", "`type` i16"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "what"), [case[1:] for case in UNPRINTED], ids=[case[0] for case in UNPRINTED])
+def test_a_value_that_the_cited_line_does_not_print_is_a_finding(old: str, new: str, what: str) -> None:
+    messages = gauge.finding_texts(gauge.covered(changed(gauge.DEVICE, old, new)))
+    assert [text for text in messages if text.startswith("citations_hold") and text.endswith(f"not print {what}")]
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("range: 0..1000", "range: 0..1000, default: 7, inferred: {default: As all others.}"),
+        ("range: 0..1000", "range: 0..65535, inferred: {range: All of the word.}"),
+        ("range: 0..1000", "range: 0..10000, scale: 0.1, unit: mm, inferred: {scale: As it is shown.}"),
+        ("range: 0..2, source: L7}", "range: 0..2, source: L7, inferred: {type: It turns both ways.}}"),
+    ],
+)
+def test_what_is_inferred_or_follows_need_not_be_printed(old: str, new: str) -> None:
+    spec = changed(gauge.DEVICE, old, new)
+    spec = spec.replace("name: mode, printed_name: Mode, type: u16", "name: mode, printed_name: Mode, type: i16")
+    messages = [text for text in gauge.finding_texts(gauge.covered(spec)) if text.startswith("citations_hold")]
+    assert messages in ([], ["citations_hold: registers/mode cites 1 L7, where the manual does not print `type` i16"])
+    assert bool(messages) == ("It turns" not in new)
+
+
+def test_a_printed_number_below_zero_is_a_reason_for_a_sign() -> None:
+    manual = gauge.MANUAL.replace("0 : hold 1 : run 2 : stop", "0 : hold 1 : run 2 : stop (-1 is an error)")
+    spec = changed(
+        gauge.DEVICE, "name: mode, printed_name: Mode, type: u16", "name: mode, printed_name: Mode, type: i16"
+    )
+    assert gauge.finding_texts(gauge.covered(spec, cited=manual)) == []
+
+
+def test_an_erratum_of_another_key_does_not_excuse_a_value() -> None:
+    spec = changed(gauge.DEVICE, "range: 0..1000", "range: 0..1001") + (
+        "errata:\n  - {id: digit, fact: registers/level, printed: {words: 1}, reason: It is a height.,\n"
+        "     confidence: certain, effect: range, proof: judgement, source: 1 L6}\n"
+    )
+    messages = gauge.finding_texts(gauge.covered(spec))
+    assert "citations_hold: registers/level cites 1 L6, where the manual does not print `range` 1001" in messages
+
+
+@pytest.mark.parametrize(("access", "is_accounted"), [("rw", True), ("ro", False)])
+def test_an_access_that_a_pattern_states_in_words_is_that_of_the_fact(access: str, is_accounted: bool) -> None:
+    spec = changed(gauge.DEVICE, "type: u32, words: 2,", "type: u32, words: 2, access: rw,")
+    audit = gauge.AUDIT.replace(
+        "  patterns:\n",
+        f'  patterns:\n    - {{name: total, kind: table_row, lines: "8", each: Total, access: {access}}}\n',
+    )
+    messages = gauge.finding_texts(gauge.covered(spec, audit))
+    assert messages == [] if is_accounted else [text for text in messages if "prints `access` ro" in text]
+
+
 def test_an_erratum_accounts_for_what_is_printed_wrongly() -> None:
     spec = changed(gauge.DEVICE, "range: 0..1000", "range: 0..100") + (
         "errata:\n  - {id: digit, fact: registers/level, printed: {range: 0..1000}, reason: A digit too many.,\n"

@@ -54,7 +54,8 @@ def test_a_row_that_an_edition_drops_lets_its_citations_fail() -> None:
 def test_a_row_that_an_edition_changes_is_found_at_its_place() -> None:
     messages = gauge.finding_texts(gauge.covered(manual=gauge.MANUAL.replace("0~1000", "0~2000")))
     assert [text.partition(", and")[0] for text in messages] == [
-        "manual_accounted: line 6 of the manual, section 1, prints `range` 0~2000"
+        "manual_accounted: line 6 of the manual, section 1, prints `range` 0~2000",
+        "citations_hold: registers/level cites 1 L6, where the manual does not print `range` 1000",
     ]
 
 

@@ -7,9 +7,11 @@ import random
 import pytest
 
 from fieldspec.behaviour.part import NONE
+from fieldspec.cli import main
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.simulator.engine import Engine
 from fieldspec.simulator.server import Server
+from fieldspec.testing import simulation
 from layouts import SPECS, TEST_SPECS, layouts
 
 NEWEST = [
@@ -36,3 +38,33 @@ def test_every_frame_is_answered_or_ignored(layout: DeviceLayout) -> None:
             except ValueError:
                 continue
             assert isinstance(server.answer(example.link, whole, example.message).frame, bytes)
+
+
+READABLE = {"caller": "bus", "station": "tcp", "mover": "serial", "wattmeter": "tcp"}
+
+
+@pytest.mark.parametrize(("name", "link"), READABLE.items())
+def test_a_simulated_device_answers_a_client_without_options(
+    name: str, link: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = str(TEST_SPECS)
+    more = ["--with", "axis=0"] if name == "mover" else []
+    with simulation(name, ports={link: "tcp://127.0.0.1:0"}, folder=folder) as device:
+        assert main(["live", name, "read", "--link", link, "--port", device.place, *more, "--specs", folder]) == 0
+    assert len(capsys.readouterr().out.splitlines()) > 2
+
+
+def test_a_link_that_reads_no_registers_is_refused_with_the_one_that_does(capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = [
+        "live",
+        "weigher",
+        "read",
+        "--link",
+        "lines",
+        "--port",
+        "tcp://127.0.0.1:9",
+        "--specs",
+        str(TEST_SPECS),
+    ]
+    assert main(arguments) == 2
+    assert "no message of lines reads registers; say --link bus" in capsys.readouterr().err

@@ -49,6 +49,26 @@ def test_python_for_the_site_has_the_names_of_the_package(device: str) -> None:
             assert hasattr(getattr(module, name), attribute)
 
 
+@pytest.mark.parametrize("output", ["python", "js"])
+def test_readable_registers_have_code_and_reserved_ones_have_none(output: str) -> None:
+    layout, codes = usages(output, "ck10")
+    registers = [register.register for register in layout.registers]
+    reserved = {register.place.path for register in registers if register.reserved}
+    assert reserved
+    assert reserved.isdisjoint(codes)
+    readable = {register.place.path for register in registers if "r" in register.access}
+    assert readable - reserved <= codes.keys()
+
+
+@pytest.mark.parametrize("device", ["ck10", "tc100"])
+def test_every_message_has_code_that_encodes_its_request(device: str) -> None:
+    layout, codes = usages("python", device)
+    sent = [message.message for link in layout.links.values() for message in link.messages.values()]
+    assert sent
+    for message in sent:
+        assert any(".encode_request(" in text for text in codes[message.place.path]), message.name
+
+
 def c_function(number: int, text: str) -> str:
     """A function with some code, and with the variables that its comments mention."""
     lines = [line for line in text.splitlines() if not line.startswith("#include")]
@@ -114,7 +134,9 @@ def test_code_for_controllers_has_the_names_of_the_output(output: str, files: st
         for path in (GENERATED / output).glob(f"{stem}_v*_constants.xlsx"):
             for sheet in load_workbook(path, read_only=True):
                 known.update(str(row[0]) for row in sheet.iter_rows(values_only=True))
-    for _, text in code(output, device):
+    texts = [text for _, text in code(output, device)]
+    assert texts
+    for text in texts:
         for match in re.finditer(names, text):
             name = next((group for group in match.groups() if group), match[0])
             assert name in known, text

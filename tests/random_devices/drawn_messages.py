@@ -31,7 +31,9 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
         response = request if draft.chance(25) else telegram(draft)
         drawn.append(draft.fact(number=numbers, links=list(other_links), request=request, response=response))
     for message in drawn:
-        if "broadcast" not in message and draft.chance(5):
+        if "broadcast" not in message and draft.chance(20):
+            message["broadcast"] = False
+        elif "broadcast" not in message and draft.chance(5):
             message["broadcast"] = True
             if "code" in message and message.get("accesses", {}).get("operation") != "read":
                 _leave_unanswered(draft, message, message.get("links", coded_links))

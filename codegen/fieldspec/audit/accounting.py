@@ -159,15 +159,20 @@ def _owners(paths: set[str]) -> set[str]:
 
 
 def _whole(pattern: Pattern, match: Match) -> Match:
-    """A match; that of a series has all numbers from the first to the last in place of these two."""
-    if not pattern.series or len(match.values) != 2:
-        return match
+    """A match with what its pattern says: all numbers of a series, from the first to the last, and the access."""
+    values = _series(match) if pattern.series and len(match.values) == 2 else match.values
+    if pattern.access:
+        values = (*values, PieceValue("access", "word", pattern.access))
+    return match if values is match.values else Match(values, match.start, match.end)
+
+
+def _series(match: Match) -> tuple[PieceValue, ...]:
+    """All numbers from the first to the second one of a match; these two where they are no series."""
     low, high = (readings(value.text, value.form)[:1] for value in match.values)
     if not low or not high or not 0 <= high[0] - low[0] <= LONGEST_SERIES:
-        return match
+        return match.values
     column = match.values[0].column
-    numbers = range(int(low[0]), int(high[0]) + 1)
-    return Match(tuple(PieceValue(column, "decimal", str(number)) for number in numbers), match.start, match.end)
+    return tuple(PieceValue(column, "decimal", str(number)) for number in range(int(low[0]), int(high[0]) + 1))
 
 
 def _standings(

@@ -122,7 +122,7 @@ def _figures(accounts: Accounts, claims: CitationResults) -> Iterator[Figure]:
     yield Figure("other numbers, in remarks or as row numbers, are not compared", beside)
     failing = len({(missing.path, missing.what) for missing in claims.missing})
     yield Figure(
-        "addresses, codes, identifiers and misprints are in the lines that the spec cites",
+        "addresses, codes, identifiers, values and misprints are in the lines that the spec cites",
         claims.looked_up - failing,
         claims.looked_up,
         failing == 0,

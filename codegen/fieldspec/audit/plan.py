@@ -37,7 +37,10 @@ _first = attrgetter("first")
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
-    """What looks like a fact: a row, or any part of a line. The manual prints the first and the last of a `series`."""
+    """What looks like a fact: a row, or any part of a line. The manual prints the first and the last of a `series`.
+
+    `access` is what a match says of the access in words, empty where it says nothing.
+    """
 
     name: str
     kind: str
@@ -46,6 +49,7 @@ class Pattern:
     row: RowPattern | None
     each: Template | None
     series: bool
+    access: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,7 +149,8 @@ def _patterns(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> 
             inner.refuse("audit_sound", key, f"the pattern is not understood: {error}", "see docs/audit.md")
             continue
         where = _lines(inner, sections, lines)
-        yield Pattern(inner.text("name"), inner.text("kind"), inner.place(), where, rows, each, inner.flag("series"))
+        name, kind, access = inner.text("name"), inner.text("kind"), inner.text("access")
+        yield Pattern(name, kind, inner.place(), where, rows, each, inner.flag("series"), access)
 
 
 def _left_out(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Iterator[Omission]:

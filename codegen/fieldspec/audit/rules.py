@@ -12,15 +12,16 @@ Example: `{like: "- {number} -", reason: Page numbers.}` for a manual without pa
 
 Cure: Correct the lines, the pattern or the paths, or remove the entry.
 """,
-    "citations_hold": """The lines that a fact cites contain its address, code or identifier, and are in the
-section that it names.
+    "citations_hold": """The lines that a fact cites contain its address, code or identifier, and the numbers of its
+value: the ends of ranges, scales, defaults, counts. For a type with a sign, they print a type or a number below
+zero, unless the spec states one. The lines are in the section that the fact names.
 
 Why: nobody can verify a citation of the wrong line, and often the fact is wrong too.
 
-Example: a register 2011h whose source is a line with `2014 H`.
+Example: a register 2011h whose source is a line with `2014 H`, or a range `0..1000` where the line has `0~100`.
 
-Cure: Correct the section, the lines or the value. If the manual is wrong, write an erratum. If the fact only
-follows from the line, list it under `audit: unprinted` with the reason.
+Cure: Correct the section, the lines or the value. If the manual is wrong, write an erratum. If the manual only
+implies the value, say why under `inferred`, or list the fact under `audit: unprinted` with the reason.
 """,
     "dump_address_known": """Every address in a register dump is in the spec.
 

@@ -1,12 +1,14 @@
-"""A register or parameter that can only be written, or be written with one constant alone, is a trigger.
+"""A register or parameter that can only be written, or be written with one constant alone, is a trigger. So is one with
+the role of an action, such as the start of a move.
 
 Why: what nobody can read holds no setting, and what takes one value has nothing to choose. Writing it starts an
 action, of which outputs warn at triggers alone. Or the access is misprinted.
 
-Example: a register with `access: wo`, or one with `access: rw` and `const: 1`, without `trigger`.
+Example: a register with `access: wo`, one with `access: rw` and `const: 1`, or one with `roles: move_start`, without
+`trigger`.
 
-Cure: Set `trigger: true`, or correct the access. If the device takes a setting that it does not return, set
-`allow: {commands_are_triggers: <reason>}`.
+Cure: Set `trigger: true`, or correct the access. If the device takes a setting that it does not return, or acts as
+long as a value is there, set `allow: {commands_are_triggers: <reason>}`.
 """
 
 from __future__ import annotations
@@ -17,6 +19,11 @@ from fieldspec.checks.finding import finding
 from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.device import Device
 from fieldspec.model.registers import Parameter, Register
+
+_ACTIONS = frozenset(
+    ("alarm_reset", "command", "homing_start", "jog_start", "move_start", "point_start", "restart", "save")
+) | frozenset(("save_points", "stop"))
+"""The roles of what starts an action when it is written."""
 
 
 def commands_are_triggers(device: Device) -> Iterator[Diagnostic]:
@@ -29,6 +36,8 @@ def commands_are_triggers(device: Device) -> Iterator[Diagnostic]:
             text, key = f"{fact.name} can only be written, and is no trigger", "access"
         elif fact.access == "rw" and fact.value.const is not None:
             text, key = f"{fact.name} can only be written with {fact.value.const}, and is no trigger", "const"
+        elif fact.access != "ro" and not fact.value.flags and (roles := _ACTIONS.intersection(fact.roles)):
+            text, key = f"{fact.name} has the role {min(roles)}, and is no trigger", "name"
         else:
             continue
         help = "set `trigger: true`, or correct the access"

@@ -1,11 +1,13 @@
-"""A register or field with a default can be written, unless it shows what another register holds.
+"""A register or field with a default, or whose changes need a restart, can be written, unless it shows what another
+register holds.
 
-Why: a default is the value of a setting at delivery. If nobody can write it, its access or its default is misprinted.
+Why: a default is the value of a setting at delivery, and what can only be read is not changed. If nobody can write
+it, its access is misprinted, or the other key is.
 
-Example: a register with `access: ro` and `default: 100`.
+Example: a register with `access: ro` and `default: 100`, or with `access: ro` and `restart: true`.
 
-Cure: Correct the access, or remove the default. If it is set in another way, such as by the controller, set
-`allow: {defaults_writable: <reason>}`.
+Cure: Correct the access, or remove the default or `restart`. If it is set in another way, such as by the controller,
+set `allow: {defaults_writable: <reason>}`.
 """
 
 from __future__ import annotations
@@ -25,7 +27,12 @@ def defaults_writable(device: Device) -> Iterator[Diagnostic]:
     writable = {table.record for table in device.tables.values() if table.access != "ro"}
     settings += (field for record in device.records.values() if record.name in writable for field in record.fields)
     for fact in settings:
-        if fact.access == "ro" and fact.value is not None and fact.value.default is not None:
+        if fact.access == "ro" and fact.restart:
+            text = f"a change of {fact.name} needs a restart, and it can only be read"
+            there = label(fact.place, "restart", "what changes need")
+            help = "correct the access, or remove `restart`"
+            yield finding("defaults_writable", fact.place, "access", text, help, there, severity=Severity.WARNING)
+        elif fact.access == "ro" and fact.value is not None and fact.value.default is not None:
             text = f"{fact.name} has a default, and can only be read"
             there = label(fact.place, default_key(fact.place), "its value at delivery")
             help = "correct the access, or remove the default"

@@ -26,6 +26,7 @@ from fieldspec.checks.codes_fit_link import codes_fit_link
 from fieldspec.checks.commands_are_triggers import commands_are_triggers
 from fieldspec.checks.conversions_match_signals import conversions_match_signals
 from fieldspec.checks.copies_agree import copies_agree
+from fieldspec.checks.counts_match_repeats import counts_match_repeats
 from fieldspec.checks.data_words_match import data_words_match
 from fieldspec.checks.decimal_equals_hex import decimal_equals_hex
 from fieldspec.checks.default_within_range import default_within_range
@@ -68,6 +69,7 @@ from fieldspec.checks.orders_agree import orders_agree
 from fieldspec.checks.parameter_messages_complete import parameter_messages_complete
 from fieldspec.checks.parameter_numbers_ascending import parameter_numbers_ascending
 from fieldspec.checks.parameter_numbers_within_range import parameter_numbers_within_range
+from fieldspec.checks.parameters_fit_messages import parameters_fit_messages
 from fieldspec.checks.printed_names_match import printed_names_match
 from fieldspec.checks.printed_names_whole import printed_names_whole
 from fieldspec.checks.priorities_decide import priorities_decide
@@ -131,6 +133,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("commands_are_triggers", commands_are_triggers),
     ("conversions_match_signals", conversions_match_signals),
     ("copies_agree", copies_agree),
+    ("counts_match_repeats", counts_match_repeats),
     ("data_words_match", data_words_match),
     ("decimal_equals_hex", decimal_equals_hex),
     ("default_within_range", default_within_range),
@@ -172,6 +175,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("parameter_messages_complete", parameter_messages_complete),
     ("parameter_numbers_ascending", parameter_numbers_ascending),
     ("parameter_numbers_within_range", parameter_numbers_within_range),
+    ("parameters_fit_messages", parameters_fit_messages),
     ("printed_names_match", printed_names_match),
     ("printed_names_whole", printed_names_whole),
     ("priorities_decide", priorities_decide),

@@ -20,7 +20,7 @@ from fieldspec.live.messages import link_of, signals
 from fieldspec.live.parameter_access import ParameterAccess
 from fieldspec.live.register_access import RegisterAccess
 from fieldspec.reference.records import CodecError, encoded_value
-from fieldspec.simulator.simulation import can_objection, settings_of
+from fieldspec.simulator.simulation import can_objection, settings_of, usual_unit_address
 
 if TYPE_CHECKING:
     from fieldspec.live.access import Access
@@ -30,6 +30,15 @@ def has_registers(layout: DeviceLayout) -> bool:
     """Whether messages read or write registers."""
     device = layout.device
     return any(device.register_access(message) or device.bit_access(message) for message in device.messages.values())
+
+
+def _reads_registers(layout: DeviceLayout, link: LinkLayout) -> bool:
+    """Whether a message that is answered on a link reads registers or bits."""
+    accesses = (
+        layout.device.register_access(own.message) or layout.device.bit_access(own.message)
+        for own in link.carried("response").values()
+    )
+    return any(access is not None and access.operation == "read" for access in accesses)
 
 
 def access_of(client: Client) -> Access:
@@ -42,6 +51,7 @@ def access_of(client: Client) -> Access:
 @contextmanager
 def connected(layout: DeviceLayout, arguments: argparse.Namespace, dry: bool = False) -> Iterator[Client]:
     """A client of the device at `--port`; nothing is opened for a `dry` run. Raises UsageError."""
+    _link(layout, arguments)
     try:
         carrier: Carrier = _Nothing() if dry else _opened(layout, arguments)
         try:
@@ -72,7 +82,14 @@ def _link(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
     if arguments.link and arguments.link not in layout.links:
         raise unknown("link", arguments.link, layout.links)
     if has_registers(layout):
-        return str(arguments.link or next(iter(layout.links)))
+        suitable = [name for name, link in layout.links.items() if _reads_registers(layout, link)]
+        if not arguments.link:
+            return suitable[0] if suitable else next(iter(layout.links))
+        if suitable and arguments.link not in suitable:
+            raise UsageError(
+                f"no message of {arguments.link} reads registers; say --link {' or --link '.join(suitable)}"
+            )
+        return str(arguments.link)
     chosen = layout.links[arguments.link] if arguments.link else link_of(layout)
     if chosen is None or not any(True for _ in signals(layout, chosen)):
         name = chosen.name if chosen is not None else layout.device.id
@@ -113,11 +130,11 @@ def _opened(layout: DeviceLayout, arguments: argparse.Namespace) -> Carrier:
 def _client(layout: DeviceLayout, arguments: argparse.Namespace, carrier: Carrier) -> Client:
     link = layout.links[_link(layout, arguments)].link
     addresses = link.unit_addresses
-    unit = arguments.unit
-    if addresses is not None and addresses.ranges is not None:
-        unit = addresses.ranges.low if unit is None else unit
-        if unit not in addresses.ranges:
+    unit = usual_unit_address(layout) if arguments.unit is None else arguments.unit
+    if addresses is not None and addresses.ranges is not None and unit not in addresses.ranges:
+        if arguments.unit is not None:
             raise UsageError(f"the unit address {unit} is not in {addresses.ranges.text()}")
+        unit = addresses.ranges.low
     settings = settings_of(link, arguments.baud, arguments.parity)
     pause = arguments.pause
     if pause is None:
@@ -129,7 +146,7 @@ def _client(layout: DeviceLayout, arguments: argparse.Namespace, carrier: Carrie
         print(f"{direction} {frame.hex(' ').upper()}", file=sys.stderr)
 
     fixed = dict(_fixed_value(layout, layout.links[link.name], text) for text in arguments.fixed)
-    return Client(layout, link.name, carrier, unit or 0, timing, trace=trace if arguments.trace else None, fixed=fixed)
+    return Client(layout, link.name, carrier, unit, timing, trace=trace if arguments.trace else None, fixed=fixed)
 
 
 def _fixed_value(layout: DeviceLayout, link: LinkLayout, text: str) -> tuple[str, Raw]:

@@ -21,7 +21,7 @@ from fieldspec.render.blocks import Line, Table
 from fieldspec.simulator.clock import SystemClock
 from fieldspec.simulator.control import CommandError, carried_out
 from fieldspec.simulator.faults import KINDS, Fault, FaultError, fault_of
-from fieldspec.simulator.simulation import Simulation, can_objection, settings_of, usual_place
+from fieldspec.simulator.simulation import Simulation, can_objection, settings_of, usual_place, usual_unit_address
 
 if TYPE_CHECKING:
     from typing import Any, TextIO
@@ -118,13 +118,13 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
 
 def _unit_address(layout: DeviceLayout, unit: int | None) -> int:
     """The unit address: the one that is asked for, or the first that the device can have. Raises UsageError."""
-    for link in layout.device.links.values():
-        addresses = link.unit_addresses
-        if addresses is not None and addresses.ranges is not None:
-            if unit is not None and unit not in addresses.ranges:
-                raise UsageError(f"the unit address {unit} is not in {addresses.ranges.text()}")
-            return addresses.ranges.low if unit is None else unit
-    return 1 if unit is None else unit
+    if unit is None:
+        return usual_unit_address(layout)
+    known = [link.unit_addresses.ranges for link in layout.device.links.values() if link.unit_addresses is not None]
+    stated = [ranges for ranges in known if ranges is not None]
+    if stated and not any(unit in ranges for ranges in stated):
+        raise UsageError(f"the unit address {unit} is not in {stated[0].text()}")
+    return unit
 
 
 def _message(layout: DeviceLayout, name: str | None) -> str:

@@ -256,6 +256,18 @@ class LinkLayout:
         arguments = (part for part in self.request.header if part.role == "plain" and part.is_argument)
         return next((part.name for part in arguments if part.part.bits is not None), "")
 
+    def barred_address(self, message: MessageLayout) -> int | None:
+        """The broadcast address, where the spec says that a request cannot be sent to it; None where it may be sent."""
+        stations, part = self.link.unit_addresses, self.request.role("unit_address")
+        if message.message.broadcast is not False or stations is None or part is None or not part.is_argument:
+            return None
+        return stations.broadcast
+
+    @property
+    def barred_messages(self) -> list[str]:
+        """The names of the messages whose requests cannot be broadcast."""
+        return [name for name, message in self.messages.items() if self.barred_address(message) is not None]
+
     def frame(self, direction: str) -> FrameLayout:
         """The frame in one direction."""
         return self.request if direction == "request" else self.response

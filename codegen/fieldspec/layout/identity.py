@@ -90,6 +90,8 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
         unanswered = link_layout.messages.keys() - link_layout.carried("response").keys()
         if unanswered:
             yield "unanswered", sorted(unanswered)
+        if link_layout.barred_messages:
+            yield "not broadcast", sorted(link_layout.barred_messages)
         if link.escape is not None:
             yield "escape", link.escape
         for frame in (link_layout.request, link_layout.response):
@@ -138,7 +140,14 @@ def _access(access: RegisterAccess | None) -> str | None:
 def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
     for message_layout in messages.values():
         message = message_layout.message
-        yield "message", message.name, message.code, message.number, message.broadcast, _access(message.accesses)
+        yield (
+            "message",
+            message.name,
+            message.code,
+            message.number,
+            message.broadcast is True,
+            _access(message.accesses),
+        )
         for data in message_layout.bodies:
             yield from _record(data)
 

@@ -41,6 +41,9 @@ class Timing:
     retries: int = 2
 
 
+_SILENCE = 0.1
+"""The seconds without a byte after which a frame has ended that nothing else ends; adapters pause for up to 0.02."""
+
 Trace = Callable[[str, bytes], None]
 """Called with `request` or `response` and the bytes."""
 
@@ -136,9 +139,9 @@ class Client:
         received = 0
         try:
             while (left := deadline - self.clock.now()) > 0:
-                data = self.carrier.read(left)
+                data = self.carrier.read(min(left, _SILENCE) if received else left)
                 received += len(data)
-                for decoded in self._answers(asked, data):
+                for decoded in self._answers(asked, data) if data else self._answers_before_silence(asked):
                     self._owed -= self._owed > 0
                     if decoded.error:
                         raise self._refusal(decoded)
@@ -152,11 +155,19 @@ class Client:
         """The answers to a request that some bytes complete, refusals among them."""
         framer = None if self.carrier.datagrams else self.framer
         for frame in [data] if framer is None and data else framer.feed(data) if framer is not None else ():
-            if self.trace is not None:
-                self.trace("response", frame)
-            decoded = self._decoded(asked, frame)
-            if decoded is not None:
-                yield decoded
+            yield from self._decoded_answers(asked, frame)
+
+    def _answers_before_silence(self, asked: _Request) -> Iterator[Decoded]:
+        """The answers in the bytes so far, where frames end with silence alone."""
+        for frame in self.framer.idle() if self.framer is not None and not self.carrier.datagrams else ():
+            yield from self._decoded_answers(asked, frame)
+
+    def _decoded_answers(self, asked: _Request, frame: bytes) -> Iterator[Decoded]:
+        if self.trace is not None:
+            self.trace("response", frame)
+        decoded = self._decoded(asked, frame)
+        if decoded is not None:
+            yield decoded
 
     def _prepare(self, asked: _Request | None) -> None:
         """Waits until the line may be used, and drops what earlier requests have left on it."""

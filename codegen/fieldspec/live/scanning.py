@@ -82,7 +82,8 @@ def scan_spaces(layout: DeviceLayout, link: LinkLayout) -> list[ScanSpace]:
         number = part_of(message_layout.request, "number") if message_layout is not None else None
         if number is not None and number.value is not None and parameter_set.space not in spaces:
             spaces[parameter_set.space] = parameter_set
-            result.append(ScanSpace(parameter_set.space, number.value.type.high + 1, 1, parameter_set))
+            most = number.value.ranges.high if number.value.ranges is not None else number.value.type.high
+            result.append(ScanSpace(parameter_set.space, int(most) + 1, 1, parameter_set))
     return result
 
 
@@ -116,7 +117,8 @@ def scan(client: Client, space: ScanSpace, ranges: Sequence[range], done: Callab
     What is cleared by reading is left out. A device may be silent at an address that it does not have, as long as it
     still answers one that it has. Raises NoAnswerError and CarrierError.
     """
-    items = scanned_items(client.layout, space)
+    items = list(scanned_items(client.layout, space))
+    known = [item.addresses.start for item in items if item.readable and not item.spared]
     spared = {address for item in items if item.spared for address in item.addresses}
     words: dict[int, tuple[int, ...]] = {}
     asked: set[int] = set()
@@ -125,7 +127,7 @@ def scan(client: Client, space: ScanSpace, ranges: Sequence[range], done: Callab
             for start in range(run.start, run.stop, space.most):
                 part = range(start, min(start + space.most, run.stop))
                 asked.update(part)
-                _scan_part(client, space, part, words)
+                _scan_part(client, space, part, words, known)
                 if done is not None:
                     done(len(part))
     return Scan(space, frozenset(asked), words, frozenset(spared))
@@ -142,7 +144,9 @@ def _runs(addresses: range, spared: set[int]) -> Iterator[range]:
         yield range(start, addresses.stop)
 
 
-def _scan_part(client: Client, space: ScanSpace, part: range, words: dict[int, tuple[int, ...]]) -> None:
+def _scan_part(
+    client: Client, space: ScanSpace, part: range, words: dict[int, tuple[int, ...]], known: Sequence[int]
+) -> None:
     """Reads a part, and divides it where the device refuses it, or is silent but answers another address."""
     try:
         words.update(_counts(client, space, part))
@@ -150,14 +154,25 @@ def _scan_part(client: Client, space: ScanSpace, part: range, words: dict[int, t
     except RefusedError:
         pass
     except NoAnswerError:
-        if not words:
+        if not _is_answering(client, space, [next(reversed(words))] if words else known[:2]):
             raise
-        answering = next(reversed(words))
-        _counts(client, space, range(answering, answering + 1))
     if len(part) > 1:
         middle = part.start + len(part) // 2
-        _scan_part(client, space, range(part.start, middle), words)
-        _scan_part(client, space, range(middle, part.stop), words)
+        _scan_part(client, space, range(part.start, middle), words, known)
+        _scan_part(client, space, range(middle, part.stop), words, known)
+
+
+def _is_answering(client: Client, space: ScanSpace, addresses: Sequence[int]) -> bool:
+    """Whether the device answers at one of some addresses, be it with a refusal. Raises CarrierError."""
+    for address in addresses:
+        try:
+            _counts(client, space, range(address, address + 1))
+        except RefusedError:
+            return True
+        except NoAnswerError:
+            continue
+        return True
+    return False
 
 
 def _counts(client: Client, space: ScanSpace, part: range) -> dict[int, tuple[int, ...]]:

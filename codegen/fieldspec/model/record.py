@@ -116,7 +116,7 @@ class Message(Fact):
     response_length: int | None
     request_words: int | None
     response_words: int | None
-    broadcast: bool
+    broadcast: bool | None
     handling: Handling
     accesses: RegisterAccess | None
 

@@ -81,6 +81,7 @@ def _chosen(base: Sequence, names: Node | None, section: str) -> tuple[Sequence,
 def _merged(base: Node, over: Node) -> Node:
     """`base` overridden by `over`: mappings by key, lists of named items by name, everything else as a whole."""
     if isinstance(base, Mapping) and isinstance(over, Mapping):
+        base = _without_standards(base, over)
         values, keys = dict(base.values), {key: base.holder(key) for key in base.values}
         for key, value in over.values.items():
             have = base.values.get(key)
@@ -92,6 +93,17 @@ def _merged(base: Node, over: Node) -> Node:
         items = [_merged(item, extra.pop(identity(item), item)) for item in base.items]
         return Sequence(over.file, over.start, over.end, (*items, *extra.values()))
     return over
+
+
+def _without_standards(base: Mapping, over: Mapping) -> Mapping:
+    """An entry without the clauses of standards for those of its keys that `over` states itself."""
+    standards = base.values.get("standard")
+    if not isinstance(standards, Mapping):
+        return base
+    for key, clause in standards.values.items():
+        if isinstance(clause, Mapping) and key in over.values:
+            standards = standards.without(key)
+    return base.with_value("standard", standards) if standards.values else base.without("standard")
 
 
 def _named(sequence: Sequence) -> bool:

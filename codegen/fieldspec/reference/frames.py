@@ -214,6 +214,8 @@ class FrameCodec:
         assert body is not None
         names = {part.name for part in shape.header}
         inner = encoded(body, {k: v for k, v in values.items() if k not in names}, self.layout.device)
+        if direction == "request" and announced is not None:
+            self._refuse_barred(shape, announced, values)
         numbers: Values = {}
         for part in shape.parts:
             numbers[part.name] = self._head_value(part, values, announced, error, code)
@@ -232,6 +234,13 @@ class FrameCodec:
         for check in shape.checksums:
             numbers[check.name] = _checksum(check, self._joined(direction, numbers, inner, _is_sent(shape, check)))
         return self._marked(direction, self._joined(direction, numbers, inner, True))
+
+    def _refuse_barred(self, shape: FrameLayout, message: MessageLayout, values: Mapping[str, Any]) -> None:
+        """Refuses the broadcast address for a request that cannot be broadcast."""
+        barred, part = self.link.barred_address(message), shape.role("unit_address")
+        number = values.get(part.name) if part is not None else None
+        if part is not None and barred is not None and isinstance(number, int) and number == barred:
+            raise CodecError("out_of_range", f"{part.name} is {number}: {message.name} cannot be broadcast")
 
     def original_parts(self, frame: bytes, direction: str) -> bytes:
         """The binary form of a frame, before its bytes were escaped. Raises CodecError."""

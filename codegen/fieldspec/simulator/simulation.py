@@ -232,3 +232,13 @@ def usual_place(layout: LinkLayout) -> str:
         return "can://"
     streams = layout.request.role("length") is not None or layout.request.start or layout.request.checksums
     return "tcp://127.0.0.1:0" if streams else "udp://127.0.0.1:0"
+
+
+def usual_unit_address(layout: DeviceLayout) -> int:
+    """The address of the unit where nobody says one: the lowest that a link has, but not that of a broadcast."""
+    for link in layout.device.links.values():
+        addresses = link.unit_addresses
+        if addresses is not None and addresses.ranges is not None:
+            low = addresses.ranges.low
+            return low if low != addresses.broadcast else low + 1
+    return 1

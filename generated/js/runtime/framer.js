@@ -1,6 +1,7 @@
 import { begins, find } from "./escapes.js";
 import { withoutDelimiters } from "./delimiters.js";
-import { originalParts, readPart, wrongParts } from "./link.js";
+import { originalParts, wrongParts } from "./link.js";
+import { readPart } from "./parts.js";
 
 /**
  * Finds the frames of one direction in a stream of bytes that arrives in pieces of any size. It keeps at most the bytes

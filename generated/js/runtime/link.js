@@ -1,6 +1,7 @@
 import { checksumBytes } from "./checksums.js";
 import { hexText, matches, withDelimiters, withoutDelimiters } from "./delimiters.js";
 import { CodecError, refusedNumber } from "./error.js";
+import { readPart, writePart } from "./parts.js";
 import { rangesText, within } from "./values.js";
 
 /** A message: its data in both directions; `code` is null where frames do not carry one. */
@@ -20,9 +21,10 @@ export function frames({ name, hex, request, response, unitAddresses }) {
  * A link with its frames and the messages that it carries. `exception` has the flag in the code and the record of an
  * exception response, or is null; its `mark` are bytes at a place in the data, where frames carry no code. `unanswered` are the messages to which the device sends no response. `subcodes` has
  * for each direction the number in the data that tells messages with one code apart, by this code; or the messages whose
- * `answers` nothing in the data tells apart, so that only the request does.
+ * `answers` nothing in the data tells apart, so that only the request does. `barred` are the messages whose requests
+ * cannot be broadcast.
  */
-export function link(shapes, messages, exception, unanswered = [], subcodes = {}) {
+export function link(shapes, messages, exception, unanswered = [], subcodes = {}, barred = []) {
   const silent = new Set(unanswered);
   const byCode = { request: codesOf(messages), response: codesOf(messages.filter((entry) => !silent.has(entry))) };
   const context = { ...shapes, messages: new Set(messages), byCode, exception, unanswered: silent, subcodes };
@@ -33,7 +35,8 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
     unitAddresses,
     /** The frame of a request. Throws CodecError. */
     encodeRequest(header, entry, data) {
-      return encoded(context, request, header, codeOf(context, request, entry), entry.request, data);
+      const alone = barred.includes(entry) ? entry.name : "";
+      return encoded(context, request, header, codeOf(context, request, entry), entry.request, data, undefined, alone);
     },
     /** The frame of a response. Throws CodecError. */
     encodeResponse(header, entry, data) {
@@ -106,36 +109,6 @@ function expectAnswer({ name, unanswered }, entry) {
 function expectedException({ name, exception }) {
   if (exception === null) throw new CodecError("unknown_code", `${name} has no exception responses`);
   return exception;
-}
-
-/** The number of a part: a bigint where it has more than six bytes and users see it. */
-export function readPart(bytes, offset, { size, order, signed, wide }) {
-  if (wide) return readWide(bytes, offset, { size, order, signed });
-  let number = 0;
-  for (let place = 0; place < size; place++) {
-    number = number * 256 + bytes[order === "big" ? offset + place : offset + size - 1 - place];
-  }
-  return signed && number >= 2 ** (8 * size - 1) ? number - 2 ** (8 * size) : number;
-}
-
-function readWide(bytes, offset, { size, order, signed }) {
-  let number = 0n;
-  for (let at = 0; at < size; at++) number = (number << 8n) | BigInt(bytes[order === "big" ? offset + at : offset + size - 1 - at]);
-  return signed ? BigInt.asIntN(8 * size, number) : number;
-}
-
-function writePart(bytes, offset, { size, order }, number) {
-  if (typeof number === "bigint") {
-    for (let at = 0; at < size; at++) {
-      bytes[order === "big" ? offset + size - 1 - at : offset + at] = Number((number >> BigInt(8 * at)) & 255n);
-    }
-    return;
-  }
-  let rest = number < 0 ? number + 2 ** (8 * size) : number;
-  for (let place = size - 1; place >= 0; place--) {
-    bytes[order === "big" ? offset + place : offset + size - 1 - place] = rest % 256;
-    rest = Math.floor(rest / 256);
-  }
 }
 
 /** The offset of a place in parts of `size` bytes; negative ones count from the end, and null is the end. */
@@ -306,8 +279,11 @@ function knownBy({ byCode, subcodes }, shape, direction, code, body, entry, offs
   return known;
 }
 
-/** A frame. `marks` are the numbers of the part that tells exception responses from others, if one does. */
-function encoded(context, shape, header, code, record, value, marks) {
+/**
+ * A frame. `marks` are the numbers of the part that tells exception responses from others, if one does; `alone` is the
+ * name of a message that cannot be broadcast.
+ */
+function encoded(context, shape, header, code, record, value, marks, alone = "") {
   for (const key in header) {
     if (!(key in shape.keys)) throw new CodecError("unknown_field", `the header has no part ${key.slice(0, 60)}`);
   }
@@ -317,6 +293,7 @@ function encoded(context, shape, header, code, record, value, marks) {
   const data = new Uint8Array(size);
   // Of several reasons to refuse, one in the body comes first, as in the other codecs.
   record.write(value, data, headerSize);
+  if (alone !== "") refuseBroadcast(context, shape, header, alone);
   for (const part of shape.parts) {
     if (part.role !== "length" && part.role !== "checksum") {
       writePart(data, place(part.offset, size), part, partValue(context, part, header, code, marks));
@@ -336,6 +313,13 @@ function encoded(context, shape, header, code, record, value, marks) {
     data.set(checksumBytes(part, covered, start, stop), place(part.offset, size));
   }
   return withDelimiters(context, shape, sentParts(shape, data));
+}
+
+function refuseBroadcast({ unitAddresses }, shape, header, message) {
+  const part = shape.header.find(({ role }) => role === "unit_address");
+  if (header[part.key] === unitAddresses.broadcast) {
+    throw new CodecError("out_of_range", `${part.name} is ${header[part.key]}: ${message} cannot be broadcast`);
+  }
 }
 
 function partValue({ unitAddresses, exception }, part, header, code, marks) {

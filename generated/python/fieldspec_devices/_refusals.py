@@ -25,6 +25,13 @@ def refused_code(code: int, expected: int) -> CodecError | None:
     return CodecError("unknown_code", f"an exception response has the code {expected:#04x}")
 
 
+def refused_broadcast(name: str, value: Any, address: int, message: str) -> CodecError | None:
+    """Any unit address but the broadcast address."""
+    if value != address or not isinstance(value, int):
+        return None
+    return CodecError("out_of_range", f"{name} is {int(value)}: {message} cannot be broadcast")
+
+
 def refused_number(
     name: str,
     value: Any,

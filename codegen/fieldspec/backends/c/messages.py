@@ -22,6 +22,7 @@ from fieldspec.backends.c.expressions import (
     add_size,
     address_of,
     decimal,
+    equal,
     less,
     unsigned,
 )
@@ -32,7 +33,7 @@ from fieldspec.backends.c.frames import (
     OUTPUT_PARAMETERS,
     header_parameters,
 )
-from fieldspec.backends.c.naming import Naming
+from fieldspec.backends.c.naming import Naming, argument
 from fieldspec.backends.c.statements import (
     Body,
     Return,
@@ -58,23 +59,30 @@ def declare_messages(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> 
                 continue
             code = message.message.code if link.frame(direction).role("code") is not None else None
             data = message.data(direction)
-            declarations += [BLANK, *_declare_message(naming, link, direction, data, message.name, code)]
+            barred = link.barred_address(message) if direction == "request" else None
+            declarations += [BLANK, *_declare_message(naming, link, direction, data, message.name, code, barred)]
     if link.link.exception_response is not None:
         declarations += [BLANK, *_declare_exception_response(naming, layout, link)]
     return declarations
 
 
 def _declare_message(
-    naming: Naming, link: LinkLayout, direction: str, data: RecordLayout, name: str, code: int | None
+    naming: Naming,
+    link: LinkLayout,
+    direction: str,
+    data: RecordLayout,
+    name: str,
+    code: int | None,
+    barred: int | None,
 ) -> list[Declaration]:
-    """The function that writes the whole frame of a message.
+    """The function that writes the whole frame of a message; `barred` is the broadcast address that it refuses.
 
     `codec_status rtu_encode_move_request(uint8_t station, const move_request *in, uint8_t *out, ...)`
     """
     function = naming.function("link", link.name, "encode", name, direction)
     codes = [unsigned(code)] if code is not None else []
     about = comment(f"Writes the whole frame of the {direction} {data.name}.")
-    return [about, _encode_frame(naming, link, direction, data, function, [], codes)]
+    return [about, _encode_frame(naming, link, direction, data, function, [], codes, barred=barred)]
 
 
 def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[Declaration]:
@@ -101,6 +109,7 @@ def _encode_frame(
     code_parameters: list[Variable],
     code: Sequence[Expression],
     is_exception: bool = False,
+    barred: int | None = None,
 ) -> Function:
     """The function that encodes the body to where it lies in the frame, then closes the frame."""
     frame = link.frame(direction)
@@ -113,10 +122,18 @@ def _encode_frame(
     arguments = [*(Identifier(parameter.name) for parameter in header), *code, body_length, OUT, CAPACITY, LENGTH]
     body: Body = (
         *(_write_body(naming, frame, data) if data.fields else ()),
+        *(_refuse_broadcast(naming, frame, barred) if barred is not None else ()),
         *check_mark(naming, link, frame, is_exception),
         Return(Call(close, tuple(arguments))),
     )
     return Function(status_type(naming), function, (*parameters, *OUTPUT_PARAMETERS), body)
+
+
+def _refuse_broadcast(naming: Naming, frame: FrameLayout, address: int) -> Body:
+    """`if (station == 0) { return ERR_OUT_OF_RANGE; }`"""
+    part = frame.role("unit_address")
+    assert part is not None
+    return refuse(naming, equal(Identifier(argument(part.name)), decimal(address)), "err_out_of_range")
 
 
 def _write_body(naming: Naming, frame: FrameLayout, data: RecordLayout) -> Body:

@@ -124,8 +124,9 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
     ]
     if words:
         yield "Data words as printed", ((text_piece(", ".join(words)),),)
-    if message.broadcast:
-        yield "Broadcast", ((text_piece("may be broadcast to all stations"),),)
+    if message.broadcast is not None:
+        text = "may be broadcast to all stations" if message.broadcast else "cannot be broadcast; encoders refuse it"
+        yield "Broadcast", ((text_piece(text),),)
     if message.accesses is not None:
         verb, spaces = f"{message.accesses.operation}s", context.device.spaces
         if spaces:

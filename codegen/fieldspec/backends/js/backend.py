@@ -20,6 +20,7 @@ RUNTIME = (
     "index",
     "link",
     "parameter",
+    "parts",
     "quantity",
     "record",
     "register",

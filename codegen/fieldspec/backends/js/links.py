@@ -92,8 +92,10 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     carried_names = ", ".join(names.messages[message.name] for message in carried)
     unanswered = [names.messages[m.name] for m in carried if m.name not in link.carried("response")]
     subcodes = _subcodes(link, names)
-    more = f", [{', '.join(unanswered)}]" if unanswered or subcodes else ""
-    more += f", {subcodes}" if subcodes else ""
+    barred = [names.messages[message.name] for message in carried if message.name in link.barred_messages]
+    more = f", [{', '.join(unanswered)}]" if unanswered or subcodes or barred else ""
+    more += f", {subcodes or '{}'}" if subcodes or barred else ""
+    more += f", [{', '.join(barred)}]" if barred else ""
     code += [f"export const {name} = /* @__PURE__ */ link({frames}, [{carried_names}], {flag}{more});", ""]
     headers = {direction: _header_type(link.frame(direction)) for direction in ("request", "response")}
     record = names.records[exception.record] if exception is not None else "never"

@@ -64,5 +64,5 @@ def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> Err
         record=words.records[error.record],
         head=f"[{', '.join(head)}]",
         bind=[f"{part.variable} = {part.name}" for part in arguments],
-        refusals=chained("error = ", [*head_refusals(link, frame, True), limit], "or", "", 8),
+        refusals=chained("error = ", [*head_refusals(link, frame, is_exception=True), limit], "or", "", 8),
     )

@@ -9,7 +9,7 @@ from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import packed, pairs, tuple_of, within
 from fieldspec.classes import dataclass
-from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.checksums import SIMPLE, checksum_named
 from fieldspec.model.value import Ranges
@@ -221,14 +221,17 @@ def _part_arguments(frame: FrameLayout) -> list[str]:
     return arguments
 
 
-def head_tests(link: LinkLayout, frame: FrameLayout) -> list[str]:
-    """The conditions on the header parts that the caller passes."""
+def head_tests(link: LinkLayout, frame: FrameLayout, asked: MessageLayout | None) -> list[str]:
+    """The conditions on the header parts that the caller passes; `asked` is the message of a request."""
     tests = []
+    barred = link.barred_address(asked) if asked is not None else None
     for part in head_arguments(frame):
         intervals, beside = _allowed(link, frame, part)
         if intervals:
             assert part.value is not None
             tests.append(within(number(part), Ranges(intervals), beside, packed(part.value.type)))
+        if part.role == "unit_address" and barred is not None:
+            tests.append(f"{number(part)} != {barred}")
     return [test for test in tests if test]
 
 
@@ -239,9 +242,18 @@ def greatest_part(link: LinkLayout, part: PartLayout) -> int:
     return max((*(high for _, high in intervals), *beside), default=packed(part.value.type)[1])
 
 
-def head_refusals(link: LinkLayout, frame: FrameLayout, is_exception: bool = False) -> list[str]:
-    """The expressions of the refusals of the header parts that the caller passes."""
+def head_refusals(
+    link: LinkLayout, frame: FrameLayout, asked: MessageLayout | None = None, is_exception: bool = False
+) -> list[str]:
+    """The expressions of the refusals of the header parts that the caller passes; `asked` is the message of a request.
+
+    The broadcast address comes first: it is refused for the message, whatever is wrong with other parts.
+    """
     refusals = []
+    part, barred = link.request.role("unit_address"), link.barred_address(asked) if asked is not None else None
+    if asked is not None and part is not None and barred is not None:
+        arguments = f"{literal(part.name)}, {variable(part)}, {barred}, {literal(asked.name)}"
+        refusals.append(f"_refused_broadcast({arguments})")
     for part in head_arguments(frame):
         assert part.value is not None
         intervals, beside = _allowed(link, frame, part, is_exception)

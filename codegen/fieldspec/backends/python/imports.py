@@ -74,8 +74,8 @@ _SHARED = {
     "_quantities": "Conversion",
     "_record": "Record",
     "_refusals": (
-        "refused_bytes refused_code refused_double refused_flags refused_float refused_list refused_number"
-        " refused_record refused_text unfit"
+        "refused_broadcast refused_bytes refused_code refused_double refused_flags refused_float refused_list"
+        " refused_number refused_record refused_text unfit"
     ),
     "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
     "_subcodes": "Answers Subcodes",

@@ -339,7 +339,8 @@ def _exchange(
     marked = any(marks_exceptions(link, frame, part) for part in frame.header)
     marked = marked or (direction == "response" and link.mark is not None)
     reads = together and not shared and not marked and (part is None or (part.size == 1 and not (code or 0) & flag))
-    tests, refusals = head_tests(link, frame), head_refusals(link, frame)
+    asked = exchange.message if direction == "request" else None
+    tests, refusals = head_tests(link, frame, asked), head_refusals(link, frame, asked)
     unfit = f"_unfit({literal(shaped.record.name)})"
     return ExchangeView(
         writer=f"_to_{link.name}",

@@ -324,7 +324,7 @@ def timing_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def broadcast_changed(comparison: Comparison) -> Iterator[Change]:
-    """Another unit address means all stations, or a message can be sent to all stations now, or no longer.
+    """Another unit address means all stations, or the spec says something else of whether a request may be broadcast.
 
     Why: all devices carry out a request that was for one of them, or none does.
 
@@ -341,13 +341,13 @@ def broadcast_changed(comparison: Comparison) -> Iterator[Change]:
             yield change("broadcast_changed", Effect.WIRE, link, "unit_addresses", text, old, new)
     for message in comparison.of(Message):
         if message.old.broadcast != message.new.broadcast:
-            text = "can be sent to all stations" if message.new.broadcast else "can no longer be sent to all stations"
+            text = {True: "can", False: "cannot", None: "may or may not"}[message.new.broadcast]
             yield change(
                 "broadcast_changed",
                 Effect.BEHAVIOUR,
                 message,
                 "broadcast",
-                f"{named(message.new)} {text}",
+                f"{named(message.new)} {text} be sent to all stations",
                 message.old.broadcast,
                 message.new.broadcast,
             )

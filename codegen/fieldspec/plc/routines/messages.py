@@ -24,6 +24,7 @@ from fieldspec.plc.routines.expressions import (
     Variable,
     Whole,
     compared,
+    converted,
     every,
     number,
     plus,
@@ -131,6 +132,11 @@ def _build(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     target = draft.declare("aBytes", world.frame, "local") if wrapped(link) else frame
     draft.add([Assignment(length, number(0))])
     size = _write_body(draft, world, record, fields, Bytes(target, number(shape.header_size)))
+    barred, addressed = link.barred_address(message), shape.role("unit_address")
+    if barred is not None and addressed is not None:
+        wire = wire_of(addressed)
+        station = head[world.variable(addressed.name, world.type_of(wire.value))]
+        draft.refuse(compared(converted(station, wire.whole), "=", Whole(barred, wire.whole)), "out_of_range")
     coded = code_type(shape)
     if coded is not None:
         head[f"{PREFIXES[coded.name]}Code"] = Whole(message.message.code or 0, coded)

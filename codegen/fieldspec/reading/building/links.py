@@ -51,11 +51,8 @@ def link(entry: Entry) -> Link:
     order = entry.text("byte_order")
     request = tuple(_part(inner, order) for inner in entry.entries("request"))
     delimiters = _delimiters(entry)
-    arguments = entry.fact()
-    if silence and silence.get("source"):  # what the manual prints is no longer from the standard
-        arguments["standard"] = {key: standard for key, standard in arguments["standard"].items() if key != "silence"}
     return Link(
-        **arguments,
+        **entry.fact(),
         title=entry.text("title"),
         encoding=entry.text("encoding") or "binary",
         start=delimiters["start"],

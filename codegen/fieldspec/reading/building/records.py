@@ -95,7 +95,7 @@ def message(entry: Entry, reused: Reused) -> Message:
         response_length=lengths.integer("response") if lengths else None,
         request_words=words.integer("request") if words else None,
         response_words=words.integer("response") if words else None,
-        broadcast=entry.flag("broadcast"),
+        broadcast=entry.maybe("broadcast"),
         handling=entry.handling(),
         accesses=_access(access) if access else None,
     )

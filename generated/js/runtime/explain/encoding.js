@@ -143,6 +143,7 @@ export function encodeFrame(device, { link: linkName, direction, message: messag
   if (!message) throw new CodecError("unknown_code", `${messageName} is not sent on ${linkName}`);
   const record = error ? device.records.get(link.exception.record) : message[direction];
   const body = encodeRecord(device, record, values);
+  if (direction === "request" && link.barred?.includes(messageName)) refuseBroadcast(link, shape, values, messageName);
   const numbers = new Map(shape.parts.map((part) => [part.name, partNumber(link, direction, part, values, message, error)]));
   const parts = (series) => series.map((part) => partBytes(part, numbers.get(part.name)));
   const original = () => joinedBytes([...parts(shape.header), body, ...parts(shape.trailer)]);
@@ -161,6 +162,13 @@ export function encodeFrame(device, { link: linkName, direction, message: messag
   const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;
   const [start, end] = link.delimiters[direction];
   return joinedBytes([start, encoded, end]);
+}
+
+function refuseBroadcast({ addresses }, shape, values, message) {
+  const { name } = shape.header.find(({ role }) => role === "unit_address");
+  if (values.get(name) == addresses.broadcast) {
+    throw new CodecError("out_of_range", `${name} is ${addresses.broadcast}: ${message} cannot be broadcast`);
+  }
 }
 
 function charactersOf(bytes) {

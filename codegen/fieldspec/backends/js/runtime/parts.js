@@ -1,0 +1,30 @@
+/** The number of a part: a bigint where it has more than six bytes and users see it. */
+export function readPart(bytes, offset, { size, order, signed, wide }) {
+  if (wide) return readWide(bytes, offset, { size, order, signed });
+  let number = 0;
+  for (let place = 0; place < size; place++) {
+    number = number * 256 + bytes[order === "big" ? offset + place : offset + size - 1 - place];
+  }
+  return signed && number >= 2 ** (8 * size - 1) ? number - 2 ** (8 * size) : number;
+}
+
+function readWide(bytes, offset, { size, order, signed }) {
+  let number = 0n;
+  for (let at = 0; at < size; at++) number = (number << 8n) | BigInt(bytes[order === "big" ? offset + at : offset + size - 1 - at]);
+  return signed ? BigInt.asIntN(8 * size, number) : number;
+}
+
+/** Writes the number of a part. */
+export function writePart(bytes, offset, { size, order }, number) {
+  if (typeof number === "bigint") {
+    for (let at = 0; at < size; at++) {
+      bytes[order === "big" ? offset + size - 1 - at : offset + at] = Number((number >> BigInt(8 * at)) & 255n);
+    }
+    return;
+  }
+  let rest = number < 0 ? number + 2 ** (8 * size) : number;
+  for (let place = size - 1; place >= 0; place--) {
+    bytes[order === "big" ? offset + place : offset + size - 1 - place] = rest % 256;
+    rest = Math.floor(rest / 256);
+  }
+}
