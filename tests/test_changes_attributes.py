@@ -25,7 +25,8 @@ import fieldspec.model
 from fieldspec.changes import changes
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation, Claim, Place, Report, Standard
-from fieldspec.model.value import PRIMITIVES, ParameterPart, Primitive, Ranges, Sentinel, Value
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import PRIMITIVES, ParameterPart, Primitive, Sentinel, Value
 from fieldspec.reading.project import read
 from fieldspec.source import SourceFile, Span
 from spec_files import gadget

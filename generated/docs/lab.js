@@ -534,7 +534,13 @@ function portableValue(value) {
 
 /** Intervals as a spec writes them: `0..127, 200`. */
 function intervalsText(ranges) {
-  return ranges.map(([low, high]) => (low == high ? `${low}` : `${low}..${high}`)).join(", ");
+  return ranges.map(([low, high]) => (low == high ? boundText(low) : `${boundText(low)}..${boundText(high)}`)).join(", ");
+}
+
+/** A bound with all its digits, of which a spec has at most 20 behind the point, and never with an exponent. */
+function boundText(bound) {
+  const text = String(bound);
+  return text.includes("e-") ? bound.toFixed(20).replace(/0+$/, "") : text;
 }
 
 /** Whether a number is in one of some intervals. */
@@ -795,6 +801,12 @@ function quantityOf(value, number) {
   if (below === undefined) return decimalSum(decimalProduct(number, decimalOf(scale)), decimalOf(offset));
   const share = decimalQuotient(BigInt(number) * BigInt(above), BigInt(below), EXACT_DIGITS);
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
+}
+
+/** A value with the scale that an exponent makes of it, where `scaleBy` names the register of the exponent. */
+function scaledBy({ scaleBy, quantityUnit, unit, ...value }, exponent) {
+  const scale = exponent < 0 ? `0.${"1".padStart(-exponent, "0")}` : "1".padEnd(exponent + 1, "0");
+  return { ...value, ...(exponent === 0 ? {} : { scale, offset: "0" }), ...(quantityUnit ? { unit: quantityUnit } : {}) };
 }
 
 /** The quantity of a raw value with its unit; empty for a value without unit and scale, and for a sentinel. */
@@ -1546,7 +1558,7 @@ function registerRow(device, span, occupant, spot, operation) {
   const piece = span.piece(occupant.address, occupant.value.size, occupant.skip);
   let read;
   if (piece) {
-    const value = operation === "write" ? forWriting(occupant.value) : occupant.value;
+    const value = byExponent(device, span, operation === "write" ? forWriting(occupant.value) : occupant.value);
     read = decodeValue(device, value, piece.content, value.order ?? "big", value.swapped, occupant.reserved);
     // What starts something does not answer what was written.
     if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
@@ -1558,6 +1570,18 @@ function registerRow(device, span, occupant, spot, operation) {
   const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
   const place = { address: occupant.address, words: occupant.words, unit: span.unit, access: occupant.access };
   return { ...row, ...place, offset: piece ? row.offset : 0 };
+}
+
+/** A value with its scale, where the exponent is in another register, and the span has that one, too. */
+function byExponent(device, span, value) {
+  if (!value.scaleBy) return value;
+  const exponent = device.data.registers.find(({ name }) => name === value.scaleBy);
+  const own = exponent.value;
+  const piece = span.piece(exponent.address, own.size);
+  if (!piece) return value;
+  const number = numberOfBytes(own, piece.content, own.order ?? "big", own.swapped);
+  const isExponent = isWhole(number) && isWithin(own.ranges ?? [], number) && !sentinelOf(own, number);
+  return isExponent ? scaledBy(value, Number(number)) : value;
 }
 
 /** The row of words that no register has, with the reasons of the gaps there. */
@@ -1634,7 +1658,8 @@ class ExplainedBody {
   missingRow(number, at) {
     const missing = this.record.least - (this.end - this.start);
     const later = this.record.fields.slice(number).map(({ name }) => name).join(", ");
-    return this.wrongRow(this.record.fields[number], at, "incomplete", `${missing} bytes are missing for ${later}`);
+    const text = `${missing} ${missing === 1 ? "byte is" : "bytes are"} missing for ${later}`;
+    return this.wrongRow(this.record.fields[number], at, "incomplete", text);
   }
 
   /** The row of a field whose type is open, because the field that decides it has a value without a case. */

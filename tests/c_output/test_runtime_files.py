@@ -48,6 +48,11 @@ PROGRAMS = {
         " device_store_signed_digits(out, 6, 2, -1250); if (memcmp(out, text, 6) != 0) return 1;"
         " if (device_to_bcd(1250u) != 0x1250u || device_of_bcd(0x1250u) != 1250u || device_is_bcd(0x12A0u)) return 1;",
     ),
+    "powers.h": (
+        [],
+        "if (device_times_power(1250.0, -2) != 12.5 || device_over_power(12.5, -2) != 1250.0) return 1;"
+        " if (device_times_power(3.0, 22) != 3e22 || device_over_power(3e22, 22) != 3.0) return 1;",
+    ),
     "checksums.h": (
         [],
         'const uint8_t *text = (const uint8_t *)"123456789"; if (device_crc16_modbus(text, 9) != 0x4B37u) return 1;'
@@ -64,7 +69,8 @@ PROGRAMS = {
         " 1, 1); VALUE(uint8_t, read_value, write_value, 1, 1); ARRAY(uint8_t value[1], unpack_status, write_array, 1,"
         " 1); CONSTANT(uint8_t, read_value, write_constant, 1); TRIGGER(uint8_t, uint8_t, read_value, write_value,"
         " 1, 1);"
-        " ADDRESS(uint16_t, at); CONVERSION(uint8_t, from_raw, to_raw, 1);",
+        " ADDRESS(uint16_t, at); CONVERSION(uint8_t, from_raw, to_raw, 1);"
+        " QUANTITY(uint8_t, int8_t, power_from_raw, power_to_raw, 1);",
     ),
 }
 FUNCTIONS = """
@@ -91,6 +97,10 @@ static device_codec_status at(uint32_t number, uint16_t *address)
 static double from_raw(uint8_t raw, double reference) { return reference * raw; }
 static device_codec_status to_raw(double quantity, double reference, uint8_t *raw)
 { (void)quantity; (void)reference; *raw = 0; return DEVICE_ERR_OUT_OF_RANGE; }
+static device_codec_status power_from_raw(uint8_t raw, int8_t exponent, double *quantity)
+{ (void)exponent; *quantity = raw; return DEVICE_OK; }
+static device_codec_status power_to_raw(double quantity, int8_t exponent, uint8_t *raw)
+{ (void)quantity; (void)exponent; *raw = 0; return DEVICE_OK; }
 """
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from fieldspec.backends.fact_texts import unit_word
 from fieldspec.classes import replace
 from fieldspec.explain.values import decode_value
 from fieldspec.layout.device import DeviceLayout
@@ -20,7 +21,7 @@ from layouts import SPECS, TEST_SPECS, newest
 from queries_output.engines import ENGINES, engine_of
 from queries_output.expected import Columns, is_equal, record_columns, value_columns
 
-WORDS = ("tc100", "widget", "hostile", "meter", "wattmeter", "counter")
+WORDS = ("tc100", "widget", "hostile", "meter", "wattmeter", "counter", "inverter")
 PARAMETERS = ("hiwin-e", "widget", "mover", "esc11")
 FIND = {"out_of_range", "unknown_value", "wrong_const"}
 
@@ -52,7 +53,25 @@ def group_rows(layout: DeviceLayout, group: Any, start: int, payload: bytes) -> 
             suffix = f"_{number + register.index_from}" if own.count > 1 else ""
             data = payload[offset : offset + register.value.size]
             name = f"{Name.of(own.name).snake()}{suffix}"
-            yield from columns_of(layout, name, register.answer, data, own.order, own.swapped).items()
+            columns = columns_of(layout, name, register.answer, data, own.order, own.swapped)
+            yield from scaled_columns(layout, name, register.answer, columns, payload, start).items()
+
+
+def scaled_columns(
+    layout: DeviceLayout, name: str, value: Value, columns: Columns, payload: bytes, start: int
+) -> Columns:
+    """The columns of a register, with its quantity where the exponent of its scale is in the payload, too."""
+    exponent = layout.device.register(value.scale_by) if value.scale_by else None
+    if exponent is None or exponent.value.ranges is None:
+        return columns
+    raw = columns.get(f"{name}_raw", columns.get(name))
+    at = 2 * (exponent.address - start)
+    data = payload[at : at + 2] if at >= 0 else b""
+    power = int.from_bytes(data, "big", signed=True) if len(data) == 2 else None
+    is_known = power in exponent.value.ranges and value.sentinel(raw) is None
+    quantity = float(value.scaled_by(power or 0).in_unit(raw)) if is_known else None
+    others = {key: column for key, column in columns.items() if key not in (name, f"{name}_raw")}
+    return {f"{name}_{unit_word(value.quantity_unit)}": quantity, f"{name}_raw": raw, **others}
 
 
 @pytest.mark.parametrize("engine", ENGINES)
@@ -72,6 +91,26 @@ def test_registers_within_a_payload_have_their_values_and_others_are_null(device
                 # DuckDB gives a column of the source another name where a register has its name.
                 if column not in ("place", "start", "payload", "start_1"):
                     assert is_equal(wanted.get(column), value), (column, start, payload.hex(), value)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_register_has_a_quantity_where_the_payload_has_the_exponent_of_its_scale(engine: str) -> None:
+    cases = {
+        "268EFFFF": 987.0,
+        "268E000A": 9870e10,
+        "D972FFF6": -9870e-10,
+        "00070000": 7.0,
+        "268E000B": None,
+        "268E8000": None,
+        "268E7FFF": None,
+        "8000FFFF": None,
+        "268E": None,
+    }
+    payloads = list(map(bytes.fromhex, cases))
+    rows = engine_of(engine, layout_of("inverter")).rows("inverter", {"start": [40084] * 9, "payload": payloads})
+    assert [row["power_w"] for row in rows] == list(cases.values())
+    assert [row["power_raw"] for row in rows] == [int.from_bytes(data[:2], "big", signed=True) for data in payloads]
+    assert {row["power_state"] for row in rows} == {None, "not_implemented"}
 
 
 @pytest.mark.parametrize("engine", ENGINES)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -148,9 +149,16 @@ class Access(Python):
         if value.enum or value.flags or value.const is not None or value.type.kind is not Kind.INTEGER:
             return
         raw = int.from_bytes(query.data[: value.size], "big", signed=value.type.signed)
-        for count in (raw, *(sentinel.value for sentinel in value.sentinels)):
-            quantity = self._holder(query).in_unit(count)
-            exact = None if value.sentinel(count) is not None else float(value.in_unit(count))
+        exponent = self.layout.device.register(value.scale_by) if value.scale_by else None
+        intervals = (
+            exponent.value.ranges.intervals if exponent is not None and exponent.value.ranges is not None else ()
+        )
+        powers = [(power,) for ends in intervals for power in ends] or [()]
+        counts = (raw, *(sentinel.value for sentinel in value.sentinels))
+        for count, power in product(counts, powers):
+            quantity = self._holder(query).in_unit(count, *power)
+            own = value.scaled_by(*power) if power else value
+            exact = None if value.sentinel(count) is not None else float(own.in_unit(count))
             same = quantity == exact or (
                 quantity is not None and exact is not None and abs(quantity - exact) <= abs(exact) * 1e-12 + 1e-9
             )

@@ -90,10 +90,29 @@ def _group(draft: Draft, free: dict[str, int]) -> Spec:
         row, words = _register(draft, at)
         group["rows"].append(row)
         at += words
+    scaled = [row for row in group["rows"] if _may_be_scaled(row)]
+    if scaled and draft.chance(40):
+        exponent = {"at": at, **draft.fact(type="i16"), "words": 1, "access": draft.pick(("ro", "rw"))}
+        exponent["range"] = draft.pick(("-10..10", "-22..22", "-3..-1, 2..5"))
+        if draft.chance(60):
+            exponent["sentinels"] = [{"value": -0x8000, "name": "not_implemented"}]
+        for row in scaled:
+            row["scale_by"] = exponent["name"]
+        group["rows"].append(exponent)
+        at += 1
     if gaps:
         group["gaps"] = [{"at": gap, "reason": "The manual leaves them out."} for gap in gaps]
     free[space] = at
     return group
+
+
+_FIXED = {"scale", "offset", "enum", "flags", "const", "parameter", "unit_range", "unit_default"}
+"""The keys that a register with its scale in another one does not have."""
+
+
+def _may_be_scaled(row: Spec) -> bool:
+    """Whether a register may have its scale in another one: a whole number that has none of its own."""
+    return row["type"].lstrip("iu").isdigit() and _FIXED.isdisjoint(row)
 
 
 def _register(draft: Draft, at: int, unit_size: int = 2) -> tuple[Spec, int]:

@@ -168,6 +168,8 @@ def _float(draft: Draft, keys: Spec, place: str) -> None:
     if draft.chance(40):
         low = draft.number(-1000, 1000)
         keys["range"] = range_text([(low, low + draft.number(1, 5000))])
+        if draft.chance(50):
+            keys["range"] = f"{low}.{draft.pick(('5', '25', '125'))}..{low + draft.number(1, 5000)}.75"
     if draft.chance(30) and place != "part" and keys["type"] == "f32":
         nan = {"bits": draft.pick((0x7FC00000,) * 9 + (0x7FA00001, 0xFFFFFFFF)), "name": "not_measured"}
         keys["sentinels"] = [nan] if draft.chance(60) else [{"value": draft.pick((9999, -1)), "name": "overflow"}]

@@ -12,8 +12,8 @@ from fieldspec.audit.manual_lines import index_line
 from fieldspec.audit.pattern import PieceValue
 from fieldspec.classes import dataclass
 from fieldspec.facts import FactRow
+from fieldspec.model.ranges import intervals
 from fieldspec.model.texts import Erratum
-from fieldspec.model.value import intervals
 from fieldspec.reading.building.context import citations
 
 _HEX = r"0[xX][0-9A-Fa-f]{1,16}|&H[0-9A-Fa-f]{1,16}|[0-9A-Fa-f]{1,16} ?[Hh](?![A-Za-z0-9])"

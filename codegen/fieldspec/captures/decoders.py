@@ -19,7 +19,8 @@ from fieldspec.classes import dataclass, replace
 from fieldspec.explain.values import decode_value, number_of
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_bytes
-from fieldspec.model.value import Kind, Ranges, Value
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Kind, Value
 
 UNSEEN = -2
 MOST_REMEMBERED = 1 << 16

@@ -10,9 +10,10 @@ from fieldspec.changes.descriptions import named
 from fieldspec.classes import dataclass
 from fieldspec.model.enums import Flags
 from fieldspec.model.link import Link
+from fieldspec.model.ranges import Ranges, merged, uncovered
 from fieldspec.model.record import Field
 from fieldspec.model.registers import ParameterSet
-from fieldspec.model.value import Kind, Primitive, Ranges, Value, merged, uncovered
+from fieldspec.model.value import Kind, Primitive, Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,8 +93,10 @@ def _length(value: Value) -> Ranges:
 
 def without(ranges: Ranges, others: Ranges) -> Ranges:
     """The numbers of some intervals that are in none of the others, in order."""
-    merged_others = merged(others.intervals)
-    rest = [part for low, high in sorted(ranges.intervals) for part in uncovered(low, high, merged_others)]
+    ends = (end for interval in (*ranges.intervals, *others.intervals) for end in interval)
+    step = 0 if any(isinstance(end, float) for end in ends) else 1
+    merged_others = merged(others.intervals, step)
+    rest = [part for low, high in sorted(ranges.intervals) for part in uncovered(low, high, merged_others, step)]
     return Ranges(tuple(dict.fromkeys(rest)))
 
 

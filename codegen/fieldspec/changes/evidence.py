@@ -12,10 +12,11 @@ from fieldspec.model.device import Manual
 from fieldspec.model.enums import Bit, Cause, Enum, Flags, Member, State
 from fieldspec.model.fact import Citation, Claim
 from fieldspec.model.link import Link, Part
+from fieldspec.model.ranges import Ranges
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Subindex, Table
 from fieldspec.model.texts import Erratum, Example, Limit, Lookup, LookupColumn, Note
-from fieldspec.model.value import Conversion, ParameterPart, Primitive, Ranges, Signal, Value
+from fieldspec.model.value import Conversion, ParameterPart, Primitive, Signal, Value
 
 NOTHING = "nothing"
 

@@ -8,10 +8,11 @@ from fieldspec.classes import dataclass
 from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.ranges import merged
 from fieldspec.model.record import Field
 from fieldspec.model.registers import Parameter, ParameterSet, Register, Table
 from fieldspec.model.sizes import RecordSizes
-from fieldspec.model.value import Kind, Value, merged
+from fieldspec.model.value import Kind, Value
 
 SPACE = 0x10000
 """How many addresses a space has at most: a frame carries them in 16 bits."""

@@ -19,7 +19,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Flags
 from fieldspec.model.fact import Fact
-from fieldspec.model.value import Ranges
+from fieldspec.model.ranges import Ranges
 
 _WIDEST = 64
 

@@ -19,7 +19,7 @@ from fieldspec.checks.finding import enumeration, finding, interval, label, miss
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Enum
-from fieldspec.model.value import Ranges
+from fieldspec.model.ranges import Ranges
 
 _WIDEST_BLOCK = 64
 _FEWEST_MASKS = 4

@@ -11,7 +11,7 @@ from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label, Severity
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact, Place
-from fieldspec.model.value import Ranges, merged, uncovered
+from fieldspec.model.ranges import Ranges, merged, uncovered
 from fieldspec.source import Span
 
 Check: TypeAlias = Callable[[Device], Iterator[Diagnostic]]

@@ -17,8 +17,8 @@ from fieldspec.checks.addresses import extents
 from fieldspec.checks.finding import addresses, finding, label, longest_ascent
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.ranges import merged, uncovered
 from fieldspec.model.registers import Register, RegisterGroup
-from fieldspec.model.value import merged, uncovered
 
 
 def gaps_declared(device: Device) -> Iterator[Diagnostic]:

@@ -20,9 +20,10 @@ from fieldspec.checks.finding import enumeration, finding, interval, label, plur
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.ranges import merged, uncovered
 from fieldspec.model.record import Field
 from fieldspec.model.registers import ParameterSet
-from fieldspec.model.value import Kind, Value, merged, uncovered
+from fieldspec.model.value import Kind, Value
 
 _CODE = "parameter_numbers_within_range"
 

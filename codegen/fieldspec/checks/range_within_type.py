@@ -10,6 +10,7 @@ Cure: Correct the type or the bound. Use a signed type if the manual prints nega
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Iterator
 
 from fieldspec.checks.facts import values
@@ -19,7 +20,8 @@ from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_text
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import Link
-from fieldspec.model.value import Kind, Primitive, Ranges, Value
+from fieldspec.model.ranges import Ranges, bound_text
+from fieldspec.model.value import Kind, Primitive, Value
 
 _HELP = "correct the type or the bound"
 _QUIET_NAN = {4: 0x7FC00000, 8: 0x7FF8000000000000}
@@ -57,7 +59,13 @@ def _of_float(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     """Bounds and sentinels that the type has exactly, and bits that are those of a NaN."""
     size, digits = value.size, _DIGITS[value.size]
     for bound in (bound for pair in (value.ranges.intervals if value.ranges else ()) for bound in pair):
-        if not _exact(bound, size):
+        if isinstance(bound, float):
+            nearest = _nearest(bound, size)
+            if nearest != bound:
+                text = f"{fact.name} cannot be exactly {bound_text(bound)} as {value.type.name}"
+                help = f"use the nearest number that it can be, {bound_text(nearest)}"
+                yield finding("range_within_type", fact.place, range_key(fact.place), text, help)
+        elif not _exact(bound, size):
             text = f"{fact.name} cannot be exactly {bound} as {value.type.name}"
             help = f"use a bound of at most {digits} bits"
             yield finding("range_within_type", fact.place, range_key(fact.place), text, help)
@@ -80,6 +88,12 @@ def _of_float(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     if sum(sentinel.is_nan for sentinel in value.sentinels) > 1:
         text = f"{fact.name} has several special values that are NaN, which many machines cannot distinguish"
         yield finding("range_within_type", fact.place, "sentinels", text, "remove one of them")
+
+
+def _nearest(number: float, size: int) -> float:
+    """The floating-point number of some bytes that is nearest to another one."""
+    nearest: float = struct.unpack("f", struct.pack("f", number))[0] if size == 4 else number
+    return nearest
 
 
 def _exact(number: int, size: int) -> bool:

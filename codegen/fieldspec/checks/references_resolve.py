@@ -76,6 +76,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         if register.same_as or register.copy_of:
             yield from _named(register.place, "same_as", "register", register.same_as, registers)
             yield from _named(register.place, "copy_of", "register", register.copy_of, registers)
+        yield from _named(register.place, "scale_by", "register", register.value.scale_by, registers)
     for parameter_set in device.parameters.values():
         for parameter in parameter_set.parameters:
             yield from _check_names(parameter.place, "messages", "message", parameter.messages, device.messages)

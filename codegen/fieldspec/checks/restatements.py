@@ -10,11 +10,12 @@ from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.model.fact import Fact, ScalarValue
 from fieldspec.model.link import Link, Part
+from fieldspec.model.ranges import Ranges, intervals, merged
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, Subindex, Table
 from fieldspec.model.sizes import RecordSizes, sent_on
 from fieldspec.model.texts import Limit
-from fieldspec.model.value import Conversion, Ranges, Signal, Value, exact_scale, intervals, merged
+from fieldspec.model.value import Conversion, Signal, Value, exact_scale
 
 _RANGES = ("range", "repeat", "enum_values")
 _ADDRESSES = ("at", "code", "refusal_code", "initial", "wire_number")
@@ -151,7 +152,7 @@ def _value(device: Device, value: Value) -> dict[str, object]:
         "type": value.type.name,
         "length": value.size,
         "scale": value.scale_number,
-        "unit": value.unit or None,
+        "unit": value.quantity_unit or None,
         "range": _merged(value.ranges),
         "unit_range": _in_unit(value),
         "default": value.default,

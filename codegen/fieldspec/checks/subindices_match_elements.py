@@ -16,8 +16,8 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import enumeration, finding, interval, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.ranges import merged, uncovered
 from fieldspec.model.registers import Parameter
-from fieldspec.model.value import merged, uncovered
 
 _CODE = "subindices_match_elements"
 

@@ -36,7 +36,7 @@ def units_known(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, own.place, "symbol", text, "rename one of them", there)
         declared.setdefault(symbol, own.place)
     known = {*declared, *standard_units()}
-    stated: list[tuple[Fact, str]] = [(fact, value.unit) for fact, value in values(device)]
+    stated: list[tuple[Fact, str]] = [(fact, value.quantity_unit) for fact, value in values(device)]
     stated += [(limit, limit.unit) for limit in device.limits]
     stated += [(bit, bit.unit) for word in device.flags.values() for bit in word.bits]
     for fact, unit in stated:

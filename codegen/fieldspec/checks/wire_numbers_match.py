@@ -19,8 +19,8 @@ from fieldspec.checks.finding import addresses, finding, hexadecimal, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Place
+from fieldspec.model.ranges import uncovered
 from fieldspec.model.registers import ParameterSet
-from fieldspec.model.value import uncovered
 
 _CODE = "wire_numbers_match"
 

@@ -18,7 +18,8 @@ from fieldspec.checks.finding import finding, label, range_key
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.value import Kind, Ranges, Value, merged, uncovered
+from fieldspec.model.ranges import Ranges, merged, uncovered
+from fieldspec.model.value import Kind, Value
 
 _CODE = "write_range_within_range"
 _HELP = "correct one of them"

@@ -122,7 +122,7 @@ class _Freezing:
 
     def value(self, value: Any) -> object:
         kind = value.__class__
-        if value is None or kind in (bool, int, str):
+        if value is None or kind in (bool, int, float, str):
             return value
         if kind in (tuple, list, frozenset):
             return [kind.__name__, *map(self.value, value)]

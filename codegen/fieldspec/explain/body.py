@@ -116,7 +116,7 @@ class Body:
         field = self.record.fields[number]
         missing = self.record.least - (self.end - self.start)
         later = ", ".join(other.name for other in self.record.fields[number:])
-        text = f"{missing} bytes are missing for {later}"
+        text = f"{missing} {'byte is' if missing == 1 else 'bytes are'} missing for {later}"
         return self._wrong(field, at, "incomplete", text)
 
     def _undecided(self, field: FieldLayout, at: int) -> ExplanationRow:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from fieldspec.classes import dataclass, replace
 from fieldspec.explain.row import ExplanationRow, Spot, fact_row
-from fieldspec.explain.values import DecodedValue, decode_value
+from fieldspec.explain.values import DecodedValue, decode_value, number_of
 from fieldspec.layout.bits import unpacked_bits
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout, RegisterLayout
@@ -267,6 +267,7 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
     at, raw = (piece.at, piece.raw) if piece else (0, b"")
     if piece:
         value = occupant.value.for_writing() if operation == "write" else occupant.value
+        value = _by_exponent(layout, span, value)
         read = decode_value(layout.device, value, piece.content, occupant.order, occupant.swapped, occupant.reserved)
         if occupant.trigger and operation == "read":
             read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
@@ -277,6 +278,25 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
     if not piece:
         row = replace(row, offset=0)
     return replace(row, address=occupant.address, words=occupant.words, unit=span.unit, access=occupant.access)
+
+
+def _by_exponent(layout: DeviceLayout, span: Span, value: Value) -> Value:
+    """A value with its scale, where the exponent is in another register, and the span has that one, too."""
+    if not value.scale_by:
+        return value
+    exponent = next(register for register in layout.registers if register.name == value.scale_by)
+    own = exponent.register.value
+    piece = span.piece(exponent.address, own.size)
+    if piece is None:
+        return value
+    return exponent_applied(value, own, number_of(own, piece.content, exponent.order, exponent.swapped))
+
+
+def exponent_applied(value: Value, exponent: Value, number: Raw | None) -> Value:
+    """A value with the scale that the number of its exponent makes; unchanged for a number that is no exponent."""
+    if not isinstance(number, int) or exponent.ranges is None or number not in exponent.ranges:
+        return value
+    return value.scaled_by(number) if exponent.sentinel(number) is None else value
 
 
 def _unlisted(layout: DeviceLayout, span: Span, first: int, end: int, spot: Spot) -> ExplanationRow:

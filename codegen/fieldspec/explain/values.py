@@ -11,7 +11,8 @@ from fieldspec.layout.values import Raw
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_number, digits_text
 from fieldspec.model.enums import Bit, Enum, Flags, State
-from fieldspec.model.value import Kind, Ranges, Value
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Kind, Value
 
 _MOST_PLACES, _MOST_DIGITS, _ROUNDED_DIGITS = 6, 8, 6
 """Numbers with at most so many places, or digits, are written in full; others are rounded to so many digits."""

@@ -8,9 +8,10 @@ from typing import TypeAlias
 
 from fieldspec.caches import ByIdentity
 from fieldspec.model.fact import PRINTED, REPORTED, STANDARD, Citation, Claim, Fact, Report
+from fieldspec.model.ranges import Ranges, intervals
 from fieldspec.model.record import Message
 from fieldspec.model.registers import Parameter
-from fieldspec.model.value import Ranges, Value, exact_scale, intervals
+from fieldspec.model.value import Value, exact_scale
 
 COLUMNS = (
     "kind",
@@ -149,8 +150,8 @@ def of_value(value: Value | None) -> FactRow:
     return {
         "type": value.type.name,
         "bytes": value.size,
-        "unit": value.unit,
-        "scale": value.scale_number if value.scaled else None,
+        "unit": value.quantity_unit,
+        "scale": f"10^{value.scale_by}" if value.scale_by else value.scale_number if value.scaled else None,
         "default": value.default if value.const is None else value.const,
         **of_ranges(value.ranges),
         "write_ranges": value.write_ranges.text() if value.write_ranges is not None else None,

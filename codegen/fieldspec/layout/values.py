@@ -187,6 +187,8 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
     if value.enum:
         names = ", ".join(member.name for member in device.enums[value.enum].members)
         raise MeaningError(path, f"`{entered}` is no member of {value.enum}: {names}")
+    if value.scale_by:
+        raise MeaningError(path, f"`{entered}` is no count; its scale is in {value.scale_by}, so give a count")
     unit = f", or with its unit {value.unit}" if value.unit else ""
     raise MeaningError(path, f"`{entered}` is no number; give a count{unit}")
 

@@ -244,10 +244,12 @@ def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator
         yield Difference("stride", str(item.stride), texts["stride"])
     if value is None:
         return
-    if "unit" in aspects and "unit" in texts and value.unit and not _same_unit(value.unit, texts["unit"]):
-        yield Difference("unit", value.unit, texts["unit"])
-    if "scale" in aspects and (scale := _scale(texts.get("scale", ""))) is not None and scale != value.scale:
-        exact = value.scale_number
+    unit = value.quantity_unit
+    if "unit" in aspects and "unit" in texts and unit and not _same_unit(unit, texts["unit"]):
+        yield Difference("unit", unit, texts["unit"])
+    scale = _scale(texts.get("scale", "")) if "scale" in aspects else None
+    if scale is not None and (scale != value.scale or value.scale_by):
+        exact = f"10^{value.scale_by}" if value.scale_by else value.scale_number
         yield Difference("scale", exact if isinstance(exact, str) else f"{exact:f}", texts["scale"])
     default = value.default if value.const is None else value.const
     ranges = value.writable_ranges

@@ -11,6 +11,7 @@ from typing import TypeAlias
 
 from fieldspec.lists.item import Item, exact_number
 from fieldspec.lists.packing import workbook
+from fieldspec.model.value import Value
 from fieldspec.spreadsheet import clean, guarded
 
 Cell: TypeAlias = int | Decimal | str | None
@@ -42,6 +43,13 @@ COLUMNS = (
 )
 
 
+def _scale(value: Value) -> Cell:
+    """The scale of a count; `10^power_sf` where the exponent is in another register."""
+    if value.scale_by:
+        return f"10^{value.scale_by}"
+    return exact_number(value.scale_number) if value.scale != 1 else None
+
+
 def row(item: Item) -> dict[str, Cell]:
     """The cells of an item by column; None is empty."""
     value, source = item.value, item.source
@@ -56,9 +64,9 @@ def row(item: Item) -> dict[str, Cell]:
         "words": item.words,
         "type": item.type,
         "access": item.access or None,
-        "unit": (value.unit or None) if value else None,
+        "unit": (value.quantity_unit or None) if value else None,
         "ucum": item.ucum or None,
-        "scale": exact_number(value.scale_number) if value and value.scale != 1 else None,
+        "scale": _scale(value) if value else None,
         "offset": exact_number(value.offset) if value and value.offset else None,
         "min": ranges.low if ranges else None,
         "max": ranges.high if ranges else None,

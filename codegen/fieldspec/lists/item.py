@@ -66,7 +66,7 @@ def items(layout: DeviceLayout) -> list[Item]:
 
 
 def _code(device: Device, value: Value | None) -> str:
-    unit = device.unit(value.unit) if value is not None and value.unit else None
+    unit = device.unit(value.quantity_unit) if value is not None and value.quantity_unit else None
     return unit.ucum if unit is not None else ""
 
 

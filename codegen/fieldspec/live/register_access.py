@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from fieldspec.classes import replace
+from fieldspec.explain.registers import exponent_applied
 from fieldspec.live import writing
 from fieldspec.live.access import DumpRow, role_masks
 from fieldspec.live.reading import Reading, all_occupants, blocks, read, reading
@@ -89,15 +91,32 @@ class RegisterAccess:
 
     def size(self, items: Iterable[Placed]) -> int:
         """The words of all requests."""
-        return sum(block.words for block in blocks(self.layout, list(items)))
+        return sum(block.words for block in blocks(self.layout, self._with_exponents(items)))
 
     def read(
         self, client: Client, items: Sequence[Placed], done: Callable[[int], None] | None = None
     ) -> Iterator[Reading]:
         """Reads items in as few requests as the device permits. Raises NoAnswerError and CarrierError."""
-        values = read(client, blocks(self.layout, items), done)
+        values = read(client, blocks(self.layout, self._with_exponents(items)), done)
         by_path = {value.path: value for value in values}
-        return (by_path[self.path(item)] for item in items)
+        return (self._scaled(item, by_path) for item in items)
+
+    def _with_exponents(self, items: Iterable[Placed]) -> list[Placed]:
+        """Items and the registers with the exponents of their scales, each once."""
+        every = {self.path(item): item for item in items}
+        names = {occupant.value.scale_by for _, occupant in every.values()} - {"", *every}
+        return [*every.values(), *(item for item in self._items if self.path(item) in names)]
+
+    def _scaled(self, item: Placed, by_path: Mapping[str, Reading]) -> Reading:
+        """What was read of an item, as a quantity where the exponent of its scale was read, too."""
+        own, (space, occupant) = by_path[self.path(item)], item
+        exponent = by_path.get(occupant.value.scale_by)
+        if exponent is None or exponent.decoded is None or own.decoded is None:
+            return own
+        value = exponent_applied(occupant.value, exponent.occupant.value, exponent.decoded.number)
+        if value is occupant.value:
+            return own
+        return replace(reading(self.layout, space, replace(occupant, value=value), own.words), occupant=occupant)
 
     def frame(self, client: Client, chosen: Assignment) -> bytes:
         """The request that writes a value. Raises WriteError."""

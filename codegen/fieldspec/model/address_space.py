@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fieldspec.classes import dataclass
 from fieldspec.model.fact import Fact, Place
-from fieldspec.model.value import Ranges
+from fieldspec.model.ranges import Ranges
 from fieldspec.source import SourceFile, Span
 
 WORD = "word"

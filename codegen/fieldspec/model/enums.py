@@ -6,7 +6,8 @@ from decimal import Decimal
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.model.fact import Citation, Fact
-from fieldspec.model.value import PRIMITIVES, Handling, Primitive, Ranges, Value
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import PRIMITIVES, Handling, Primitive, Value
 
 if TYPE_CHECKING:
     from fractions import Fraction

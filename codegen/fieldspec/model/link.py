@@ -8,7 +8,8 @@ from decimal import Decimal
 from fieldspec.classes import dataclass, field
 from fieldspec.model.escape import Escape
 from fieldspec.model.fact import Citation, Fact, Place
-from fieldspec.model.value import Ranges, Value, merged, uncovered
+from fieldspec.model.ranges import Ranges, merged, uncovered
+from fieldspec.model.value import Value
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from fieldspec.classes import dataclass
 from fieldspec.model.fact import Fact
-from fieldspec.model.value import Handling, Ranges, Value
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Handling, Value
 
 
 @dataclass(frozen=True, slots=True)

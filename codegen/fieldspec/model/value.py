@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from decimal import Context, Decimal
 from enum import Enum
-from operator import itemgetter
 
 from fieldspec.classes import TYPE_CHECKING, attributes, dataclass, replace
 from fieldspec.model.digits import BCD, digit_bounds
 from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.ranges import Ranges
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
     from fractions import Fraction
 
 
@@ -100,86 +98,6 @@ PRIMITIVES = {
 
 
 @dataclass(frozen=True, slots=True)
-class Ranges:
-    """Intervals of whole numbers with both ends, in the order of the spec."""
-
-    intervals: tuple[tuple[int, int], ...]
-
-    @property
-    def low(self) -> int:
-        """The least value."""
-        return min(low for low, _ in self.intervals)
-
-    @property
-    def high(self) -> int:
-        """The greatest value."""
-        return max(high for _, high in self.intervals)
-
-    def __contains__(self, value: object) -> bool:
-        return isinstance(value, int | float) and any(low <= value <= high for low, high in self.intervals)
-
-    def text(self) -> str:
-        """`0..127, 10000..10127`"""
-        return ", ".join(f"{low}" if low == high else f"{low}..{high}" for low, high in self.intervals)
-
-
-def merged(intervals: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
-    """The same whole numbers in as few intervals as possible, in ascending order."""
-    result: list[tuple[int, int]] = []
-    for low, high in sorted(intervals):
-        if result and low <= result[-1][1] + 1:
-            result[-1] = result[-1][0], max(result[-1][1], high)
-        else:
-            result.append((low, high))
-    return result
-
-
-def uncovered(low: int, high: int, merged_intervals: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
-    """The parts of `low` to `high` that are in none of some intervals, which `merged` has put in order."""
-    holes = []
-    start = low
-    for index in range(bisect_left(merged_intervals, low, key=itemgetter(1)), len(merged_intervals)):
-        first, last = merged_intervals[index]
-        if first > high:
-            break
-        if first > start:
-            holes.append((start, first - 1))
-        start = max(start, last + 1)
-    if start <= high:
-        holes.append((start, high))
-    return holes
-
-
-def intervals(text: str) -> tuple[tuple[Decimal, Decimal], ...]:
-    """`0..127, 10000..10127` as pairs of exact numbers."""
-    pairs = []
-    for part in text.split(", "):
-        low, _, high = part.partition("..")
-        pairs.append((_number(low), _number(high or low)))
-    return tuple(pairs)
-
-
-def whole_intervals(text: str) -> tuple[tuple[int, int], ...] | None:
-    """The intervals of a text as pairs of whole numbers; None where a bound has a decimal point."""
-    pairs = []
-    for part in text.split(", "):
-        low, _, high = part.partition("..")
-        try:
-            pairs.append((_whole(low), _whole(high or low)))
-        except ValueError:
-            return None
-    return tuple(pairs)
-
-
-def _whole(text: str) -> int:
-    return int(text, 16) if "x" in text else int(text)
-
-
-def _number(text: str) -> Decimal:
-    return Decimal(int(text, 16)) if "x" in text else Decimal(text)
-
-
-@dataclass(frozen=True, slots=True)
 class Handling:
     """The memory of a value, what reading does to it, and the fact with the opposite sense.
 
@@ -225,6 +143,15 @@ class Sentinel:
         return f"NaN 0x{self.value:08X}" if self.is_nan else str(self.value)
 
 
+MOST_PLACES = 22
+"""The greatest size of an exponent in a register: 10^22 is the last power of ten that an f64 has exactly."""
+
+
+def power_of_ten(scale_by: str) -> str:
+    """The scale whose exponent is in a register, as texts write it behind a count: the sign `times`, `10^power_sf`."""
+    return f"\N{MULTIPLICATION SIGN}10^{scale_by}"
+
+
 @dataclass(frozen=True, slots=True)
 class ParameterPart:
     """What a value is in an access to numbered parameters of a set or of a space: number, subindex or value."""
@@ -242,7 +169,8 @@ class Value:
     `write_ranges`, `default` and `const` are raw counts. `write_ranges` is None where the same values may be read and
     written. `enum` and `flags` are names, or empty. `byte_order` and `word_order` are empty where the value has the
     orders of its link. `digits` is the form of the digits that it is sent as, empty for a binary number; `places` is
-    how many of them follow a point.
+    how many of them follow a point. `scale_by` names the register with the exponent of a scale that is read from the
+    device, else it is empty; `unit` then begins with that power of ten.
     """
 
     type: Primitive
@@ -264,6 +192,12 @@ class Value:
     word_order: str = ""
     digits: str = ""
     places: int = 0
+    scale_by: str = ""
+
+    @property
+    def quantity_unit(self) -> str:
+        """The unit of the quantity; that of a count begins with the power of ten of `scale_by`."""
+        return self.unit.removeprefix(power_of_ten(self.scale_by)).lstrip() if self.scale_by else self.unit
 
     def number_size(self, size: int) -> int:
         """The bytes of its number as machines have it, for a value in `size` bytes: those of the type for digits."""
@@ -328,12 +262,18 @@ class Value:
         """The value with the range of writing as its only range."""
         return self if self.write_ranges is None else replace(self, ranges=self.write_ranges, write_ranges=None)
 
-    def in_unit(self, raw: int) -> Decimal:
+    def in_unit(self, raw: float) -> Decimal:
         """The quantity of a raw count: the exact one, or 120 digits of it where the scale is no decimal number."""
         if isinstance(self.scale, Decimal):
-            return _EXACT.add(_EXACT.multiply(raw, self.scale), self.offset)
-        exact = raw * self.scale
+            number = Decimal(repr(raw)) if isinstance(raw, float) else raw
+            return _EXACT.add(_EXACT.multiply(number, self.scale), self.offset)
+        exact = int(raw) * self.scale
         return _EXACT.add(_EXACT.divide(exact.numerator, exact.denominator), self.offset)
+
+    def scaled_by(self, exponent: int) -> Value:
+        """The value with the scale that an exponent makes of it, which is the number in the register `scale_by`."""
+        scale = Decimal(1).scaleb(exponent)
+        return replace(self, scale=scale, scale_text=f"{scale:f}", scale_by="", unit=self.quantity_unit)
 
     def from_unit(self, number: Decimal | Fraction) -> int | None:
         """The raw count of a quantity; None where it is not a whole number of counts."""

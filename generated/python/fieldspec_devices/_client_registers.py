@@ -65,8 +65,11 @@ class Values:
         return value
 
     def in_unit(self, register: Register[Any]) -> float | None:
-        """The value in its unit; None for one that stands for an absent value. Raises what `values[register]` does."""
-        return register.in_unit(self[register])
+        """The value in its unit; None for one that stands for an absent value. Raises what `values[register]` does.
+
+        Where the scale is in another register, this one must have been read, too.
+        """
+        return register.in_unit(self[register], None if register.scale_by is None else self[register.scale_by])
 
     def __contains__(self, register: Register[Any]) -> bool:
         return register.name in self._values
@@ -104,16 +107,24 @@ class RegisterWork:
         return value
 
     def read_in_unit(self, register: Register[Any]) -> Work[float | None]:
-        """The value of a register in its unit."""
-        return register.in_unit((yield from self.read(register)))
+        """The value of a register in its unit, by the exponent that the device has for it."""
+        exponent = None if register.scale_by is None else (yield from self.read(register.scale_by))
+        quantity: float | None = _decoded(register.in_unit, (yield from self.read(register)), exponent)
+        return quantity
 
     def write(self, register: Register[T], value: T) -> Work[None]:
         """Writes a register; the value is encoded at once."""
         return self._sent(_encoded(_function(self.codec, "write_requests", register.name), register, value))
 
     def write_in_unit(self, register: Register[Any], quantity: Quantity) -> Work[None]:
-        """Writes a register by a value in its unit; it is encoded at once."""
+        """Writes a register by a value in its unit; it is encoded at once, or by the exponent that the device has."""
+        if register.scale_by is not None:
+            return self._write_by_exponent(register, register.scale_by, quantity)
         return self.write(register, _encoded(register.from_unit, quantity))
+
+    def _write_by_exponent(self, register: Register[Any], scale_by: Register[int], quantity: Quantity) -> Work[None]:
+        exponent = yield from self.read(scale_by)
+        yield from self.write(register, _encoded(register.from_unit, quantity, exponent))
 
     def _sent(self, requests: Sequence[Any]) -> Work[None]:
         # A request that is sent again could start something twice.

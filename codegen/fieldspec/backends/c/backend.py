@@ -15,6 +15,7 @@ from fieldspec.backends.c.fuzzing import write_fuzz_target
 from fieldspec.backends.c.messages import declare_messages
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.printer import Printer
+from fieldspec.backends.c.quantities import declare_quantity, scaled_by_register
 from fieldspec.backends.c.records import declare_record
 from fieldspec.backends.c.registers import declare_parameters, declare_register, declare_signal, declare_table
 from fieldspec.backends.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
@@ -73,7 +74,12 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         version=string(device.version).text,
         identity_macro=naming.own_macro("identity"),
         identity_text=string(layout.identity).text,
-        switches=_describe_switches(naming, algorithms, bool(code_tables(device)), bool(device.conversions)),
+        switches=_describe_switches(
+            naming,
+            algorithms,
+            bool(code_tables(device)),
+            bool(device.conversions or scaled_by_register(layout)),
+        ),
         sections=_print_sections(naming, layout),
     )
 
@@ -145,10 +151,13 @@ def _print_block(printer: Printer, block: Block) -> str:
 
 
 def _conversions(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
-    conversions = layout.device.conversions.values()
-    if conversions:
+    conversions, scaled = layout.device.conversions.values(), scaled_by_register(layout)
+    if conversions or scaled:
         yield [Directive("ifndef", naming.own_macro("without_double"))]
         yield from (declare_conversion(naming, layout.device, conversion) for conversion in conversions)
+        if scaled:
+            yield [copy_runtime(naming, "powers.h")]
+        yield from (declare_quantity(naming, register, exponent) for register, exponent in scaled)
         yield [Directive("endif")]
 
 

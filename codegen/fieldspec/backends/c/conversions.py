@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from fieldspec.backends.c.declarations import BLANK, Declaration, Function, comment, describe_fact
 from fieldspec.backends.c.expressions import (
     Cast,
@@ -30,11 +32,11 @@ from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.statements import Body, If, Return, Variable, Variables, assign
 from fieldspec.backends.c.values import refuse, return_ok, status_type
 from fieldspec.model.device import Device
-from fieldspec.model.value import Conversion
+from fieldspec.model.value import Conversion, Primitive
 
 _DOUBLE = Type("double")
-_RAW, _REFERENCE, _QUANTITY = Identifier("raw"), Identifier("reference"), Identifier("quantity")
-_COUNT, _REST, _WHOLE = Identifier("count"), Identifier("rest"), Identifier("whole")
+RAW, _REFERENCE, _QUANTITY = Identifier("raw"), Identifier("reference"), Identifier("quantity")
+COUNT, _REST, _WHOLE = Identifier("count"), Identifier("rest"), Identifier("whole")
 
 
 def count_type(conversion: Conversion) -> str:
@@ -65,7 +67,7 @@ def declare_conversion(naming: Naming, device: Device, conversion: Conversion) -
     ]
     low, high = count_bounds(device, conversion)
     kind = Type(count_type(conversion))
-    share: Expression = Operation("/", (Cast("double", _RAW), whole_double(conversion.full_scale)))
+    share: Expression = Operation("/", (Cast("double", RAW), whole_double(conversion.full_scale)))
     if conversion.complement:
         share = subtract(whole_double(1), share)
     return [
@@ -96,30 +98,48 @@ def declare_conversion(naming: Naming, device: Device, conversion: Conversion) -
 
 def _count_of_quantity(naming: Naming, conversion: Conversion, low: int, high: int) -> Body:
     """`count = quantity / reference * 16384.0;`, checked and then rounded to the nearest even count."""
-    kind = count_type(conversion)
-    size, signed = conversion.type.size, conversion.type.signed
-    zero, unit, two = (integer(number, size, signed) for number in (0, 1, 2))
     share: Expression = Operation("/", (_QUANTITY, _REFERENCE))
     if conversion.complement:
         share = Group(subtract(whole_double(1), share))
-    # Beyond 53 bits a double has no halves: there the bound itself is the last number that fits.
-    least = at_least(_COUNT, whole_double(low)) if -low > 2**52 else greater(_COUNT, _half(2 * low - 1))
-    most = less(_COUNT, whole_double(high + 1)) if high > 2**52 else less(_COUNT, _half(2 * high + 1))
     usable = any_of([less(_REFERENCE, whole_double(0)), greater(_REFERENCE, whole_double(0))])
+    unrounded = (
+        *refuse(naming, negate(usable), "err_out_of_range"),
+        assign(COUNT, multiply(share, whole_double(conversion.full_scale))),
+    )
+    return count_of_share(naming, conversion.type, (low, high), unrounded)
+
+
+def count_of_share(
+    naming: Naming,
+    kind: Primitive,
+    bounds: tuple[int, int],
+    unrounded: Body,
+    refusals: Callable[[Expression], Body] = lambda _: (),
+) -> Body:
+    """Statements that set `raw` to the whole number next to `count`, which `unrounded` sets, or refuse it.
+
+    It is between two `bounds`; `refusals` are the statements that refuse other whole numbers.
+    """
+    low, high = bounds
+    name, size, signed = f"{'' if kind.signed else 'u'}int{8 * kind.container}_t", kind.container, kind.signed
+    zero, unit, two = (integer(number, size, signed) for number in (0, 1, 2))
+    # Beyond 53 bits a double has no halves: there the bound itself is the last number that fits.
+    least = at_least(COUNT, whole_double(low)) if -low > 2**52 else greater(COUNT, _half(2 * low - 1))
+    most = less(COUNT, whole_double(high + 1)) if high > 2**52 else less(COUNT, _half(2 * high + 1))
     odd = different(Operation("%", (_WHOLE, two)), zero)
     above = any_of([greater(_REST, double(0.5)), Group(all_of([at_least(_REST, double(0.5)), odd]))])
     below = any_of([less(_REST, double(-0.5)), Group(all_of([at_most(_REST, double(-0.5)), odd]))])
-    round_down = If(below, (assign(_WHOLE, Cast(kind, subtract(_WHOLE, unit))),))
+    round_down = If(below, (assign(_WHOLE, Cast(name, subtract(_WHOLE, unit))),))
     return (
         Variables(_DOUBLE, ("count", "rest")),
-        Variable(Type(kind), "whole"),
-        *refuse(naming, negate(usable), "err_out_of_range"),
-        assign(_COUNT, multiply(share, whole_double(conversion.full_scale))),
+        Variable(Type(name), "whole"),
+        *unrounded,
         *refuse(naming, negate(all_of([least, most])), "err_out_of_range"),
-        assign(_WHOLE, Cast(kind, _COUNT)),
-        assign(_REST, subtract(_COUNT, Cast("double", _WHOLE))),
-        If(above, (assign(_WHOLE, Cast(kind, add(_WHOLE, unit))),), (round_down,) if signed else ()),
-        assign(dereference(_RAW), _WHOLE),
+        assign(_WHOLE, Cast(name, COUNT)),
+        assign(_REST, subtract(COUNT, Cast("double", _WHOLE))),
+        If(above, (assign(_WHOLE, Cast(name, add(_WHOLE, unit))),), (round_down,) if signed else ()),
+        *refusals(_WHOLE),
+        assign(dereference(RAW), _WHOLE),
         return_ok(naming),
     )
 

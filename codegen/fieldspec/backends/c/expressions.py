@@ -234,9 +234,10 @@ def whole_double(value: int) -> Literal:
     return Literal(f"{value}.0")
 
 
-def whole_real(value: int, size: int) -> Literal:
-    """A whole number as a float, `16384.0f`, or as a double if it has 8 bytes: `16384.0`"""
-    return Literal(f"{value}.0{'f' if size == 4 else ''}")
+def real(value: float, size: int) -> Literal:
+    """A number as a float, `16384.0f`, or as a double if it has 8 bytes: `16384.0`"""
+    text = repr(value) if isinstance(value, float) else f"{value}.0"
+    return Literal(f"{text}f" if size == 4 else text)
 
 
 def double(value: float) -> Literal:

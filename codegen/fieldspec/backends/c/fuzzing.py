@@ -40,6 +40,7 @@ from fieldspec.backends.c.frames import header_parts
 from fieldspec.backends.c.naming import Naming, Noun, frame_member
 from fieldspec.backends.c.packing import is_packed
 from fieldspec.backends.c.printer import Printer
+from fieldspec.backends.c.quantities import scaled_by_register
 from fieldspec.backends.c.runtime_files import all_records, copy_runtime, is_bit, runtime_parts
 from fieldspec.backends.c.statements import (
     Break,
@@ -53,7 +54,7 @@ from fieldspec.backends.c.statements import (
     assign,
     call,
 )
-from fieldspec.backends.c.values import WireValue, accessed_type, declare_value, status_type
+from fieldspec.backends.c.values import WireValue, accessed_type, declare_value, status_type, type_name
 from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
@@ -190,6 +191,10 @@ def _address_and_conversion_macros(layout: DeviceLayout, naming: Naming) -> Iter
         functions = [naming.function("conversion", conversion.name, end) for end in ("from_raw", "to_raw")]
         exact = _flag(conversion.type.size < 8)
         yield Call("CONVERSION", (*_names(count_type(conversion), *functions), exact))
+    for row, exponent in scaled_by_register(layout):
+        functions = [naming.function("register", row.name, end) for end in ("from_raw", "to_raw")]
+        types = type_name(row.register.value), type_name(exponent.value)
+        yield Call("QUANTITY", (*_names(*types, *functions), _flag(row.register.value.type.size < 8)))
 
 
 # Functions for frames

@@ -41,9 +41,9 @@ from fieldspec.backends.c.expressions import (
     integer,
     multiply,
     negate,
+    real,
     subtract,
     unsigned,
-    whole_real,
 )
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.runtime_files import is_bit
@@ -101,8 +101,8 @@ def _bound(value: Value, number: int) -> Expression:
     """A bound of the value's range as a constant of its type."""
     if value.type.kind is not Kind.FLOAT:
         return integer(number, value.type.size, value.type.signed)
-    real = whole_real(number, value.size)
-    return Group(real) if number < 0 else real
+    literal = real(number, value.size)
+    return Group(literal) if number < 0 else literal
 
 
 def access_functions(

@@ -46,6 +46,7 @@ from fieldspec.backends.c.sample_values import (
     record_value,
 )
 from fieldspec.backends.c.selftest_examples import test_example
+from fieldspec.backends.c.selftest_quantities import test_quantities
 from fieldspec.backends.c.selftest_values import test_constants, test_conversions, test_values
 from fieldspec.backends.c.statements import Statement, Variable, Variables, assign, call
 from fieldspec.backends.templates import fill, text
@@ -71,6 +72,7 @@ def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
         _test_records(layout, naming),
         test_values(layout, naming),
         test_conversions(layout, naming),
+        test_quantities(layout, naming),
         (test_example(layout, naming, example) for example in layout.device.examples.values()),
     )
     printer = Printer()

@@ -30,15 +30,16 @@ from fieldspec.backends.c.expressions import (
     integer,
     less,
     negate,
+    real,
     unsigned,
-    whole_real,
 )
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.statements import Assignment, Body, Evaluation, Return, Variable, call, return_if
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import CaseLayout, FieldLayout
 from fieldspec.model.device import Device
-from fieldspec.model.value import PRIMITIVES, Kind, Ranges, Value
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import PRIMITIVES, Kind, Value
 
 _TYPES = {
     **{
@@ -211,7 +212,7 @@ def _float_out_of_range_test(value: Value, ranges: Ranges, number: Expression) -
     """
     sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
     size = value.size
-    bounds = [(whole_real(low, size), whole_real(high, size)) for low, high in sorted([*ranges.intervals, *sentinels])]
+    bounds = [(real(low, size), real(high, size)) for low, high in sorted([*ranges.intervals, *sentinels])]
     if value.absent_nan:
         return all_of([Group(any_of([less(number, low), greater(number, high)])) for low, high in bounds])
     return negate(any_of([Group(all_of([at_least(number, low), at_most(number, high)])) for low, high in bounds]))

@@ -25,10 +25,11 @@ from fieldspec.backends.docs.sources import Holder
 from fieldspec.explain.values import decimal_text, range_in_unit
 from fieldspec.model.enums import Bit, Enum, Member
 from fieldspec.model.fact import Claim
+from fieldspec.model.ranges import Ranges
 from fieldspec.model.record import Field, Message
 from fieldspec.model.registers import PrintedElement, Register, Table
 from fieldspec.model.texts import Erratum, Example
-from fieldspec.model.value import Ranges, Value
+from fieldspec.model.value import Value
 
 COLUMNS = (
     TableColumn("Erratum and fact", "path", unbroken=True),
@@ -182,7 +183,7 @@ OF_VALUES: dict[str, Callable[[Value], object]] = {
     "byte_order": lambda value: value.byte_order,
     "scale": lambda value: value.scale_number,
     "offset": lambda value: value.offset,
-    "unit": lambda value: value.unit,
+    "unit": lambda value: value.quantity_unit,
     "range": lambda value: value.ranges,
     "unit_range": lambda value: value.ranges and range_in_unit(value, value.ranges),
     "default": lambda value: value.default,

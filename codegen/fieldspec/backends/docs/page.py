@@ -35,7 +35,7 @@ from fieldspec.classes import replace
 from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Citation
-from fieldspec.model.value import merged
+from fieldspec.model.ranges import merged
 
 COLUMNS = (
     TableColumn("Section", unbroken=True),

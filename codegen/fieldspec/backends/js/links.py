@@ -14,7 +14,7 @@ from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartL
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.checksums import checksum_named
 from fieldspec.model.link import ExceptionResponse
-from fieldspec.model.value import Ranges
+from fieldspec.model.ranges import Ranges
 from fieldspec.names import Name
 
 SHORT = {"crc16_modbus": "crc16", "lrc": "lrc", "sum8": "sum8"}

@@ -27,7 +27,7 @@ IMPORTS = {
     "framer": ("codeFramer", "delimiterFramer", "escapeFramer", "lengthFramer"),
     "link": ("frames", "link", "message"),
     "parameter": ("parameter", "parameterSet", "parameters"),
-    "quantity": ("conversion", "unit"),
+    "quantity": ("conversion", "powerUnit", "unit"),
     "record": ("checkSize", "record"),
     "register": ("readRequestsOf", "register", "registerArray", "table", "valueOf", "writeRequestsOf"),
     "values": (

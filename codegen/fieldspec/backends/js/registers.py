@@ -10,7 +10,7 @@ from fieldspec.backends.js.declaration import Declaration, Names
 from fieldspec.backends.js.links import carries
 from fieldspec.backends.js.members import members_of
 from fieldspec.backends.js.text import comment, flag, literal, object_of
-from fieldspec.backends.js.units import unit_of
+from fieldspec.backends.js.units import power_unit_of, unit_of
 from fieldspec.backends.js.values import Slot
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
@@ -18,8 +18,11 @@ from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import RecordLayout, RegisterLayout
 from fieldspec.model.address_space import BIT
 from fieldspec.model.device import Device
-from fieldspec.model.value import Ranges
+from fieldspec.model.ranges import Ranges
 from fieldspec.names import Name
+
+POWER_UNIT = 'import("../runtime/index.js").PowerUnit'
+"""The type of units with an exponent, which few modules need."""
 
 
 def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
@@ -36,7 +39,12 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     more = [f"{key}: true" for key, is_set in (("atomic", register.atomic), ("trigger", register.trigger)) if is_set]
     more += [f"space: {literal(device.space_name(register.space))}"] if device.several_spaces else []
     more += ["unitSize: 1"] if register.unit_size == 1 else []
-    more += [f"units: {text}"] if (text := unit_of(register.value, size)) else []
+    exponent = device.register(register.value.scale_by) if register.value.scale_by else None
+    if exponent is not None:
+        units, unit_type = power_unit_of(register.value, exponent.value, size), POWER_UNIT
+    else:
+        units, unit_type = unit_of(register.value, size), "Unit"
+    more += [f"units: {units}"] if units else []
     arguments = [
         literal(layout.name),
         f"0x{layout.address:04X}",
@@ -46,7 +54,7 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
         f"(value, b, o) => {{ {write} }}",
         *([f"{{ {', '.join(more)} }}"] if more else []),
     ]
-    kinds = [names.type_of(answer, size), "Unit" if unit_of(register.value, size) else "null"]
+    kinds = [names.type_of(answer, size), unit_type if units else "null"]
     kinds += [writable] if (writable := names.type_of(register.value, size)) != kinds[0] else []
     unit = "word" if register.unit_size > 1 else "byte"
     words = "a bit" if register.value.type.name == BIT else f"{layout.words} {unit}{'s' if layout.words > 1 else ''}"
@@ -55,6 +63,7 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
         facts.append({"ro": "Read only.", "rw": "Read and write.", "wo": "Write only."}[register.access])
     ranges = register.value.writable_ranges
     facts += [f"{ranges.text()}."] if ranges is not None else []
+    facts += [f"In counts of {register.value.unit}."] if register.value.scale_by else []
     about = comment(described(Name.of(layout.name).title(), register, " ".join(facts)))
     if layout.count > 1:
         call = f"registerArray({layout.count}, {register.index_from}, {layout.stride}, {', '.join(arguments)})"

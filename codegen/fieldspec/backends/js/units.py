@@ -30,6 +30,22 @@ def unit_of(value: Value, size: int) -> str:
     return f"/* @__PURE__ */ unit({{ {', '.join(rows)} }})"
 
 
+def power_unit_of(value: Value, exponent: Value, size: int) -> str:
+    """The call that makes the `PowerUnit` of a value in `size` bytes, by the value with the exponent of its scale."""
+    ranges = value.writable_ranges
+    intervals = ranges.intervals if ranges is not None else ((value.low, value.high),)
+    exponents = exponent.ranges.intervals if exponent.ranges is not None else ()
+    rows = [
+        f"unit: {literal(value.quantity_unit)}",
+        f"exponents: [{', '.join(f'[{low}, {high}]' for low, high in exponents)}]",
+        f"unknown: [{', '.join(str(sentinel.value) for sentinel in exponent.sentinels)}]",
+        f"absent: [{', '.join(f'{sentinel.value}n' for sentinel in value.sentinels)}]",
+        f"ranges: [{', '.join(f'[{low}n, {high}n]' for low, high in intervals)}]",
+        f"wide: {'true' if value.number_size(size) > 6 else 'false'}",
+    ]
+    return f"/* @__PURE__ */ powerUnit({{ {', '.join(rows)} }})"
+
+
 def _common(first: int, second: int) -> int:
     while second:
         first, second = second, first % second

@@ -8,7 +8,8 @@ from fieldspec.backends.js.text import flag, literal
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.digits import has_sign
-from fieldspec.model.value import Kind, Value, merged
+from fieldspec.model.ranges import merged
+from fieldspec.model.value import Kind, Value
 
 INLINE = 6
 """The number of intervals up to which a test is written out; more are looked up in an array."""

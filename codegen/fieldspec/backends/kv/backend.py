@@ -83,6 +83,7 @@ _NOT_EXACT = {
     "frames": lossy("are words to fill in and to compare; nothing sums and compares them"),
     "orders": lossy("are said for each value; the ladder turns words and bytes"),
     "scales": lossy(_TABLE),
+    "powers": lossy(_TABLE),
     "conversions": refused("are formulas, which a map of words has not"),
     "digits": refused("instructions do not read them as numbers: output_numbers_binary"),
     "ranges": lossy(_TABLE),

@@ -214,8 +214,10 @@ def _scaled(model: Device, placed_value: PlacedValue) -> str:
     value = placed_value.value
     if value is None or not value.unit:
         return ""
-    known = model.unit(value.unit)
-    unit = known.ascii_symbol if known is not None else value.unit
+    known = model.unit(value.quantity_unit)
+    unit = known.ascii_symbol if known is not None else value.quantity_unit
+    if value.scale_by:
+        return f"10^{value.scale_by} {unit}".rstrip()
     return f"{value.scale_text}{unit}" if value.scaled else unit
 
 

@@ -14,7 +14,7 @@ from fieldspec.backends.python.parameters import parameter_set_view, space_views
 from fieldspec.backends.python.quantities import conversion_view
 from fieldspec.backends.python.record_parts import column_lines, record_doc
 from fieldspec.backends.python.records import RecordShape, RecordView, record_view, shape
-from fieldspec.backends.python.registers import register_view, table_view
+from fieldspec.backends.python.registers import register_views, table_view
 from fieldspec.backends.python.requests import space_accesses
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal
@@ -65,6 +65,8 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         parameter_set_view(parameter_set, layout, words, exchanges, scope)
         for parameter_set in device.parameters.values()
     ]
+    conversions = [conversion_view(conversion, device, scope) for conversion in device.conversions.values()]
+    registers, stated = register_views(layout, words, scope, space)
     view: dict[str, Any] = {
         "doc": docstring(_doc(layout)),
         "identity": layout.identity,
@@ -76,11 +78,9 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         "exchanges": exchanges,
         "messages": messages,
         "links": links,
-        "conversions": [conversion_view(conversion, device, scope) for conversion in device.conversions.values()],
-        "registers": [
-            register_view(register_layout, words, order, scope, space(register_layout.register.space))
-            for register_layout in layout.registers
-        ],
+        "conversions": conversions,
+        "registers": registers,
+        "stated_registers": stated,
         "tables": [
             table_view(table_layout, words, order, scope, space(table_layout.table.space))
             for table_layout in layout.tables.values()

@@ -12,7 +12,7 @@ from fieldspec.classes import dataclass
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.checksums import SIMPLE, checksum_named
-from fieldspec.model.value import Ranges
+from fieldspec.model.ranges import Ranges
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,8 @@ from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import pairs, within
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
-from fieldspec.model.value import Conversion, Kind, Ranges, Value
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Conversion, Kind, Value
 from fieldspec.names import Name
 
 

@@ -12,7 +12,8 @@ from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.value import Kind, Primitive, Ranges, merged
+from fieldspec.model.ranges import Ranges, merged
+from fieldspec.model.value import Kind, Primitive
 
 
 def column_lines(shaped: RecordShape) -> list[str]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
 from fieldspec.backends.fact_texts import described
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.scaling import quantity, ratio
@@ -9,11 +11,12 @@ from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import digits_letters, pairs, tuple_of
 from fieldspec.classes import dataclass
-from fieldspec.layout.device import TableLayout
+from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.address_space import BIT
 from fieldspec.model.digits import digits_text
-from fieldspec.model.value import Kind, Ranges, Value
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
 
 
@@ -71,8 +74,8 @@ def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any
         return _call(
             "_Open" if enum.open or value.sentinels else "_Closed", letters, [literal(enum.title), enum.table, *more]
         )
-    if value.unit:
-        more.append(f"unit={literal(value.unit)}")
+    if value.quantity_unit:
+        more.append(f"unit={literal(value.quantity_unit)}")
     if value.scaled:
         more.append(f"ratio={ratio(value)}")
     if narrow:
@@ -126,13 +129,32 @@ class TableView:
     doc: list[str]
 
 
-def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope, space: str = "") -> RegisterView:
+def register_views(
+    layout: DeviceLayout, words: Words, scope: Scope, space: Callable[[str], str]
+) -> tuple[list[RegisterView], list[RegisterView]]:
+    """The views of all registers in the order of the spec, and in the order in which a module can state them.
+
+    A register refers to the one with its exponent, which must therefore be stated before. `space` gives the name of the
+    space of a register.
+    """
+    names = {row.name: scope.take(Name.of(row.name).upper()) for row in layout.registers}
+    order = layout.device.byte_order
+    views = {row.name: register_view(row, words, order, names, space(row.register.space)) for row in layout.registers}
+    exponents = {row.register.value.scale_by for row in layout.registers}
+    stated = sorted(views, key=lambda name: name not in exponents)
+    return list(views.values()), [views[name] for name in stated]
+
+
+def register_view(
+    layout: RegisterLayout, words: Words, order: str, names: Mapping[str, str], space: str = ""
+) -> RegisterView:
     """The view of a register, or of an array of registers.
 
-    `order` is the byte order of the device, `space` the address space where the device has several.
+    `order` is the byte order of the device, `names` the constants of all registers by name, `space` the address space
+    where the device has several.
     """
     register = layout.register
-    name = scope.take(Name.of(layout.name).upper())
+    name = names[layout.name]
     is_bit = register.value.type.name == BIT
     value = register_value(register.value, layout.size, layout.order, layout.swapped, words, register.trigger)
     arguments = [literal(layout.name), f"0x{layout.address:04X}", str(layout.words), value, literal(register.access)]
@@ -145,6 +167,8 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
     arguments += [f"copy_of={literal(register.copy_of)}"] if register.copy_of else []
     if register.unit_size == 1:
         arguments.append("unit_size=1")
+    if register.value.scale_by:
+        arguments.append(f"scale_by={names[register.value.scale_by]}")
     if order == "little":
         arguments.append('order="<"')
     if space:

@@ -13,7 +13,8 @@ from typing import Literal
 from fieldspec.backends.python.enums import EnumView
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import FieldLayout
-from fieldspec.model.value import Kind, Ranges, Value
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Kind, Value
 
 
 @dataclass(frozen=True, slots=True)

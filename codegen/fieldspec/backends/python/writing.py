@@ -5,7 +5,8 @@ from __future__ import annotations
 from fieldspec.backends.python.enums import EnumView
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
-from fieldspec.model.value import Kind, Primitive, Ranges, Value, merged
+from fieldspec.model.ranges import Ranges, merged
+from fieldspec.model.value import Kind, Primitive, Value
 
 FEW = 3
 """The largest number of comparisons that a test writes out; above it, a table is faster."""

@@ -105,6 +105,9 @@ class Dialect(Protocol):
     def ratio(self, number: str, scale: Fraction, offset: Fraction) -> str:
         """number * scale + offset as a floating-point number."""
 
+    def power(self, number: str, exponent: str, intervals: Sequence[tuple[int, int]]) -> str:
+        """number * 10^exponent as a floating-point number; null for an exponent that is in none of the intervals."""
+
     def is_in(self, number: str, intervals: Sequence[tuple[int, int]], floating: bool = False) -> str:
         """Whether a number is in one of some intervals."""
 

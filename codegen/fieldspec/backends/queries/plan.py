@@ -8,7 +8,7 @@ from fieldspec.backends.fact_texts import sentence
 from fieldspec.backends.queries.content import Content, size_refusals, tail_of
 from fieldspec.backends.queries.dialect import Dialect
 from fieldspec.backends.queries.values import ValueQuery
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import Orders, RecordLayout, RegisterLayout
 from fieldspec.model.address_space import BIT, WORD
@@ -126,19 +126,40 @@ def _group_query(layout: DeviceLayout, name: str, group: RegisterGroup, content:
                 if not register.reserved:
                     content.add_column(column, content.dialect.single_bit(address))
                 continue
-            _add_register(content, own, column, address, level)
+            exponent = registers.get(register.value.scale_by)
+            _add_register(content, own, column, address, level, exponent)
     unit = layout.device.space(group.space).unit
     kind = "registers" if unit == WORD else f"{unit}s"
     title = f"{group.title or Name.of(group.name).title()}: {kind} in a payload from the address `start` on."
     return Query(name, title, ("start", "payload"), content, judged=False)
 
 
-def _add_register(content: Content, own: RegisterLayout, column: str, address: int, level: dict[str, str]) -> None:
-    value = own.register.answer
-    data = content.dialect.step(f"{DATA}_{len(level)}")
-    level[data] = content.dialect.words(str(address), value.size, own.register.unit_size)
-    query = ValueQuery(content.device, content.dialect, content.enums, value, own.order, own.swapped)
+def _add_register(
+    content: Content,
+    own: RegisterLayout,
+    column: str,
+    address: int,
+    level: dict[str, str],
+    exponent: RegisterLayout | None,
+) -> None:
+    query, data = _register_query(content, own, address, level)
+    if exponent is not None and exponent.register.value.ranges is not None:
+        power, words = _register_query(content, exponent, exponent.address, level)
+        query = replace(query, exponent=power.number(words, 0), exponents=exponent.register.value.ranges.intervals)
     content.add_value(column, query, data, 0, reserved=own.register.reserved)
+
+
+def _register_query(
+    content: Content, own: RegisterLayout, address: int, level: dict[str, str]
+) -> tuple[ValueQuery, str]:
+    """The query of the value of a register at an address, and the name of its bytes, which become a step."""
+    value = own.register.answer
+    words = content.dialect.words(str(address), value.size, own.register.unit_size)
+    data = next((name for name, known in level.items() if known == words), "")
+    if not data:
+        data = content.dialect.step(f"{DATA}_{len(level)}")
+        level[data] = words
+    return ValueQuery(content.device, content.dialect, content.enums, value, own.order, own.swapped), data
 
 
 def _table_query(layout: DeviceLayout, name: str, table: TableLayout, content: Content) -> Query:

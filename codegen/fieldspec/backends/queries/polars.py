@@ -90,9 +90,14 @@ class Polars:
         numbers = [float(int(scale * below)), float(int(offset * below)), float(below)]
         return f"_ratio({number}, {', '.join(map(repr, numbers))})"
 
+    def power(self, number: str, exponent: str, intervals: Sequence[tuple[int, int]]) -> str:
+        """number * 10^exponent as a floating-point number; null for an exponent that is in none of the intervals."""
+        return f"_power({number}, {exponent}, {list(intervals)!r})"
+
     def is_in(self, number: str, intervals: Sequence[tuple[int, int]], floating: bool = False) -> str:
         """Whether a number is in one of some intervals."""
-        return f"_is_in({number}, {list(intervals)!r})"
+        reals = any(isinstance(bound, float) for interval in intervals for bound in interval)
+        return f"{'_is_within' if reals else '_is_in'}({number}, {list(intervals)!r})"
 
     def is_nan(self, number: str) -> str:
         """Whether a floating-point number is no number."""

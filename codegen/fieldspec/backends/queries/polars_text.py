@@ -37,6 +37,8 @@ def polars_text(layout: DeviceLayout) -> str:
         lines += [f"{enums[enum.name]} = {{", *(f"    {n}: {own!r}," for n, own in names_of(enum).items()), "}"]
     for query in queries(layout, names, enums, lambda cuts: Polars()):
         lines += _functions(query)
+    if any("_power(" in line or "_is_within(" in line for line in lines[1:]):
+        lines[0] += text("backends/queries/runtime/reals.py").partition("import polars as _pl\n")[2] + "\n"
     return "\n".join([*lines, ""])
 
 

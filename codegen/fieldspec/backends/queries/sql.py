@@ -189,6 +189,12 @@ class Sql:
             above = f"({above} + ({float(int(offset * below))!r}))"
         return f"({above} / {float(below)!r})"
 
+    def power(self, number: str, exponent: str, intervals: Sequence[tuple[int, int]]) -> str:
+        """number * 10^exponent as a floating-point number; null for an exponent that is in none of the intervals."""
+        above, below = f"greatest({exponent}::DOUBLE, 0)", f"greatest(-{exponent}::DOUBLE, 0)"
+        quantity = f"{number}::DOUBLE * pow(10, {above}) / pow(10, {below})"
+        return f"CASE WHEN {self.is_in(exponent, intervals)} THEN {quantity} END"
+
     def is_in(self, number: str, intervals: Sequence[tuple[int, int]], floating: bool = False) -> str:
         """Whether a number is in one of some intervals."""
         own = f"{number}::DOUBLE" if floating else number

@@ -38,7 +38,11 @@ class ValueRule:
 
 @dataclass(frozen=True, slots=True)
 class ValueQuery:
-    """The expressions of a value with its orders. `enums` are the enums as the dialect refers to them."""
+    """The expressions of a value with its orders. `enums` are the enums as the dialect refers to them.
+
+    `exponent` is the expression of the exponent of a scale that another register has, else empty; `exponents` are the
+    numbers that it may be.
+    """
 
     device: Device
     dialect: Dialect
@@ -46,6 +50,8 @@ class ValueQuery:
     value: Value
     order: str
     swapped: bool
+    exponent: str = ""
+    exponents: tuple[tuple[int, int], ...] = ()
 
     def number(self, data: str, offset: int) -> str:
         """The raw number."""
@@ -78,8 +84,8 @@ class ValueQuery:
         elif value.flags:
             yield ValueColumn("", self.word)
             yield from self._bits()
-        elif kind is Kind.INTEGER and value.scaled:
-            yield ValueColumn(unit_word(value.unit), self._quantity)
+        elif kind is Kind.INTEGER and (value.scaled or self.exponent):
+            yield ValueColumn(unit_word(value.quantity_unit), self._quantity)
             yield ValueColumn("raw", self.number)
         elif value.sentinels:
             yield ValueColumn("", lambda data, at: self._absent(self.number(data, at), data, at))
@@ -163,6 +169,8 @@ class ValueQuery:
 
     def _quantity(self, data: str, at: int) -> str:
         value, number = self.value, self.number(data, at)
+        if self.exponent:
+            return self._absent(self.dialect.power(number, self.exponent, self.exponents), data, at)
         return self._absent(quantity(self.dialect, number, value, (value.type.low, value.type.high)), data, at)
 
     def _bits(self) -> Iterator[ValueColumn]:

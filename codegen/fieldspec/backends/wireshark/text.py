@@ -44,7 +44,7 @@ def table(value: Data, indent: int = 0) -> str:
         return "nil"
     if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, int):
+    if isinstance(value, int | float):
         return str(value)
     if isinstance(value, str | bytes):
         return literal(value)

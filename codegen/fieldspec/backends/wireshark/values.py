@@ -13,7 +13,8 @@ from fieldspec.explain.row import errata_at, errata_of_words
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Enum, Flags
 from fieldspec.model.fact import Fact
-from fieldspec.model.value import Kind, Ranges, Value
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Kind, Value
 
 _TEXTS = ("alarm", "error", "exception", "fault", "warning")
 """The kinds of enums whose members have texts that people look up."""

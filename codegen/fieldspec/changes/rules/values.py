@@ -94,7 +94,7 @@ def _of_bits(comparison: Comparison) -> Iterator[ValuePair]:
 
 
 def scale_changed(comparison: Comparison) -> Iterator[Change]:
-    """The scale or the offset of a value is another one.
+    """The scale or the offset of a value is another one, or the register with the exponent of its scale.
 
     Why: the same number on the wire is another quantity, such as ten times the distance.
 
@@ -112,6 +112,11 @@ def scale_changed(comparison: Comparison) -> Iterator[Change]:
             if old != new and (key == "offset" or value_pair.old.scale != value_pair.new.scale):
                 text = f"{named(value_pair.of.new)}: {difference_text('the ' + key, old, new)}"
                 yield change("scale_changed", Effect.WIRE, value_pair, key, text, old, new)
+        exponent = comparison.renamed_to("registers", value_pair.old.scale_by) if value_pair.old.scale_by else ""
+        if exponent != value_pair.new.scale_by:
+            new = value_pair.new.scale_by
+            text = f"{named(value_pair.of.new)}: {difference_text('the register of the exponent', exponent, new)}"
+            yield change("scale_changed", Effect.WIRE, value_pair, "scale_by", text, exponent, new)
 
 
 def unit_changed(comparison: Comparison) -> Iterator[Change]:
@@ -126,7 +131,7 @@ def unit_changed(comparison: Comparison) -> Iterator[Change]:
     """
 
     for value_pair in (*comparison.values, *_of_bits(comparison)):
-        old, new = value_pair.old.unit, value_pair.new.unit
+        old, new = value_pair.old.quantity_unit, value_pair.new.quantity_unit
         if old != new:
             text = f"{named(value_pair.of.new)}: {difference_text('the unit', old, new)}"
             yield change("unit_changed", Effect.WIRE, value_pair, "unit", text, old, new, (PYTHON,))

@@ -11,7 +11,8 @@ from fieldspec.explain.script.literals import Data
 from fieldspec.model.digits import digits_text, has_sign
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.model.fact import Fact
-from fieldspec.model.value import Ranges, Value
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Value
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -63,6 +64,8 @@ def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str
                 for sentinel in value.sentinels
             ],
             "unit": value.unit,
+            "scaleBy": value.scale_by,
+            "quantityUnit": value.quantity_unit if value.scale_by else "",
             **_scale(value.scale, value.offset),
             "isShare": "/" in value.scale_text,
             "parameter": [parameter.set, parameter.part, parameter.number] if parameter is not None else None,

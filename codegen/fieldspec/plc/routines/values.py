@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RegisterLayout
-from fieldspec.model.value import Kind, Ranges, Value
+from fieldspec.model.ranges import Ranges, bound_text
+from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
 from fieldspec.plc.routines.expressions import (
     BITS,
@@ -184,10 +185,15 @@ def _outside_real(value: Value, of: Expression) -> Expression:
     pairs = list(value.ranges.intervals) if value.ranges is not None else []
     pairs += [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
     inside = [
-        every([compared(of, ">=", Fraction(f"{low}.0", REAL)), compared(of, "<=", Fraction(f"{high}.0", REAL))])
+        every([compared(of, ">=", Fraction(_real(low), REAL)), compared(of, "<=", Fraction(_real(high), REAL))])
         for low, high in sorted(pairs)
     ]
     return Negation(either(inside))
+
+
+def _real(bound: float) -> str:
+    """A bound with a decimal point."""
+    return f"{bound}.0" if isinstance(bound, int) else bound_text(bound)
 
 
 def _put(wire: Wire, holder: Holder, offset: int, raw: Variable, source: Expression) -> list[Statement]:

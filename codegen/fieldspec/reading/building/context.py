@@ -11,12 +11,18 @@ from typing import Any, TypeAlias, TypeVar, cast
 from fieldspec.caches import ByIdentity
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.fact import Citation, Claim, Place, Report, ScalarValue, Standard
-from fieldspec.model.value import HANDLING_KEYS, UNSPECIFIED, Handling, Ranges, intervals, whole_intervals
+from fieldspec.model.ranges import Ranges, intervals, whole_intervals
+from fieldspec.model.value import HANDLING_KEYS, UNSPECIFIED, Handling
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, exact
 from fieldspec.source import Span
 
 _CLAIM_META = ("source", "doc")
 _REPORT_META = ("by", "how")
+
+
+def _real(bound: Decimal) -> float:
+    """A bound as a whole number, or with a fraction as the nearest float."""
+    return int(bound) if bound == int(bound) else float(bound)
 
 
 class Entry:
@@ -178,6 +184,16 @@ class Entry:
         elif any(low > high for low, high in whole):
             self.refuse("wrong_form", key, "an interval ends before it starts", "write the lower bound first")
         return Ranges(whole)
+
+    def real_ranges(self, key: str) -> Ranges | None:
+        """The intervals under a key of a floating-point value, whose bounds may have a fraction."""
+        node = self.get(key)
+        if not isinstance(node, Scalar):
+            return None
+        bounds = tuple((_real(low), _real(high)) for low, high in intervals(node.text))
+        if any(low > high for low, high in bounds):
+            self.refuse("wrong_form", key, "an interval ends before it starts", "write the lower bound first")
+        return Ranges(cast("tuple[tuple[int, int], ...]", bounds))
 
     def fact(self) -> dict[str, Any]:
         """The arguments that every fact of the model takes."""

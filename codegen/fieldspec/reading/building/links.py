@@ -6,7 +6,8 @@ from fieldspec.classes import replace
 from fieldspec.model.checksums import SIMPLE
 from fieldspec.model.escape import CAN_BITS, Escape
 from fieldspec.model.link import ExceptionResponse, Link, Part, PartSpan, Serial, UnitAddresses
-from fieldspec.model.value import Ranges, Value
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Value
 from fieldspec.reading.building.checksums import algorithm_of
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.building.escapes import escape

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fieldspec.model.address_space import WHOLE, WORD, AddressSpace
 from fieldspec.model.fact import Citation
+from fieldspec.model.ranges import Ranges
 from fieldspec.model.registers import (
     Gap,
     Parameter,
@@ -14,7 +15,6 @@ from fieldspec.model.registers import (
     Subindex,
     Table,
 )
-from fieldspec.model.value import Ranges
 from fieldspec.reading.building.context import Entry, Reused, rows
 from fieldspec.reading.building.values import value
 from fieldspec.reading.nodes import Mapping

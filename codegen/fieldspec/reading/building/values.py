@@ -6,17 +6,18 @@ from decimal import Decimal
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.model.fact import ScalarValue
+from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import (
     PRIMITIVES,
     Conversion,
     Kind,
     ParameterPart,
     Primitive,
-    Ranges,
     Sentinel,
     Signal,
     Value,
     exact_scale,
+    power_of_ten,
 )
 from fieldspec.reading.building.context import Entry
 from fieldspec.schema import schema
@@ -43,6 +44,11 @@ def value(entry: Entry, type_name: str = "", words: int | None = None, takes_dig
     offset = entry.decimal("offset") or _ZERO
     scale = scale if scale is not None else _UNITY
     part = entry.entry("parameter")
+    scale_by, unit = entry.text("scale_by"), entry.text("unit")
+    for key in ("unit_range", "unit_default") if scale_by else ():
+        if entry.value(key) is not None:
+            text = f"a quantity depends on what the device has in {scale_by}"
+            entry.refuse("wrong_form", key, text, f"state `{key.removeprefix('unit_')}`, in counts")
     return Value(
         type=primitive,
         size=_size(entry, primitive, words, digits),
@@ -51,8 +57,8 @@ def value(entry: Entry, type_name: str = "", words: int | None = None, takes_dig
         scale=scale,
         scale_text=scale_text(entry.value("scale")),
         offset=offset,
-        unit=entry.text("unit"),
-        ranges=_ranges(entry, scale, offset),
+        unit=f"{power_of_ten(scale_by)} {unit}".rstrip() if scale_by else unit,
+        ranges=_real_ranges(entry) if primitive.kind is Kind.FLOAT else _ranges(entry, scale, offset),
         default=_default(entry, scale, offset),
         const=entry.integer("const"),
         enum=entry.text("enum"),
@@ -63,6 +69,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None, takes_dig
         word_order=entry.text("word_order"),
         digits=digits,
         places=entry.integer("places") or 0,
+        scale_by=scale_by,
     )
 
 
@@ -106,6 +113,12 @@ def _size(entry: Entry, primitive: Primitive, words: int | None, digits: str) ->
         entry.refuse("type_present", "type", text, "add its `length` in bytes")
         return 2
     return length
+
+
+def _real_ranges(entry: Entry) -> Ranges | None:
+    """The range of a floating-point number, which is in its unit."""
+    in_unit = entry.real_ranges("unit_range")
+    return entry.real_ranges("range") if in_unit is None else in_unit
 
 
 def _ranges(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> Ranges | None:

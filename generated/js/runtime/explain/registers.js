@@ -1,6 +1,6 @@
 import { isWhole } from "./numbers.js";
 import { isWithin } from "./texts.js";
-import { decoded, decodeValue, forWriting } from "./values.js";
+import { decoded, decodeValue, forWriting, numberOfBytes, scaledBy, sentinelOf } from "./values.js";
 import { factRow, rowOf } from "./rows.js";
 
 function partialText(unit, isAtomic) {
@@ -167,7 +167,7 @@ function registerRow(device, span, occupant, spot, operation) {
   const piece = span.piece(occupant.address, occupant.value.size, occupant.skip);
   let read;
   if (piece) {
-    const value = operation === "write" ? forWriting(occupant.value) : occupant.value;
+    const value = byExponent(device, span, operation === "write" ? forWriting(occupant.value) : occupant.value);
     read = decodeValue(device, value, piece.content, value.order ?? "big", value.swapped, occupant.reserved);
     // What starts something does not answer what was written.
     if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
@@ -179,6 +179,18 @@ function registerRow(device, span, occupant, spot, operation) {
   const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
   const place = { address: occupant.address, words: occupant.words, unit: span.unit, access: occupant.access };
   return { ...row, ...place, offset: piece ? row.offset : 0 };
+}
+
+/** A value with its scale, where the exponent is in another register, and the span has that one, too. */
+function byExponent(device, span, value) {
+  if (!value.scaleBy) return value;
+  const exponent = device.data.registers.find(({ name }) => name === value.scaleBy);
+  const own = exponent.value;
+  const piece = span.piece(exponent.address, own.size);
+  if (!piece) return value;
+  const number = numberOfBytes(own, piece.content, own.order ?? "big", own.swapped);
+  const isExponent = isWhole(number) && isWithin(own.ranges ?? [], number) && !sentinelOf(own, number);
+  return isExponent ? scaledBy(value, Number(number)) : value;
 }
 
 /** The row of words that no register has, with the reasons of the gaps there. */

@@ -54,6 +54,12 @@ function quantityOf(value, number) {
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }
 
+/** A value with the scale that an exponent makes of it, where `scaleBy` names the register of the exponent. */
+export function scaledBy({ scaleBy, quantityUnit, unit, ...value }, exponent) {
+  const scale = exponent < 0 ? `0.${"1".padStart(-exponent, "0")}` : "1".padEnd(exponent + 1, "0");
+  return { ...value, ...(exponent === 0 ? {} : { scale, offset: "0" }), ...(quantityUnit ? { unit: quantityUnit } : {}) };
+}
+
 /** The quantity of a raw value with its unit; empty for a value without unit and scale, and for a sentinel. */
 export function inUnit(value, number) {
   if ((value.unit === undefined && value.scale === undefined) || sentinelOf(value, number)) return "";

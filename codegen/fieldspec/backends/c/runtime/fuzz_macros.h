@@ -132,6 +132,25 @@
         } \
     } while (0)
 
+/* ---- QUANTITY ---- */
+
+/* Any quantity is refused or becomes a count, whatever the exponent; converting a count back and forth keeps it. */
+#define QUANTITY(type, exponent_type, from_raw, to_raw, exact) \
+    do { \
+        type raw = 0, again = 0; \
+        exponent_type exponent; \
+        double quantity; \
+        if (size < sizeof quantity + sizeof exponent) { \
+            break; \
+        } \
+        memcpy(&quantity, data, sizeof quantity); \
+        memcpy(&exponent, data + sizeof quantity, sizeof exponent); \
+        if (to_raw(quantity, exponent, &raw) == DEVICE_OK) { \
+            hold(from_raw(raw, exponent, &quantity) == DEVICE_OK); \
+            hold(!(exact) || (to_raw(quantity, exponent, &again) == DEVICE_OK && again == raw)); \
+        } \
+    } while (0)
+
 /* ---- CONVERSION ---- */
 
 /* Any quantity is refused or becomes a count; with a reference of usual size, converting a count back and forth keeps it. */

@@ -49,6 +49,18 @@ export interface Unit {
   fromUnit(quantity: Quantity): number | bigint;
 }
 
+/** The unit of counts whose scale is a power of ten, of which another register has the exponent. */
+export interface PowerUnit {
+  readonly unit: string;
+  /**
+   * The quantity of a count, rounded once; null for a count that stands for no quantity, and for such an exponent.
+   * Throws CodecError for an exponent that is none.
+   */
+  inUnit(count: number | bigint, exponent: number | bigint): number | null;
+  /** The nearest count of a quantity. Throws CodecError out of range, and for an exponent that is none. */
+  fromUnit(quantity: Quantity, exponent: number | bigint): number | bigint;
+}
+
 /** A share of a reference. */
 export interface Conversion {
   /** The quantity of a count, the raw value. */

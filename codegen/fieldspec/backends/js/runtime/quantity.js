@@ -40,6 +40,32 @@ export function unit({ unit: symbol, factor, shift, divisor, absent, ranges, wid
 }
 
 /**
+ * The unit of a whole number whose scale is a power of ten: quantity = count * 10 ** exponent. The exponent is in one of
+ * the intervals `exponents`, or one of the numbers `unknown`, which stand for none; the rest is as in `unit`.
+ */
+export function powerUnit({ unit: symbol, exponents, unknown, ...counts }) {
+  const power = (exponent) => {
+    const number = Number(exponent);
+    if (exponent === null || !Number.isInteger(number) || !within(exponents, number)) {
+      throw new CodecError("out_of_range", `the exponent is ${printed(exponent)}, not in ${rangesText(exponents)}`);
+    }
+    const [factor, divisor] = number > 0 ? [10n ** BigInt(number), 1n] : [1n, 10n ** BigInt(-number)];
+    return unit({ unit: symbol, factor, shift: 0n, divisor, ...counts });
+  };
+  return Object.freeze({
+    unit: symbol,
+    /** The quantity of a count, rounded once; null where the count or the exponent stands for none. Throws CodecError. */
+    inUnit(count, exponent) {
+      return unknown.some((other) => other == exponent) ? null : power(exponent).inUnit(count);
+    },
+    /** The count that is nearest to a quantity, as `fromUnit` of a unit. Throws CodecError. */
+    fromUnit(quantity, exponent) {
+      return power(exponent).fromUnit(quantity);
+    },
+  });
+}
+
+/**
  * A share of a reference: quantity = reference * count / full; with `complement`, reference * (1 - count / full).
  * `low` and `high` bound the count.
  */

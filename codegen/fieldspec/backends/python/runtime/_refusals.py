@@ -63,21 +63,21 @@ def refused_flags(name: str, value: Any, high: int, ranges: tuple[tuple[int, int
 
 
 def refused_float(
-    name: str, value: Any, ranges: tuple[tuple[int, int], ...] = (), others: tuple[float, ...] = ()
+    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: tuple[float, ...] = ()
 ) -> CodecError | None:
     """A floating-point number of 32 bits, in one of `ranges`, or one of `others`; without ranges any one, NaN too."""
     return _refused_real(name, value, _F32, ranges, others)
 
 
 def refused_double(
-    name: str, value: Any, ranges: tuple[tuple[int, int], ...] = (), others: tuple[float, ...] = ()
+    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: tuple[float, ...] = ()
 ) -> CodecError | None:
     """A floating-point number of 64 bits, as `refused_float` says it of 32."""
     return _refused_real(name, value, _F64, ranges, others)
 
 
 def _refused_real(
-    name: str, value: Any, struct: Struct, ranges: tuple[tuple[int, int], ...], others: tuple[float, ...]
+    name: str, value: Any, struct: Struct, ranges: tuple[tuple[float, float], ...], others: tuple[float, ...]
 ) -> CodecError | None:
     if not isinstance(value, (int, float)):
         return CodecError("wrong_type", f"{name} is a number, not {value!r}")

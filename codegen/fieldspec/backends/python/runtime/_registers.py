@@ -29,7 +29,8 @@ class Register(Generic[T]):
     accessed in one request. `trigger`: writing starts an action, and reading returns no meaningful value.
     `number` is its number in another list of the manual, `copy_of` the name of the register that it copies.
     `space` is its address space, empty where the device has only one. An address has `unit_size` bytes: 2, or 1 in a
-    space of bytes, in which `words` counts these.
+    space of bytes, in which `words` counts these. `scale_by` is the register with the exponent of the scale, None where
+    the scale is always the same.
     """
 
     __slots__ = (
@@ -40,6 +41,7 @@ class Register(Generic[T]):
         "name",
         "number",
         "order",
+        "scale_by",
         "space",
         "trigger",
         "unit_size",
@@ -62,10 +64,11 @@ class Register(Generic[T]):
         order: str = ">",
         space: str = "",
         unit_size: int = 2,
+        scale_by: Register[int] | None = None,
     ) -> None:
         self.name, self.address, self.words, self.space, self.unit_size = name, address, words, space, unit_size
         self.value, self.access, self.number, self.copy_of = value, access, number, copy_of
-        self.atomic, self.trigger, self.order = atomic, trigger, order
+        self.atomic, self.trigger, self.order, self.scale_by = atomic, trigger, order, scale_by
 
     def __repr__(self) -> str:
         last = f"..0x{self.address + self.words - 1:04X}" if self.words > 1 else ""
@@ -83,7 +86,7 @@ class Register(Generic[T]):
 
     @property
     def scale(self) -> float:
-        """The value of one count in the unit."""
+        """The value of one count in the unit, before the power of ten that `scale_by` has the exponent of."""
         return self.value.ratio[0] / self.value.ratio[2]
 
     @property
@@ -107,16 +110,49 @@ class Register(Generic[T]):
         """The words of a value, as a request carries them. Raises CodecError."""
         return list(unpack(f"{self.order}{self.words}{_LETTERS[self.unit_size]}", self.encode(value)))
 
-    def in_unit(self, count: float) -> float | None:
-        """A count in the unit; None for one that stands for an absent value."""
-        return self.value.in_unit(count)
+    def in_unit(self, count: float, exponent: int | None = None) -> float | None:
+        """A count in the unit; None for one that stands for an absent value.
 
-    def from_unit(self, value: Quantity) -> int:
+        Where `scale_by` is a register, `exponent` is its value: the quantity is the count times 10 to its power, and
+        None where the exponent stands for an absent value. Raises CodecError for an exponent that is none, or missing.
+        """
+        if self.scale_by is None:
+            if exponent is not None:
+                raise self._exponent_error(exponent)
+            return self.value.in_unit(count)
+        if exponent in self.scale_by.value.others:
+            return None
+        return self.value.in_unit(count, self._power(exponent))
+
+    def from_unit(self, value: Quantity, exponent: int | None = None) -> int:
         """The count that is nearest to a value in the unit, of two the even one.
 
-        Raises CodecError out of range, and where that count stands for an absent value.
+        Where `scale_by` is a register, `exponent` is its value. Raises CodecError out of range, where that count stands
+        for an absent value, and for an exponent that is none, or missing.
         """
-        return self.value.from_unit(self.name, value)
+        if self.scale_by is None:
+            if exponent is not None:
+                raise self._exponent_error(exponent)
+            return self.value.from_unit(self.name, value)
+        return self.value.from_unit(self.name, value, self._power(exponent))
+
+    def _power(self, exponent: int | None) -> tuple[int, int, int]:
+        """The scale of a power of ten as a `Value` has it. Raises CodecError."""
+        if not isinstance(exponent, int) or isinstance(exponent, bool):
+            raise self._exponent_error(exponent)
+        limits = self.scale_by.ranges if self.scale_by is not None else ()
+        if not any(low <= exponent <= high for low, high in limits):
+            raise self._exponent_error(exponent)
+        return (10**exponent, 0, 1) if exponent > 0 else (1, 0, 10**-exponent)
+
+    def _exponent_error(self, exponent: int | None) -> CodecError:
+        if self.scale_by is None:
+            return CodecError("wrong_type", f"the scale of {self.name} has no exponent, and {exponent!r} is one")
+        name = self.scale_by.name
+        if exponent is None:
+            return CodecError("wrong_type", f"the scale of {self.name} has an exponent, which is the value of {name}")
+        allowed = ", ".join(f"{low}..{high}" for low, high in self.scale_by.ranges)
+        return CodecError("out_of_range", f"{name} is {exponent!r}, not an exponent in {allowed}")
 
 
 class RegisterArray(Generic[T]):
@@ -142,11 +178,12 @@ class RegisterArray(Generic[T]):
         order: str = ">",
         space: str = "",
         unit_size: int = 2,
+        scale_by: Register[int] | None = None,
     ) -> None:
         self.name, self.address, self.access, self.space = name, address, access, space
         self.first, self.stride, self.number, self.copy_of = first, stride, number, copy_of
         more: dict[str, Any] = {"atomic": atomic, "trigger": trigger, "order": order, "space": space}
-        more["unit_size"] = unit_size
+        more |= {"unit_size": unit_size, "scale_by": scale_by}
         self._registers = tuple(
             Register(f"{name}[{first + number}]", address + number * stride, words, value, access, **more)
             for number in range(count)

@@ -113,19 +113,19 @@ class Value(Generic[T]):
         """The raw value for its Struct, of a value that `refused` accepts."""
         return value
 
-    def in_unit(self, count: float) -> float | None:
-        """A count in the unit; None for one that stands for an absent value."""
+    def in_unit(self, count: float, ratio: tuple[int, int, int] | None = None) -> float | None:
+        """A count in the unit, by another scale than its own where one is stated; None where it is an absent value."""
         if count in self.others:
             return None
-        a, b, c = self.ratio
+        a, b, c = ratio or self.ratio
         return (count * a + b) / c
 
-    def from_unit(self, name: str, value: Quantity) -> int:
-        """The count that is nearest to a value in the unit, of two the even one.
+    def from_unit(self, name: str, value: Quantity, ratio: tuple[int, int, int] | None = None) -> int:
+        """The count that is nearest to a value in the unit, of two the even one; `ratio` as in `in_unit`.
 
         Raises CodecError out of range, and where that count stands for an absent value.
         """
-        count = counts(name, value, self.ratio, self.ranges or ((self.low, self.high),))
+        count = counts(name, value, ratio or self.ratio, self.ranges or ((self.low, self.high),))
         if count in self.others:
             raise CodecError("out_of_range", f"{name} is {value}, whose count {count} stands for an absent value")
         return count
@@ -309,6 +309,18 @@ class Float(Value[float]):
 
     __slots__ = ()
 
+    def __init__(
+        self,
+        letters: str,
+        *,
+        swapped: bool = False,
+        ranges: tuple[tuple[float, float], ...] = (),
+        unit: str = "",
+        others: tuple[float, ...] = (),
+    ) -> None:
+        super().__init__(letters, swapped=swapped, unit=unit, others=others)
+        self.ranges = ranges  # type: ignore[assignment]  # those of other values are whole numbers
+
     def of_carried(self, name: str, raw: Any) -> float:
         """The number that a message carries. Raises CodecError."""
         if not isinstance(raw, (int, float)):
@@ -321,7 +333,7 @@ class Float(Value[float]):
     def refused(self, name: str, value: Any) -> CodecError | None:
         return refused_float(name, value, self.ranges, self.others)
 
-    def in_unit(self, count: float) -> float | None:
+    def in_unit(self, count: float, ratio: tuple[int, int, int] | None = None) -> float | None:
         """The number itself, which is in the unit; None for one that stands for an absent value."""
         return None if is_among(count, self.others) else float(count)
 

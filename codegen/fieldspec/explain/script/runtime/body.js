@@ -62,7 +62,8 @@ export class ExplainedBody {
   missingRow(number, at) {
     const missing = this.record.least - (this.end - this.start);
     const later = this.record.fields.slice(number).map(({ name }) => name).join(", ");
-    return this.wrongRow(this.record.fields[number], at, "incomplete", `${missing} bytes are missing for ${later}`);
+    const text = `${missing} ${missing === 1 ? "byte is" : "bytes are"} missing for ${later}`;
+    return this.wrongRow(this.record.fields[number], at, "incomplete", text);
   }
 
   /** The row of a field whose type is open, because the field that decides it has a value without a case. */

@@ -122,7 +122,8 @@ def argument(block: BlockDraft, name: str, operand: Operand, value: Value | None
 
 
 def _counts(operand: Operand, value: Value | None) -> str:
-    measured = value is not None and not value.unit and not value.scaled and bool(_MEASURED & {*operand.roles})
+    has_counts = value is not None and not value.scaled and (not value.unit or bool(value.scale_by))
+    measured = has_counts and bool(_MEASURED & {*operand.roles})
     return "_counts" if measured else ""
 
 

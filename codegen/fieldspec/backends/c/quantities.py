@@ -1,0 +1,118 @@
+"""Conversions between the counts of registers and quantities whose scale is read from the device, in double."""
+
+from __future__ import annotations
+
+from fieldspec.backends.c.conversions import COUNT, RAW, count_of_share
+from fieldspec.backends.c.declarations import BLANK, Declaration, Function, comment
+from fieldspec.backends.c.expressions import (
+    Call,
+    Cast,
+    Expression,
+    Group,
+    Identifier,
+    Type,
+    all_of,
+    any_of,
+    at_least,
+    at_most,
+    dereference,
+    equal,
+    integer,
+    negate,
+)
+from fieldspec.backends.c.naming import Naming
+from fieldspec.backends.c.statements import Body, Variable, assign
+from fieldspec.backends.c.values import out_of_range_test, refuse, return_ok, status_type, type_name
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import RegisterLayout
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.registers import Register
+from fieldspec.model.value import Value
+
+_DOUBLE = Type("double")
+_QUANTITY, _EXPONENT = Identifier("quantity"), Identifier("exponent")
+
+
+def scaled_by_register(layout: DeviceLayout) -> list[tuple[RegisterLayout, Register]]:
+    """The registers whose scale is read from the device, each with the register of the exponent."""
+    registers = {row.name: row.register for row in layout.registers}
+    return [(row, registers[row.register.value.scale_by]) for row in layout.registers if row.register.value.scale_by]
+
+
+def declare_quantity(naming: Naming, layout: RegisterLayout, exponent: Register) -> list[Declaration]:
+    """The functions from the count of a register to its quantity and back, by the value of the exponent's register.
+
+    `codec_status reg_power_from_raw(int16_t raw, int16_t exponent, double *quantity)`, `reg_power_to_raw(...)`
+    """
+    value = layout.register.value
+    kind, signed_exponent = Type(type_name(value)), Cast("int32_t", _EXPONENT)
+    unit = f", in {value.quantity_unit}" if value.quantity_unit else ""
+    ranges = _writable(value)
+    parameter = Variable(Type(type_name(exponent.value)), "exponent")
+    valid = refuse(naming, negate(Group(_is_in(exponent.value, exponent.value.ranges, _EXPONENT))), "err_out_of_range")
+    return [
+        comment(
+            f"{layout.name} = raw * 10^{exponent.name}{unit}; refused for a count that stands for an absent value,",
+            f"and for an exponent that {exponent.name} may not have.",
+        ),
+        Function(
+            status_type(naming),
+            naming.function("register", layout.name, "from_raw"),
+            (Variable(kind, "raw"), parameter, Variable(Type("double", pointer=True), "quantity")),
+            (
+                *valid,
+                *_refuse_absent(naming, value, RAW),
+                assign(
+                    dereference(_QUANTITY),
+                    Call(naming.own("times_power"), (Cast("double", RAW), signed_exponent)),
+                ),
+                return_ok(naming),
+            ),
+        ),
+        BLANK,
+        comment(
+            "The count of a quantity, the nearest one, of two equally near ones the even one; refused where it",
+            f"is not in {ranges.text()}, and for such a count or exponent.",
+        ),
+        Function(
+            status_type(naming),
+            naming.function("register", layout.name, "to_raw"),
+            (Variable(_DOUBLE, "quantity"), parameter, Variable(Type(kind.name, pointer=True), "raw")),
+            count_of_share(
+                naming,
+                value.type,
+                (ranges.low, ranges.high),
+                (*valid, assign(COUNT, Call(naming.own("over_power"), (_QUANTITY, signed_exponent)))),
+                lambda whole: (*_refuse_gaps(naming, value, whole), *_refuse_absent(naming, value, whole)),
+            ),
+        ),
+    ]
+
+
+def _writable(value: Value) -> Ranges:
+    return value.writable_ranges or Ranges(((value.low, value.high),))
+
+
+def _is_in(value: Value, ranges: Ranges | None, number: Expression) -> Expression:
+    """Whether a number is in ranges, whose bounds are narrower than those of its type."""
+    size, signed = value.type.container, value.type.signed
+    tests = []
+    for low, high in ranges.intervals if ranges is not None else ():
+        bounds = [at_least(number, integer(low, size, signed))] if low > 0 or signed else []
+        tests.append(Group(all_of([*bounds, at_most(number, integer(high, size, signed))])))
+    return any_of(tests)
+
+
+def _refuse_gaps(naming: Naming, value: Value, number: Expression) -> Body:
+    """Refuses a number between the intervals of a range; the ends of the whole range are tested before."""
+    ranges = value.writable_ranges
+    test = out_of_range_test(value, number) if ranges is not None and len(ranges.intervals) > 1 else None
+    return refuse(naming, test, "err_out_of_range") if test is not None else ()
+
+
+def _refuse_absent(naming: Naming, value: Value, number: Expression) -> Body:
+    """Refuses the numbers that stand for an absent value."""
+    tests: list[Expression] = [
+        equal(number, integer(sentinel.value, value.type.container, value.type.signed)) for sentinel in value.sentinels
+    ]
+    return refuse(naming, any_of(tests), "err_out_of_range") if tests else ()

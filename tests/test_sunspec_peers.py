@@ -1,0 +1,262 @@
+"""Registers with scale factors, as SunSpec defines them, against pysunspec2 over TCP.
+
+The models of the made-up inverter are compared with the model definitions that pysunspec2 brings along.
+"""
+
+from __future__ import annotations
+
+import csv
+import importlib
+import json
+from collections.abc import Iterator
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+import pytest
+from sunspec2.modbus.client import SunSpecModbusClientDeviceTCP
+
+from command_line import CommandLine
+from fieldspec.cli import main
+from fieldspec.explain.registers import Occupant, Span, occupants
+from fieldspec.layout.record import RegisterLayout
+from fieldspec.testing import SimulatedDevice, simulation
+from layouts import TEST_SPECS, newest
+from python_package import codec_error, module_of, runtime
+
+LAYOUT = newest(TEST_SPECS, "inverter")
+INVERTER = module_of(LAYOUT)
+CLIENT = importlib.import_module(f"{INVERTER.__name__.rpartition('.')[0]}.client")
+CodecError = codec_error()
+MODELS = {"inverter": 103, "trackers": 160}
+SECONDS = 5
+# Raw values at bounds of their types and at usual places; the last one of each type stands for "not implemented".
+RAW = {
+    "u16": (0, 1, 2304, 65534, 65535),
+    "i16": (-32767, -1, 9870, 32767, -32768),
+    "u32": (1, 123456789, 0xFFFFFFFE, 0),
+}
+
+
+@pytest.fixture(scope="module")
+def device() -> Iterator[SimulatedDevice]:
+    with simulation("inverter", ports={"tcp": "tcp://127.0.0.1:0"}, folder=str(TEST_SPECS)) as running:
+        yield running
+
+
+def address(device: SimulatedDevice) -> tuple[str, int]:
+    return "127.0.0.1", int(device.place.rpartition(":")[2])
+
+
+@pytest.fixture(scope="module")
+def peer(device: SimulatedDevice) -> Iterator[Any]:
+    """A device of pysunspec2 that has found the models of the simulated one."""
+    host, port = address(device)
+    client = SunSpecModbusClientDeviceTCP(slave_id=1, ipaddr=host, ipport=port, timeout=SECONDS)
+    client.scan()
+    yield client
+    client.close()
+
+
+@pytest.fixture(scope="module")
+def client(device: SimulatedDevice) -> Iterator[Any]:
+    """The generated client."""
+    with runtime("transports").tcp(*address(device)) as transport:
+        yield CLIENT.Client(transport, link="tcp", timeout=SECONDS)
+
+
+def group_of(name: str) -> list[RegisterLayout]:
+    names = {register.name for group in LAYOUT.device.groups if group.name == name for register in group.registers}
+    return [register for register in LAYOUT.registers if register.name in names]
+
+
+def points(peer: Any, group: str, register: RegisterLayout) -> list[tuple[str, Any, Any]]:
+    """The path, the constant of the generated code, and the point of pysunspec2, of each element of a register."""
+    model, own = peer.models[MODELS[group]][0], register.register
+    constant = getattr(INVERTER, register.name.upper())
+    if register.count == 1:
+        return [(f"registers/{register.name}", constant, model.points[own.printed_name])]
+    numbers = range(own.index_from, own.index_from + register.count)
+    modules = model.groups["module"]
+    return [
+        (f"registers/{register.name}[{number}]", constant[number], module.points[own.printed_name])
+        for number, module in zip(numbers, modules, strict=True)
+    ]
+
+
+def scaled(group: str) -> list[RegisterLayout]:
+    return [register for register in group_of(group) if register.register.value.scale_by]
+
+
+def test_pysunspec2_knows_the_models_and_where_they_end(peer: Any) -> None:
+    assert peer.base_addr == 40000
+    assert [model.model_id for model in peer.model_list] == [1, 103, 160]
+    assert len(peer.models[160][0].groups["module"]) == 2
+    assert INVERTER.END_MODEL.address == 40002 + sum(model.len + 2 for model in peer.model_list)
+
+
+@pytest.mark.parametrize("group", MODELS)
+def test_every_point_has_the_type_the_place_and_the_unit_of_the_public_model(peer: Any, group: str) -> None:
+    units = {None: "", "C": "°C", "Pct": "%"}
+    kinds = {"i16": ("int16", "sunssf"), "u16": ("uint16", "enum16", "count"), "u32": ("acc32", "uint32", "bitfield32")}
+    for register in group_of(group):
+        value = register.register.value
+        for _, constant, point in (
+            points(peer, group, register) if "EvtVnd" not in register.register.printed_name else ()
+        ):
+            place = point.model.model_addr + point.offset
+            assert constant.address == place, register.name
+            assert point.pdef["type"] in kinds.get(value.type.name, ("string",)), register.name
+            assert (value.scale_by != "") == (point.sf is not None), register.name
+            if value.scale_by:
+                assert LAYOUT.device.register(value.scale_by).printed_name == point.sf  # type: ignore[union-attr]
+                assert value.quantity_unit in (units.get(point.pdef.get("units"), point.pdef.get("units")), "V")
+
+
+@pytest.mark.parametrize("power", [-10, -2, 0, 3, 10])
+@pytest.mark.parametrize("group", MODELS)
+def test_what_pysunspec2_reads_is_what_the_codec_and_the_client_read(
+    device: SimulatedDevice, peer: Any, client: Any, group: str, power: int
+) -> None:
+    rows = [
+        (register, path, constant, point)
+        for register in scaled(group)
+        for path, constant, point in points(peer, group, register)
+    ]
+    raws = {path: RAW[register.register.value.type.name] for register, path, _, _ in rows}
+    for turn in range(5):
+        device.set(**{f"registers/{register.register.value.scale_by}": power for register, *_ in rows})
+        device.set(**{path: numbers[(at + turn) % len(numbers)] for at, (path, numbers) in enumerate(raws.items())})
+        peer.models[MODELS[group]][0].read()
+        for at, (_, path, constant, point) in enumerate(rows):
+            raw = raws[path][(at + turn) % len(raws[path])]
+            quantity = constant.in_unit(raw, power)
+            assert point.cvalue == (None if quantity is None else pytest.approx(quantity, rel=1e-9)), path
+            if at == turn:
+                assert client.read_in_unit(constant) == quantity
+                assert client.read(constant) == raw
+
+
+@pytest.mark.parametrize("group", MODELS)
+def test_the_client_reads_what_pysunspec2_encodes(device: SimulatedDevice, peer: Any, client: Any, group: str) -> None:
+    model, exponents = peer.models[MODELS[group]][0], {-2: 12.34, 0: 210, 2: 45600}
+    for power, quantity in exponents.items():
+        rows = [row for register in scaled(group) for row in points(peer, group, register)]
+        for register in scaled(group):
+            model.points[LAYOUT.device.register(register.register.value.scale_by).printed_name].value = power  # type: ignore[union-attr]
+        for path, _, point in rows:
+            point.sf_value = None
+            point.cvalue = quantity
+            assert point.value is not None, path
+        memory = device.simulation.engine.memory
+        data = model.get_mb()
+        for at in range(4, len(data), 2):
+            memory.words["", model.model_addr + at // 2] = int.from_bytes(data[at : at + 2], "big")
+        for path, constant, point in rows[::4]:
+            assert client.read_in_unit(constant) == pytest.approx(quantity), path
+            assert constant.from_unit(quantity, power) == point.value, path
+
+
+def test_an_exponent_that_is_not_implemented_leaves_no_quantity(device: SimulatedDevice, client: Any) -> None:
+    device.set(**{"registers/power": 5, "registers/power_sf": -0x8000})
+    assert client.read_in_unit(INVERTER.POWER) is None
+    assert client.read(INVERTER.POWER) == 5
+
+
+def test_a_quantity_is_written_by_the_exponent_that_the_device_has(device: SimulatedDevice, client: Any) -> None:
+    device.set(**{"registers/power_limit_sf": 1})
+    client.write_in_unit(INVERTER.POWER_LIMIT, 1500)
+    assert device.value("registers/power_limit") == 150
+    device.set(**{"registers/power_limit_sf": -1})
+    client.write_in_unit(INVERTER.POWER_LIMIT, Decimal("0.25"))  # the nearest count, of two the even one
+    assert device.value("registers/power_limit") == 2
+    with pytest.raises(runtime("errors").InvalidValueError, match="not in"):
+        client.write_in_unit(INVERTER.POWER_LIMIT, 3001)
+    device.set(**{"registers/power_limit_sf": -0x8000})
+    with pytest.raises(runtime("errors").InvalidValueError, match=r"not an exponent in -10\.\.10"):
+        client.write_in_unit(INVERTER.POWER_LIMIT, 1)
+    assert device.value("registers/power_limit") == 2
+
+
+def test_pysunspec2_writes_what_the_client_reads(peer: Any, client: Any) -> None:
+    common = peer.models[1][0]
+    common.read()
+    common.points["DA"].value = 17
+    common.write()
+    assert client.read(INVERTER.DEVICE_ADDRESS) == 17
+
+
+def test_a_group_has_quantities_where_it_has_the_exponents(device: SimulatedDevice, client: Any) -> None:
+    device.set(**{"registers/current": 123, "registers/current_sf": -1})
+    values = client.read_group(CLIENT.INVERTER)
+    assert values.in_unit(INVERTER.CURRENT) == 12.3
+
+
+def test_a_frame_explains_a_quantity_where_it_has_the_exponent(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
+    options = ("--link", "tcp", "--direction", "response", "--format", "json")
+    for start, words, text in (
+        (40084, "26 8E FF FF", "987.0 W"),
+        (40084, "26 8E 00 03", "9870000 W"),
+        (40084, "26 8E 80 00", "9870 \N{MULTIPLICATION SIGN}10^power_sf W"),
+        (40084, "26 8E 00 0B", "9870 \N{MULTIPLICATION SIGN}10^power_sf W"),
+        (40084, "26 8E", "9870 \N{MULTIPLICATION SIGN}10^power_sf W"),
+        (40084, "80 00 FF FF", ""),
+    ):
+        data = bytes.fromhex(words)
+        request = f"0001 0000 0006 01 03 {start:04X} {len(data) // 2:04X}"
+        frame = f"0001 0000 {len(data) + 3:04X} 01 03 {len(data):02X} {data.hex()}"
+        code, output, _ = run("decode", "inverter", frame, "--request", request, *options)
+        (row,) = [row for row in json.loads(output)["registers"] if row["path"] == "power"]
+        assert (code, row["value"] or "") == (0, text), words
+
+
+def test_live_reads_quantities_and_takes_counts(device: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
+    def live(*arguments: str) -> int:
+        place = ("--port", device.place, "--link", "tcp", "--unit", "1", "--timeout", "1", "--specs", str(TEST_SPECS))
+        return main(["live", "inverter", *arguments, *place])
+
+    device.set(**{"registers/power": 9870, "registers/power_sf": -1, "registers/power_limit_sf": 2})
+    assert live("read", "power", "--format", "json") == 0
+    (row,) = json.loads(capsys.readouterr().out)
+    assert (row["name"], row["value"], row["meaning"]) == ("power", 9870, "987.0 W")
+    assert live("write", "power_limit=25") == 0
+    assert device.value("registers/power_limit") == 25
+    assert live("write", "power_limit=2500W") == 2
+    assert "its scale is in power_limit_sf, so give a count" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("register", "arguments", "reason"),
+    [
+        ("POWER", (1,), "wrong_type"),
+        ("POWER", (1, 11), "out_of_range"),
+        ("POWER", (1, 1.0), "out_of_range"),
+        ("POWER", (1, True), "out_of_range"),
+        ("POWER_SF", (1, 2), "wrong_type"),
+    ],
+)
+def test_an_exponent_that_is_none_is_refused(register: str, arguments: tuple[Any, ...], reason: str) -> None:
+    for method in ("in_unit", "from_unit"):
+        with pytest.raises(CodecError) as refused:
+            getattr(getattr(INVERTER, register), method)(*arguments)
+        assert refused.value.reason == reason
+
+
+def occupant(name: str) -> Occupant:
+    every = occupants(LAYOUT, Span("", 0, 0x10000, 0, b""))
+    return next(own for own in every if own.path == name)
+
+
+def test_an_exported_list_names_the_exponent_and_is_compared_without_a_difference(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    run, path = CommandLine(capsys, monkeypatch, TEST_SPECS), tmp_path / "inverter.csv"
+    assert run("export", "inverter", "--out", str(path))[0] == 0
+    (power,) = [row for row in csv.DictReader(path.read_text("utf-8").splitlines()) if row["name"] == "power"]
+    assert (power["unit"], power["ucum"], power["scale"]) == ("W", "W", "10^power_sf")
+    assert "0 differ" in run("compare", "inverter", str(path))[1]
+    path.write_text(path.read_text("utf-8").replace("10^power_sf", "0.1"), "utf-8")
+    assert "power  scale  10^power_sf  0.1" in run("compare", "inverter", str(path))[1]
