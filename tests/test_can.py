@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,7 +17,7 @@ from fieldspec.explain.log import log_line
 from fieldspec.reference.frames import codec
 from fieldspec.reference.records import CodecError
 from layouts import TEST_SPECS, newest
-from python_package import codec_error, module_of
+from python_package import codec_error, module_of, package, runtime
 from random_devices.agreement import JUDGES, Comparison, compare_layout
 
 AXIS = newest(TEST_SPECS, "axis")
@@ -35,7 +36,7 @@ OBJECTS = {
 
 def test_codecs_agree_on_random_frames_of_a_can_bus() -> None:
     result = Comparison()
-    names = {"python", "javascript", "tcc"}
+    names = {"python", "javascript", "tcc", "explainer", "script"}
     compare_layout(AXIS, 1, 90, tuple(judge for judge in JUDGES if judge.name in names), result)
     assert result.disagreements == []
     assert set(result.asked) == names
@@ -148,11 +149,32 @@ def test_generated_code_reads_and_writes_the_objects_of_a_node_of_canopen(bus: B
     assert [node.sdo[index].raw for index in (0x6040, 0x607A, 0x6060)] == [0x0F, -10, 1]
 
 
-def test_what_a_node_of_canopen_aborts_is_no_response(bus: Bus) -> None:
+def test_what_a_node_of_canopen_aborts_is_an_exception_response(bus: Bus) -> None:
     bus.network.create_node(NODE, dictionary.ObjectDictionary())
-    with pytest.raises(codec_error()) as refused:
-        bus.ask(MODULE.ReadStatuswordRequest())
-    assert refused.value.reason == "wrong_const"
+    request = MODULE.ReadStatuswordRequest()
+    bus.send(MODULE.sdo, MODULE.sdo.encode_request(NODE, request))
+    reply = MODULE.sdo.decode_response(bus.receive(MODULE.sdo), request)
+    assert (reply.station, reply.code, reply.exception) == (
+        NODE,
+        0x40,
+        MODULE.Abort(index=0x6041, subindex=0, reason=MODULE.AbortCode.UNKNOWN_OBJECT),
+    )
+
+
+def test_canopen_raises_the_abort_of_an_exception_response(bus: Bus) -> None:
+    def refuse() -> None:
+        request = MODULE.sdo.decode_request(bus.receive(MODULE.sdo)).message
+        reason = MODULE.AbortCode.READ_ONLY
+        abort = MODULE.Abort(index=0x607A, subindex=0, reason=reason)
+        assert request == MODULE.WriteTargetRequest(target=1)
+        bus.send(MODULE.sdo, MODULE.sdo.encode_error(NODE, abort))
+
+    drive = threading.Thread(target=refuse, daemon=True)
+    drive.start()
+    with pytest.raises(canopen.SdoAbortedError) as aborted:
+        bus.network.add_node(NODE, objects()).sdo[0x607A].raw = 1
+    drive.join(TIMEOUT)
+    assert aborted.value.code == 0x06010002
 
 
 def test_canopen_reads_and_writes_what_generated_code_answers(bus: Bus) -> None:
@@ -198,6 +220,27 @@ def test_process_data_are_those_of_canopen_both_ways(bus: Bus) -> None:
     timer.start()
     assert sent.wait_for_reception(TIMEOUT) is not None
     assert (sent["statusword"].raw, sent["position"].raw) == (0x1637, -1000)
+
+
+def test_a_generated_client_asks_a_node_of_canopen(bus: Bus) -> None:
+    node = bus.network.create_node(NODE, objects())
+    node.sdo[0x6064].raw = -123456
+    client = importlib.import_module(f"{package().__name__}.axis.client")
+    drive = client.Client(runtime("transports").CanTransport(bus.driver, can.Message), station=NODE)
+    bus.network.send_message(0x701, b"\x05")
+    assert drive.ask(MODULE.ReadPositionRequest()).message.position == -123456
+    drive.ask(MODULE.WriteTargetRequest(target=77))
+    assert node.sdo[0x607A].raw == 77
+    del node.object_dictionary[0x6041]
+    with pytest.raises(runtime("errors").RefusedError) as refused:
+        drive.ask(MODULE.ReadStatuswordRequest())
+    assert (refused.value.number, refused.value.exception.index) == (0x06020000, 0x6041)
+
+
+def test_a_client_does_not_speak_where_nothing_says_which_identifier() -> None:
+    client = importlib.import_module(f"{package().__name__}.axis.client")
+    with pytest.raises(TypeError, match="link"):
+        client.Client(None, link="pdo")
 
 
 def test_a_node_is_started_as_canopen_starts_it(bus: Bus) -> None:

@@ -61,6 +61,7 @@ HOMES = {
     "socket": ("carriers/",),
     "serial": ("carriers/",),
     "websockets": ("carriers/",),
+    "can": ("carriers/can_bus.py",),
     "textual": ("commands/",),
     "mcp": ("commands/",),
     "platform": (),

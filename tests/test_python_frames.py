@@ -81,7 +81,8 @@ def encode(layout: DeviceLayout, example: Example, values: dict[str, Any], code:
     parts = {part.name: head_value(module, part, values[part.name]) for part in frame.header if is_argument(part)}
     named = {name if name not in KEYWORDS else f"{name}_": value for name, value in parts.items()}
     if example.exception_response:
-        encoded = spoken.encode_error(*first, code, body, **named)
+        codes = [code] if frame.role("code") is not None else []
+        encoded = spoken.encode_error(*first, *codes, body, **named)
     else:
         encoded = getattr(spoken, f"encode_{example.direction}")(*first, body, **named)
     assert isinstance(encoded, bytes)
@@ -197,7 +198,7 @@ def decoded_by_codec(layout: DeviceLayout, link: str, direction: str, message: s
     head, coded = head_of(layout, link, direction, decoded), layout.links[link].frame(direction).role("code")
     refusal = layout.links[link].link.exception_response
     if refusal is not None and hasattr(decoded, "exception"):
-        return True, decoded.code, head, raws(decoded.exception, layout.records[refusal.record])
+        return True, decoded.code if coded else None, head, raws(decoded.exception, layout.records[refusal.record])
     content = decoded.message
     records = (body for message_layout in layout.messages.values() for body in message_layout.bodies)
     record = next(record for record in records if record_class(module_of(layout), record) is type(content))

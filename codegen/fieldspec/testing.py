@@ -74,8 +74,9 @@ def simulation(
 ) -> Iterator[SimulatedDevice]:
     """A simulated device, `DEVICE` or `DEVICE@VERSION`, for as long as the context lasts.
 
-    `ports` has the place of each link that is served: `pty`, `tcp://127.0.0.1:0`, `udp://127.0.0.1:0` or a serial port;
-    the usual place of the first link where it is left out. `folder` is the folder with the specs. Raises UsageError.
+    `ports` has the place of each link that is served: `pty`, `tcp://127.0.0.1:0`, `udp://127.0.0.1:0`, a serial port
+    or `can://virtual/NAME`; the usual place of the first link where it is left out. `folder` is the folder with the
+    specs. Raises UsageError.
     """
     spec, version = specs.spec_at(folder, device)
     layout = specs.layout_of(spec, version)

@@ -1777,6 +1777,7 @@ class ExplainedFrame {
     const rows = [...startRows(this.wrapped), ...this.headRows()];
     let registers = [];
     if (this.data.length >= this.shape.headerSize) {
+      this.error ||= this.isMarked();
       const body = this.body();
       registers = body.registers;
       rows.push(...body.rows, ...this.tailRows());
@@ -1785,6 +1786,14 @@ class ExplainedFrame {
     rows.push(...endRows(this.wrapped));
     const errata = [...this.device.errataOfWords([this.link.path]), ...(this.message?.errata ?? [])];
     return this.result(this.message?.name ?? "", rows, registers, errata);
+  }
+
+  /** Whether the data say that the frame is an exception response. */
+  isMarked() {
+    const mark = this.direction === "response" ? this.link.exception?.mark : undefined;
+    if (!mark) return false;
+    const at = this.shape.headerSize + mark.offset;
+    return sameBytes(this.data.subarray(at, at + mark.bytes.length), mark.bytes);
   }
 
   result(message, rows, registers, errata) {
@@ -2112,7 +2121,8 @@ function candidatesOf(link, direction, frame, close) {
   const coded = Boolean(link[direction].code);
   if (coded && (direction === "request" || !link.ambiguous)) return [""];
   const names = close ? [...link.carriedMessages[direction].keys()] : namesOfLength(link, direction, frame);
-  if (!coded) return names;
+  // An exception response says what it is, and not which message it answers.
+  if (!coded) return direction === "response" && link.exception?.mark ? [...names, ""] : names;
   const several = link.ambiguous.flatMap((code) => link.messagesByCode[direction].get(code).map(({ name }) => name));
   return ["", ...several.filter((name) => names.includes(name))];
 }

@@ -4465,11 +4465,17 @@ local function is_marked(link, direction, code, parts)
     return numbers.band(code, exception.flag) ~= 0
 end
 
+-- Whether the data of a response without a code have the mark of exception responses.
+local function has_mark(link, direction, body)
+    local mark = direction == "response" and link.exception and link.exception.mark
+    return mark and body:sub(mark.offset + 1, mark.offset + #mark.bytes) == mark.bytes or false
+end
+
 -- The message, or nil, whether it is refused, and its code, by the code of a frame and its parts, or by the request
 -- that it answers. `body` are the parts from the body on.
 function frames.message_of(link, direction, code, parts, body, asked, message)
     if code == nil then
-        return message or asked and asked.message
+        return message or asked and asked.message, has_mark(link, direction, body)
     end
     if is_marked(link, direction, code, parts) then
         code = code - numbers.band(code, link.exception.flag)
@@ -4726,6 +4732,10 @@ function frames.show(link, direction, tvb, tree, asked, message)
     end
     local start, stop = shape.header, math.max(shape.header, #parts - shape.trailer)
     context.body_end = stop
+    if not with_role(shape, "code") and has_mark(link, direction, parts:sub(start + 1, stop)) then
+        context.is_refusal = true
+        values.report(tree, "exception", "exception response")
+    end
     local record = record_of(link, direction, context.message, context.is_refusal)
     if record then
         records.show(context, tree, record, start, stop)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 CLIENT, SERVER = b"\x0a\0\0\1", b"\x0a\0\0\2"
-ETHERNET, USER_0, RTAC = 1, 147, 250
+ETHERNET, USER_0, RTAC, SOCKETCAN = 1, 147, 250, 227
 
 
 class Segment(NamedTuple):

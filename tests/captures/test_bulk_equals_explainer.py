@@ -8,7 +8,7 @@ import pytest
 
 from captures.bulk import Sent, Value, decoded, expected, values, verdicts
 from fieldspec.captures.decoding import Choices
-from fieldspec.explain.explanation import explained
+from fieldspec.explain.explanation import Explanation, explained
 from fieldspec.explain.row import ExplanationRow
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.texts import Example
@@ -66,9 +66,22 @@ def test_damaged_frames_have_the_verdict_of_the_explainer(name: str) -> None:
         judged = verdicts(decoded(layout, frames, Choices(link, message)))
         ends = list({sent.stream: number for number, sent in enumerate(frames)}.values())
         for end, (case, request, data) in zip(ends, own, strict=True):
-            reasons = explained(layout, link, case.direction, data, message or "", request).reasons
+            explanation = explained(layout, link, case.direction, data, message or "", request)
+            reasons = explanation.reasons
+            if request and not message and is_from_another_unit(layout, link, explanation, case.frame):
+                continue  # only the request of the same unit tells which message a response without a code is
             accepted = judged[end] in ("ok", "mismatch", "no_request")
             assert accepted == (not reasons) or judged[end] in reasons, (case.id, data.hex(), judged[end], reasons)
+
+
+def is_from_another_unit(layout: DeviceLayout, link: str, explanation: Explanation, frame: bytes) -> bool:
+    """Whether a response without a code has another unit address than the frame that it was."""
+    shape = layout.links[link].response
+    part = shape.role("unit_address")
+    if shape.role("code") is not None or part is None:
+        return False
+    original = explained(layout, link, "response", frame).values.get(part.name)
+    return explanation.values.get(part.name, original) != original
 
 
 def damaged(frame: bytes, chance: random.Random) -> bytes:

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from pyarrow import csv, ipc, parquet
 
-from captures.conversations import RTAC, USER_0, Segment, ethernet, pcap, pcapng, rtu, tcp_poll
+from captures.conversations import RTAC, SOCKETCAN, USER_0, Segment, ethernet, pcap, pcapng, rtu, tcp_poll
 from fieldspec.cli import main
 from layouts import TEST_SPECS
 
@@ -74,6 +74,29 @@ def test_frames_of_a_serial_line_are_found_and_paired(tmp_path: Path, name: str)
     assert code == 0, text
     assert [(frame["direction"], frame["request"]) for frame in frames] == [("request", None), ("response", 1)]
     assert [(value["register"], value["value"], value["unit"]) for value in values] == [("voltages[1]", 230.0, "V")]
+
+
+@pytest.mark.parametrize("form", [pcap, pcapng])
+def test_frames_of_a_can_bus_are_read_as_socketcan_records_them(tmp_path: Path, form: Any) -> None:
+    packets = [
+        "00000605 08000000 4041600000000000",
+        "00000585 08000000 4B41600037020000",
+        "00000705 01000000 0500000000000000",  # a heartbeat, filled up to eight bytes
+        "00000605 08000000 4041600000000000",
+        "00000585 08000000 8041600000000206",
+        "40000605 08000000 0000000000000000",  # a remote request
+        "00000605 0C040000 404160000000000000000000",  # CAN FD
+    ]
+    content = form(map(bytes.fromhex, packets), SOCKETCAN)
+    _, text, frames, values = decode(tmp_path, content, "--link", "sdo", device="axis")
+    assert [frame["verdict"] for frame in frames] == ["ok", "ok", "wrong_const", "ok", "ok"]
+    assert [frame["request"] for frame in frames if frame["verdict"] == "ok"] == [None, 1, None, 4]
+    assert [frame["unit_address"] for frame in frames if frame["verdict"] == "ok"] == 4 * [5]
+    assert frames[2]["bytes"].hex() == "000007050100000005"
+    assert frames[4]["exception"] == "unknown_object"
+    assert ("read_statusword.statusword", 0x0237) in [(value["register"], value["raw"]) for value in values]
+    assert "remote requests and errors of CAN buses: 1" in text
+    assert "frames of CAN FD: 1" in text
 
 
 def test_rows_of_registers_become_values(tmp_path: Path) -> None:

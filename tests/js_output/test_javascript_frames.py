@@ -27,6 +27,7 @@ def job(layout: DeviceLayout, example: Example, number: int, frame: bytes) -> di
         "direction": example.direction,
         "message": "" if coded(layout, example) else example.message,
         "frame": frame.hex(),
+        "coded": layout.links[example.link].frame(example.direction).role("code") is not None,
     }
 
 

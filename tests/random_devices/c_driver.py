@@ -248,7 +248,7 @@ class Driver:
                 bodies.append(f"if ({test}) {{ {self._body(record, encode, heads)} }}")
         if error is not None:
             encode = self.naming.function("link", link.name, "encode", "error")
-            body = self._body(self.layout.records[error.record], encode, f"{heads}opened.code, ")
+            body = self._body(self.layout.records[error.record], encode, f"{heads}opened.code, " if coded else heads)
             bodies.append(f"if (opened.error) {{ {body} }}")
         if link.ambiguous_codes(direction):
             bodies.append(f"{{ status = {REASONS.index('unknown_code')}; }}")

@@ -8,7 +8,7 @@ from typing import Any
 import yaml
 from hypothesis import strategies as st
 
-from random_devices import drawn_links, drawn_messages, drawn_records, drawn_registers, drawn_words
+from random_devices import drawn_buses, drawn_links, drawn_messages, drawn_records, drawn_registers, drawn_words
 from random_devices.draft import Draft, Spec
 from random_specs import NumberText
 
@@ -36,6 +36,9 @@ def devices(draw: Any) -> Spec:
     spec["enums"] = drawn_words.enums(draft)
     spec["flags"] = drawn_words.flags(draft)
     spec["records"] = drawn_records.records(draft)
+    if draft.chance(12):
+        drawn_buses.add_bus(draft)
+        return {section: spec[section] for section in SECTIONS if spec.get(section)}
     spec["spaces"] = drawn_registers.spaces(draft)
     kinds = draft.pick(((True,), (True, True), (False,), (True, False)))
     spec["links"] = [drawn_links.link(draft, coded) for coded in kinds]
@@ -51,6 +54,7 @@ def devices(draw: Any) -> Spec:
         spec["signals"] = drawn_words.signals(draft)
         spec["conversions"] = drawn_words.conversions(draft)
     spec["messages"] = drawn_messages.messages(draft, coded, others)
+    drawn_messages.mark_exceptions(draft)
     return {section: spec[section] for section in SECTIONS if spec.get(section)}
 
 

@@ -12,7 +12,7 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
     codes: set[int] = set()
     for _ in range(draft.number(1, 5) if coded_links else 0):
         request, response = body(draft), body(draft)
-        drawn.append(draft.bounded(draft.fact(code=_code(draft, codes), request=request, response=response), 5))
+        drawn.append(draft.bounded(draft.fact(code=free_code(draft, codes), request=request, response=response), 5))
         if other_links or draft.chance(20):
             drawn[-1]["links"] = draft.some(coded_links)
         if draft.chance(10):
@@ -40,6 +40,24 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
     return drawn
 
 
+def mark_exceptions(draft: Draft) -> None:
+    """Links whose responses carry no code may mark exception responses by the first bytes of their data."""
+    for link in draft.spec["links"]:
+        if any(part.get("role") == "code" for part in link["response"]) or not draft.chance(40):
+            continue
+        kind = draft.pick(("u8", "u16", "i16"))
+        low, high = bounds(kind)
+        number = draft.edge(low, high)
+        another = number - 1 if number > low else number + 1
+        mark = draft.fact(type=kind, const=number)
+        record = draft.fact(fields=[mark, *([draft.fact(type="u16")] if draft.chance(80) else [])])
+        draft.spec["records"].append(record)
+        link["exception_response"] = {"field": mark["name"], "record": record["name"]}
+        for message in draft.spec["messages"]:
+            if link["name"] in message.get("links", [link["name"]]) and "response" in message:
+                message["response"] = [draft.fact(type=kind, const=another), *message["response"]]
+
+
 def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
     """Several messages with the code of the first one; a constant at the beginning of their data tells them apart."""
     kind = draft.pick(("u8", "u16", "i8", "i16"))
@@ -63,7 +81,7 @@ def _leave_unanswered(draft: Draft, message: Spec, links: list[str]) -> None:
         message.pop("response", None)
 
 
-def _code(draft: Draft, codes: set[int]) -> int:
+def free_code(draft: Draft, codes: set[int]) -> int:
     high = (1 << (draft.code_bits - 1)) - 1
     code = draft.number(0, high)
     while code in codes:
@@ -91,14 +109,14 @@ def _accesses(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
         most = draft.number(1, 60)
         for operation in ("read", "write"):
             message = _access(draft, operation, space, most, "u8" if units.get(space) == "byte" else "u16")
-            message["code"] = _code(draft, codes)
+            message["code"] = free_code(draft, codes)
             if links:
                 message["links"] = list(links)
             drawn.append(message)
     for space in [space["name"] for space in draft.spec.get("spaces", []) if space.get("unit") == "bit"]:
         for operation in ("read", "write"):
             message = _bit_access(draft, operation, space)
-            message["code"] = _code(draft, codes)
+            message["code"] = free_code(draft, codes)
             if links:
                 message["links"] = list(links)
             drawn.append(message)
@@ -156,7 +174,7 @@ def _parameter_messages(draft: Draft, codes: set[int], links: list[str]) -> list
     value = draft.fact(type=kind, parameter={"set": name, "part": "value", "number": number["name"]})
     drawn = [draft.fact(request=[number], response=[number, value]), draft.fact(request=[number, value], response=[])]
     for message in drawn:
-        message["code"] = _code(draft, codes)
+        message["code"] = free_code(draft, codes)
         if links:
             message["links"] = list(links)
     return drawn

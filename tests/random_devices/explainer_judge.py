@@ -26,11 +26,14 @@ class Explainer:
         """The answer to one query; the reasons are joined, as the explainer goes on behind the first one."""
         link, direction, message = query.path
         explanation = explained(self.layout, link, direction, query.data, message)
-        data = b"".join(row.characters.encode("latin-1") or row.raw for row in explanation.rows)
+        shape = self.layout.links[link].frame(direction)
+        if shape.escape is not None:
+            data = b"".join(query.data[row.offset : row.offset + row.length] for row in explanation.rows)
+        else:
+            data = b"".join(row.characters.encode("latin-1") or row.raw for row in explanation.rows)
         assert data == query.data, "the rows of an explanation do not cover the frame"
         if explanation.reasons:
             return Answer(" ".join(explanation.reasons))
-        shape = self.layout.links[link].frame(direction)
         code = shape.role("code")
         head = "".join(f"{explanation.values[part.name]};" for part in shape.header if part.is_argument)
         number = explanation.values[code.name] if code is not None else None

@@ -44,7 +44,7 @@ function again(action) {
   }
 }
 
-function frame({ path: [linkName, direction, messageName], data, encodes, header, values, error, code }) {
+function frame({ path: [linkName, direction, messageName], data, encodes, header, values, error, code, carriesCode }) {
   const link = find(linkName, "encodeRequest");
   const message = link.messages.find((entry) => entry.name === messageName);
   const encode = (parts, entry, content, isError, number) => {
@@ -55,7 +55,7 @@ function frame({ path: [linkName, direction, messageName], data, encodes, header
   const bytes = new Uint8Array(Buffer.from(data, "hex"));
   const value = direction === "request" ? link.decodeRequest(bytes, message) : link.decodeResponse(bytes, message);
   const isError = value.kind === "exception";
-  const number = isError ? value.code : value.message.code;
+  const number = !carriesCode && isError ? null : isError ? value.code : value.message.code;
   return {
     value: { ...toJson({ kind: value.kind, name: value.name, header: value.header, data: value.data }), code: coded(number) },
     again: again(() => encode(value.header, value.message, value.data, isError, number)),

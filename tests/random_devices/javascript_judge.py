@@ -45,6 +45,8 @@ class JavaScript:
 
     def _job(self, query: Query) -> dict[str, Any]:
         job: dict[str, Any] = {"kind": query.kind, "path": query.path, "data": query.data.hex(), "error": query.error}
+        coded = query.kind == "frame" and self.layout.links[query.path[0]].frame(query.path[1]).role("code") is not None
+        job["carriesCode"] = coded
         job["encodes"] = query.values is not None
         if query.values is None:
             return job

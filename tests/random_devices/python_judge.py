@@ -115,7 +115,8 @@ class Python:
         first, named = self._arguments(link, direction, head)
         line = link_of(self.module, link)
         if error:
-            return bytes(line.encode_error(*first, code, content, **named))
+            codes = () if code is None else (code,)
+            return bytes(line.encode_error(*first, *codes, content, **named))
         return bytes(getattr(line, f"encode_{direction}")(*first, content, **named))
 
     def _encoded(self, query: Query) -> Answer:

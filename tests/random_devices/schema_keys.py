@@ -44,7 +44,6 @@ ANYWHERE = {
 }
 """Keys that many facts may have."""
 MAPPINGS = {
-    "link.can": "Random devices have no CAN bus; the tests of CAN compare all codecs on frames of a made-up drive.",
     "link.escape": "Random devices have no escaped frames; the tests of escapes cover each method with foreign codecs.",
     "behaviour": SIMULATED,
     "behaviour_action": SIMULATED,
@@ -103,8 +102,6 @@ KEYS = {
 } | {
     ("link.unit_addresses", "rule"): DOCUMENTATION,
     ("link", "escape"): MAPPINGS["link.escape"],
-    ("link", "can"): MAPPINGS["link.can"],
-    ("part", "bits"): MAPPINGS["link.can"],
     ("fact", "name"): "It is what the facts of the other mappings have.",
     ("link", "message_name"): DOCUMENTATION,
     ("link", "direction_names"): DOCUMENTATION,

@@ -217,7 +217,8 @@ class FrameReader:
         """The message of frames without a code: that of the request, or the only one with bodies of their size."""
         if asked is not None:
             frames.message[:] = asked
-        open_rows = frames.message == NONE
+        self._find_marks(frames)
+        open_rows = (frames.message == NONE) & ~frames.is_refused
         size = frames.body_size
         fitting = np.zeros(len(size), np.int64)
         for place, message in enumerate(self.messages):
@@ -227,7 +228,15 @@ class FrameReader:
                 frames.message[open_rows & fits] = place
                 fitting += fits
         frames.message[open_rows & (fitting != 1)] = NONE
-        blame(frames.verdict, frames.message == NONE, UNKNOWN_CODE)
+        blame(frames.verdict, (frames.message == NONE) & ~frames.is_refused, UNKNOWN_CODE)
+
+    def _find_marks(self, frames: ReadFrames) -> None:
+        """Finds the exception responses among frames without a code, by their data."""
+        mark = self.link.mark if self.direction == "response" else None
+        if mark is not None:
+            rows = np.flatnonzero(frames.body_size >= mark.end)
+            number = number_at(frames.buffer, frames.body[rows] + mark.offset, mark.size, mark.order)
+            frames.is_refused[rows] = number == mark.number
 
     def _read_bodies(self, frames: ReadFrames) -> None:
         key = np.where(frames.verdict == OK, frames.message * 2 + frames.is_refused, -9)

@@ -22,6 +22,12 @@ USER = range(147, 163)
 RTAC_SERIAL = 250
 """Serial lines that a real-time automation controller records: 12 bytes of its own come first."""
 
+CAN = 227
+"""CAN buses as SocketCAN records them: the identifier with its flags, and the data, which may be filled up."""
+
+CAN_HEADER, CAN_DATA, CAN_NO_DATA, CAN_FD = 8, 8, 0x60, 0x04
+"""Bytes before the data and of the data, flags of remote requests and errors in the first byte, that of CAN FD."""
+
 DATAGRAM, PIECE = -1, -2
 """In place of the number of the first byte: payloads that are sent as a unit, and pieces of a serial line."""
 
@@ -74,6 +80,8 @@ class Network:
         for link_type, rows in runs(types):
             if link_type in USER or link_type == RTAC_SERIAL:
                 parts.append(self._serial(packets, rows, packet, link_type))
+            elif link_type == CAN:
+                parts.append(self._can(packets, rows, packet))
             else:
                 parts += self._internet(packets, rows, packet, link_type)
         return concatenated(parts)
@@ -94,6 +102,24 @@ class Network:
         self._skip("packets without data", ~some)
         none = np.full(len(rows), PIECE)
         columns = (at, size, packets.time[rows], packet[rows], streams, direction, none, none)
+        return Segments(*(column[some] for column in columns))
+
+    def _can(self, packets: Packets, rows: Numbers, packet: Numbers) -> Segments:
+        """The frames of CAN buses, without what fills them up. Each bus is one connection."""
+        at, size = packets.at[rows], packets.size[rows]
+        whole = size >= CAN_HEADER
+        count = np.where(whole, number_at(packets.buffer, at + 4, 1), 0)
+        whole &= size >= CAN_HEADER + count
+        is_wide = (count > CAN_DATA) | ((number_at(packets.buffer, at + 5, 1) & CAN_FD) != 0)
+        carries = (number_at(packets.buffer, at, 1) & CAN_NO_DATA) == 0
+        self._skip("packets that the capture cut short", ~whole)
+        self._skip("frames of CAN FD", whole & is_wide)
+        self._skip("remote requests and errors of CAN buses", whole & ~is_wide & ~carries)
+        some = whole & ~is_wide & carries
+        place = {each: self.names.place(f"can {each}") for each in np.unique(packets.interface[rows]).tolist()}
+        streams = numbers([place[each] for each in packets.interface[rows].tolist()])
+        none, direction = np.full(len(rows), DATAGRAM), np.full(len(rows), UNKNOWN)
+        columns = (at, CAN_HEADER + count, packets.time[rows], packet[rows], streams, direction, none, none)
         return Segments(*(column[some] for column in columns))
 
     def _skip(self, why: str, which: Mask) -> None:

@@ -40,11 +40,11 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
         yield from _messages_distinct(device, link)
         yield from _escapable(link)
         yield from _marked(link)
-        if link.exception_response is not None and not any(part.role == "code" for part in link.response):
+        error = link.exception_response
+        if error is not None and not error.field and not any(part.role == "code" for part in link.response):
             text = f"the link {link.name} marks exception responses in the code, but its responses have no code"
-            yield finding(
-                _CODE, link.place, "exception_response", text, "add the role `code` to the part with the code"
-            )
+            help = "add the role `code` to the part with the code, or state `field`"
+            yield finding(_CODE, link.place, "exception_response", text, help)
 
 
 def _marked(link: Link) -> Iterator[Diagnostic]:

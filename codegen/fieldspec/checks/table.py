@@ -40,6 +40,7 @@ from fieldspec.checks.enum_names_unique import enum_names_unique
 from fieldspec.checks.enum_values_unique import enum_values_unique
 from fieldspec.checks.enum_within_range import enum_within_range
 from fieldspec.checks.examples_fit_registers import examples_fit_registers
+from fieldspec.checks.exception_marks_distinct import exception_marks_distinct
 from fieldspec.checks.exponents_apply import exponents_apply
 from fieldspec.checks.facts_verified import facts_verified
 from fieldspec.checks.finding import Allowance, Check, allowances, covered
@@ -147,6 +148,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("enum_values_unique", enum_values_unique),
     ("enum_within_range", enum_within_range),
     ("examples_fit_registers", examples_fit_registers),
+    ("exception_marks_distinct", exception_marks_distinct),
     ("exponents_apply", exponents_apply),
     ("facts_verified", facts_verified),
     ("flags_forms_agree", flags_forms_agree),

@@ -8,7 +8,8 @@ import argparse
 def add_simulate(simulate: argparse.ArgumentParser) -> None:
     """Adds the arguments of `simulate`."""
     simulate.add_argument("device", metavar="DEVICE[@VERSION]")
-    where = "pty, tcp://HOST:PORT, udp://HOST:PORT or a serial port; may be repeated (default: as the link allows)"
+    where = "pty, tcp://HOST:PORT, udp://HOST:PORT, can://INTERFACE/CHANNEL or a serial port; may be repeated"
+    where += " (default: as the link allows)"
     simulate.add_argument("--port", metavar="[LINK=]WHERE", action="append", help=where)
     browsers = "serve all links to the frame lab in a browser on this machine, at this port (0: any)"
     simulate.add_argument("--websocket", type=int, metavar="PORT", help=browsers)
@@ -89,7 +90,7 @@ def add_redact(redact: argparse.ArgumentParser) -> None:
 
 def _add_connection(verb: argparse.ArgumentParser) -> None:
     """Adds the options that say where a device is, and how it is asked."""
-    where = "a serial port, socket://HOST:PORT, tcp://HOST:PORT or udp://HOST:PORT"
+    where = "a serial port, socket://HOST:PORT, tcp://HOST:PORT, udp://HOST:PORT or can://INTERFACE/CHANNEL"
     verb.add_argument("--port", metavar="WHERE", help=where)
     verb.add_argument("--link", metavar="NAME", help="the link (default: the first)")
     verb.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")

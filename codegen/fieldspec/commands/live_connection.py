@@ -20,7 +20,7 @@ from fieldspec.live.messages import link_of, signals
 from fieldspec.live.parameter_access import ParameterAccess
 from fieldspec.live.register_access import RegisterAccess
 from fieldspec.reference.records import CodecError, encoded_value
-from fieldspec.simulator.simulation import settings_of, usual_unit_address
+from fieldspec.simulator.simulation import can_objection, settings_of, usual_unit_address
 
 if TYPE_CHECKING:
     from fieldspec.live.access import Access
@@ -99,15 +99,32 @@ def _link(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
     return chosen.name
 
 
+def _refuse_open_identifier(link: LinkLayout) -> None:
+    """Raises UsageError for a link with a part of the identifier that nothing here can choose."""
+    if link.open_identifier:
+        text = f"nothing says which {link.open_identifier} requests on {link.name} have in their identifier"
+        raise UsageError(f"{text}: they are for a program, such as one with the generated code")
+
+
 def _opened(layout: DeviceLayout, arguments: argparse.Namespace) -> Carrier:
     place = arguments.port
     if not place:
-        raise UsageError("say where the device is: --port /dev/ttyUSB0, socket://HOST:PORT, tcp://HOST:PORT")
+        places = "/dev/ttyUSB0, socket://HOST:PORT, tcp://HOST:PORT, can://socketcan/can0"
+        raise UsageError(f"say where the device is: --port {places}")
+    link = layout.links[_link(layout, arguments)]
+    _refuse_open_identifier(link)
+    wrong = can_objection(link, place)
+    if wrong:
+        raise UsageError(wrong)
+    if place.startswith("can://"):
+        from fieldspec.carriers.can_bus import CanBus
+
+        return CanBus(place)
     if place.startswith("tcp://"):
         return Connection.opened(place)
     if place.startswith("udp://"):
         return Datagrams(place, server=False)
-    return SerialPort(place, settings_of(layout.links[_link(layout, arguments)].link, arguments.baud, arguments.parity))
+    return SerialPort(place, settings_of(link.link, arguments.baud, arguments.parity))
 
 
 def _client(layout: DeviceLayout, arguments: argparse.Namespace, carrier: Carrier) -> Client:

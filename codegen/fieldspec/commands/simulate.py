@@ -1,4 +1,4 @@
-"""`fieldspec simulate`: a device made from its spec, on a pseudo-terminal, a serial port, TCP, UDP or WebSockets."""
+"""`fieldspec simulate`: a device made from its spec, on serial ports, CAN buses, networks and WebSockets."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from fieldspec.render.blocks import Line, Table
 from fieldspec.simulator.clock import SystemClock
 from fieldspec.simulator.control import CommandError, carried_out
 from fieldspec.simulator.faults import KINDS, Fault, FaultError, fault_of
-from fieldspec.simulator.simulation import Simulation, settings_of, usual_place, usual_unit_address
+from fieldspec.simulator.simulation import Simulation, can_objection, settings_of, usual_place, usual_unit_address
 
 if TYPE_CHECKING:
     from typing import Any, TextIO
@@ -96,15 +96,21 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
         links = list(layout.links.values())
         # One serial line at a time, as on the device; what is no serial line has no other to disturb.
         serial = next((link for link in links if link.link.serial is not None), None)
+        bus = next((link for link in links if link.link.is_can), None)
+        if bus is not None and serial is None:
+            raise UsageError(f"say on which bus {bus.name} is: --port {bus.name}=can://socketcan/can0")
         for link in [serial] if serial is not None else links:
             yield link.name, usual_place(link)
         return
     for port in ports:
         name, mark, place = port.partition("=")
-        if not mark:
+        if not mark or "://" in name:
             name, place = next(iter(layout.links)), port
         if name not in layout.links:
             raise unknown("link", name, layout.links)
+        wrong = can_objection(layout.links[name], place)
+        if wrong:
+            raise UsageError(wrong)
         if place.startswith("udp://") and layout.links[name].link.serial is not None:
             raise UsageError(f"the link {name} is a serial line; use pty, a serial port, or tcp://HOST:PORT")
         yield name, place

@@ -111,6 +111,7 @@ class _Frame:
         rows = [*start_rows(self.wrapped), *self._head()]
         registers: tuple[ExplanationRow, ...] = ()
         if len(self.data) >= self.shape.header_size:
+            self.error = self.error or self._is_marked()
             inside, registers = self._body()
             rows += [*inside, *self._tail()]
         if self.surplus:
@@ -123,6 +124,11 @@ class _Frame:
         return Explanation(
             self.link.name, self.direction, name, self.error, self.frame, tuple(rows), registers, self.values, errata
         )
+
+    def _is_marked(self) -> bool:
+        """Whether the data say that the frame is an exception response."""
+        mark = self.layout.links[self.link.name].mark if self.direction == "response" else None
+        return mark is not None and mark.is_in(self.data[self.shape.header_size :])
 
     def _original(self, sent: bytes) -> bytes:
         """The bytes of the parts before they were escaped; finds out where they are in the frame."""

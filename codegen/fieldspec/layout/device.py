@@ -100,7 +100,7 @@ def device_layout(device: Device) -> DeviceLayout:
         identity,
     )  # this imports OpenSSL, which a layout read from a cache does not need
 
-    links = {link.name: link_layout(link, messages) for link in device.links.values()}
+    links = {link.name: link_layout(link, messages, records) for link in device.links.values()}
     return DeviceLayout(
         device, identity(device, records, links, messages, registers), records, links, messages, registers, tables
     )

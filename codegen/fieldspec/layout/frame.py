@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.checksums import checksum_bytes
 from fieldspec.layout.escapes import original_places
+from fieldspec.layout.exception_mark import ExceptionMark, exception_mark
 from fieldspec.layout.record import Orders, RecordLayout
 from fieldspec.layout.subcodes import Subcode, subcode
 from fieldspec.model.escape import Escape
@@ -163,13 +164,17 @@ class FrameLayout:
 
 @dataclass(frozen=True, slots=True)
 class LinkLayout:
-    """The frames of a link in both directions, and its messages."""
+    """The frames of a link in both directions, and its messages.
+
+    `mark` is what the data of exception responses have where frames carry no code; None without such responses.
+    """
 
     link: Link
     name: str
     request: FrameLayout
     response: FrameLayout
     messages: Mapping[str, MessageLayout]
+    mark: ExceptionMark | None = None
 
     def messages_with_code(self, code: int, direction: str = "request") -> list[MessageLayout]:
         """The messages with a code in one direction; several differ in a constant in their data."""
@@ -242,6 +247,15 @@ class LinkLayout:
             return self.messages
         return {name: message for name, message in self.messages.items() if message.message.is_answered_on(self.name)}
 
+    @property
+    def open_identifier(self) -> str:
+        """The part of a request's identifier on a CAN bus that users supply; empty where there is none.
+
+        A client cannot choose it: another number is that of another device, or of another service.
+        """
+        arguments = (part for part in self.request.header if part.role == "plain" and part.is_argument)
+        return next((part.name for part in arguments if part.part.bits is not None), "")
+
     def barred_address(self, message: MessageLayout) -> int | None:
         """The broadcast address, where the spec says that a request cannot be sent to it; None where it may be sent."""
         stations, part = self.link.unit_addresses, self.request.role("unit_address")
@@ -259,10 +273,12 @@ class LinkLayout:
         return self.request if direction == "request" else self.response
 
 
-def link_layout(link: Link, messages: Mapping[str, MessageLayout]) -> LinkLayout:
-    """The layout of a link. `messages` are the messages of all links of the device."""
+def link_layout(link: Link, messages: Mapping[str, MessageLayout], records: Mapping[str, RecordLayout]) -> LinkLayout:
+    """The layout of a link. `messages` are the messages of all links of the device, `records` all its records."""
     sent = {name: message for name, message in messages.items() if sent_on(link, message.message)}
-    return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"), sent)
+    exception = link.exception_response
+    mark = exception_mark(exception, records.get(exception.record) if exception is not None else None)
+    return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"), sent, mark)
 
 
 def _frame(link: Link, direction: str) -> FrameLayout:

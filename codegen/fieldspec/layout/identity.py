@@ -74,6 +74,7 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
         error = (link.exception_response.flag, link.exception_response.record) if link.exception_response else ()
         if link.exception_response is not None and not link.exception_response.flag:
             error = (*error, link.exception_response.code, link.exception_response.part, link.exception_response.normal)
+            error = (*error, link.exception_response.field) if link.exception_response.field else error
         yield (
             "link",
             link.name,

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from fieldspec.carriers.carrier import Carrier
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.exception_mark import reason_field
 from fieldspec.reference.frames import Decoded, codec
 from fieldspec.reference.records import CodecError
 from fieldspec.simulator import codecs
@@ -172,8 +173,9 @@ class Client:
         """Waits until the line may be used, and drops what earlier requests have left on it."""
         if self._owed and asked is not self._owed_request:
             self._take_late_answers()
-        while self.carrier.read(0.0005):
-            pass
+        until = self.clock.now() + self.timing.timeout
+        while self.carrier.read(0.0005) and self.clock.now() < until:
+            pass  # on a bus, others go on talking
         self.clock.sleep(self._silent_until - self.clock.now())
 
     def _take_late_answers(self) -> None:
@@ -224,9 +226,9 @@ class Client:
             enum = self.layout.device.enums.get(part.value.enum) if part.value is not None else None
             member = enum.member(number) if enum is not None else None
             return RefusedError(number, member.name if member is not None else "")
-        for field in decoded.body.fields if decoded.body is not None else ():
-            if field.value is not None and field.value.const is None:
-                number = int(decoded.values[field.name])
-                member = self.layout.device.enums[field.value.enum].member(number) if field.value.enum else None
-                return RefusedError(number, member.name if member is not None else "")
-        return RefusedError(0, "")
+        field = reason_field(decoded.body) if decoded.body is not None else None
+        if field is None or field.value is None:
+            return RefusedError(0, "")
+        number = int(decoded.values[field.name])
+        member = self.layout.device.enums[field.value.enum].member(number) if field.value.enum else None
+        return RefusedError(number, member.name if member is not None else "")

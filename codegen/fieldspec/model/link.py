@@ -49,7 +49,8 @@ class ExceptionResponse:
     """What marks an exception response, and the record in its body.
 
     The mark is the bits `flag` in the code of the request; or, where `flag` is 0, a `code` of its own, or a `part`
-    before the body with a number that is not `normal`.
+    before the body with a number that is not `normal`; or, where responses have no code, the constant of a `field` of
+    the record.
     """
 
     flag: int
@@ -58,6 +59,7 @@ class ExceptionResponse:
     code: int | None = None
     part: str = ""
     normal: Ranges | None = None
+    field: str = ""
 
     def is_marked(self, code: int, parts: Mapping[str, object]) -> bool:
         """Whether a response with a code and other parts before the body is an exception response."""
@@ -67,7 +69,9 @@ class ExceptionResponse:
 
     @property
     def mark_text(self) -> str:
-        """`bit 0x80`, `the code 0xFF`, `status other than 0`"""
+        """`bit 0x80`, `the code 0xFF`, `status other than 0`, `the constant of command`"""
+        if self.field:
+            return f"the constant of {self.field}"
         if self.part:
             return f"{self.part} other than {self.normal.text() if self.normal is not None else ''}"
         return f"the code {self.code:#04x}" if self.code is not None else f"bit {self.flag:#04x}"

@@ -161,6 +161,8 @@ class FrameCodec:
                 if message in self.link.messages:
                     raise CodecError("unknown_code", f"{message} is not answered on {self.link.name}")
                 raise CodecError("unknown_code", "the frame carries no code: say which message it belongs to")
+            if error is not None and shape.direction == "response" and self._is_marked(inner):
+                return announced, self.layout.records[error.record], True
             return announced, announced.data(shape.direction), False
         code = head[part.name]
         if error is not None and shape.direction == "response" and error.is_marked(code, head):
@@ -182,6 +184,10 @@ class FrameCodec:
             )
         return announced, announced.data(shape.direction), False
 
+    def _is_marked(self, inner: bytes) -> bool:
+        """Whether the data of a response without a code are those of an exception response."""
+        return self.link.mark is not None and self.link.mark.is_in(inner)
+
     def encode(
         self, direction: str, message: str, values: Mapping[str, Any], *, error: bool = False, code: int | None = None
     ) -> bytes:
@@ -191,7 +197,7 @@ class FrameCodec:
         """
         shape = self.link.frame(direction)
         announced = self.link.messages.get(message)
-        if announced is None and not (error and code is not None):
+        if announced is None and not (error and (code is not None or self.link.mark is not None)):
             raise CodecError("unknown_code", f"there is no message {message!r}")
         if not error and announced is not None and message not in self.link.carried(direction):
             raise CodecError("unknown_code", f"{message} is not answered on {self.link.name}")

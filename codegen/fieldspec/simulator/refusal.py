@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.exception_mark import reason_field
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.model.link import ExceptionResponse
 from fieldspec.model.value import Value
@@ -17,9 +18,11 @@ class Refusal(Exception):
 
 
 def reason_place(layout: DeviceLayout, link: LinkLayout, exception: ExceptionResponse) -> tuple[str, Value]:
-    """The name and the value of what says why: the part that marks the response, or the free field of its record."""
+    """The name and the value of what says why: the part that marks the response, or a field of its record."""
     if exception.part:
         parts = (part for part in link.response.header if part.name == exception.part)
         return next((part.name, part.value) for part in parts if part.value is not None)
-    fields = layout.records[exception.record].fields
-    return next((field.name, field.value) for field in fields if field.value is not None and field.value.const is None)
+    field = reason_field(layout.records[exception.record])
+    assert field is not None
+    assert field.value is not None
+    return field.name, field.value

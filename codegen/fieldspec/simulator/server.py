@@ -8,11 +8,13 @@ from fieldspec.behaviour.part import Part
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.value import Kind
 from fieldspec.reference.frames import FrameCodec, codec
 from fieldspec.reference.records import CodecError
 from fieldspec.simulator import parameters
 from fieldspec.simulator.engine import Engine
 from fieldspec.simulator.memory import element_value
+from fieldspec.simulator.raw_values import chosen_kind, in_type, number_of_kind, signed
 from fieldspec.simulator.refusal import Refusal, reason_place
 from fieldspec.simulator.registers import read_bits, read_registers, write_bits, write_registers
 
@@ -68,15 +70,21 @@ class Server:
             broadcast = addresses is not None and head[addressed.name] == addresses.broadcast
             if not broadcast:
                 return Answer(b"", f"for unit {head[addressed.name]}")
+        if frames.link.link.is_can and any(
+            head.get(part.name, part.constant) != part.constant for part in shape.constants
+        ):
+            return Answer(b"", "another identifier")
         code = head[coded.name] if (coded := shape.role("code")) is not None else None
         asked = frames.link.announced(code, parts[shape.header_size : len(parts) - shape.trailer_size], message)
         silent = "broadcast" if broadcast else ""
         if asked is not None and asked.name not in frames.link.carried("response"):
             silent = silent or "not answered"
+        asked_values: dict[str, Any] = {}
         try:
             if forced:
                 raise Refusal(forced, "by a fault")
             announced, values = self._decoded(frames, frame, message if code is None else "")
+            asked_values |= values
             if broadcast and not (announced.message.broadcast and self._accepts_broadcast()):
                 return Answer(b"", "broadcast, not accepted")
             body = self._carried_out(announced, values)
@@ -86,7 +94,7 @@ class Server:
         except _Damaged as damaged:
             return Answer(b"", f"damaged: {damaged}")
         except Refusal as refusal:
-            answer = self._refused(frames, head, code, refusal)
+            answer = self._refused(frames, head, code, refusal, asked_values)
             return Answer(b"", f"{silent}: {refusal}") if silent else answer
         return Answer(b"", f"{silent}: {announced.name}")
 
@@ -160,13 +168,13 @@ class Server:
         value = element_value(target.parameter, target.first) if target.parameter is not None else None
         value_field = parameters.part_of(request, "value")
         if value_field is not None:
-            kind = _chosen_kind(request, values)
+            kind = chosen_kind(request, values)
             if kind is not None and value is not None and kind != value.type.name:
                 raise Refusal("type_invalid", f"the parameter is {value.type.name}, not {kind}")
             raw = values[value_field.name]
             raws = [int(item) if isinstance(item, bool) else item for item in (raw if isinstance(raw, list) else [raw])]
             if value is not None:
-                raws = [_signed(item, value.size, value.type.signed) for item in raws]
+                raws = [signed(item, value.size, value.type.signed) for item in raws]
             parameters.write_parameter(engine, target, raws)
             if request.selector is not None:
                 engine.memory.formats[key] = values[request.selector.name]
@@ -178,10 +186,10 @@ class Server:
         engine.refresh()
         read = parameters.read_parameter(engine, target)
         if response.selector is None:
-            return {answer_field.name: _in_type(read[0], answer_field)}
+            return {answer_field.name: in_type(read[0], answer_field)}
         number = engine.memory.formats.get(key)
         if number is None and value is not None:
-            number = _number_of_kind(response, value.type.name)
+            number = number_of_kind(response, value.type.name)
         if number is None:
             raise Refusal("format_invalid", "no format carries the value")
         return {response.selector.name: number, answer_field.name: read}
@@ -238,7 +246,7 @@ class Server:
             return [0] * (field.count or 1)
         cell = next(iter(engine.cells.of(path)), None)
         raw = cell.read() if cell is not None else 0
-        return _in_type(raw, field)
+        return in_type(raw, field)
 
     def _records(self, part: Part) -> list[dict[str, Any]]:
         """The records of a collection that answer. Raises Refusal where the one that is asked for is missing."""
@@ -276,8 +284,18 @@ class Server:
             values[mark.part] = mark.normal.low
         return values
 
-    def _refused(self, frames: FrameCodec, head: Mapping[str, Any], code: int | None, refusal: Refusal) -> Answer:
-        """The response that refuses a request, or silence."""
+    def _refused(
+        self,
+        frames: FrameCodec,
+        head: Mapping[str, Any],
+        code: int | None,
+        refusal: Refusal,
+        asked: Mapping[str, Any],
+    ) -> Answer:
+        """The response that refuses a request, or silence.
+
+        A field of the response with the name of a field of the request repeats it; others that give no reason are 0.
+        """
         engine, part = self.engine, self.refusals.get(refusal.reason)
         text = f"refused, {refusal}"
         if part is None:
@@ -291,9 +309,13 @@ class Server:
         if record is None or number is None:
             return Answer(b"", f"{text}; the device is silent")
         values = self._head(frames, head)
+        for field in engine.layout.records[record.record].fields:
+            value = field.value
+            if value is not None and value.const is None and value.type.kind is Kind.INTEGER and not field.is_list:
+                values[field.name] = asked.get(field.name, 0)
         values[reason_place(engine.layout, frames.link, record)[0]] = number
         code = part.get("code", code) if record.code is None else record.code
-        known = frames.link.message_with_code(code) if code is not None else None
+        known = frames.link.message_with_code(code) if code is not None and not record.field else None
         flagged = code is not None and (code & record.flag or code == record.code)
         try:
             frame = frames.encode(
@@ -354,43 +376,3 @@ def _out_of_range(field: FieldLayout, values: Mapping[str, Any]) -> str:
     if value is None or value.ranges is None or not isinstance(raw, int) or isinstance(raw, bool):
         return ""
     return "" if raw in value.ranges or value.sentinel(raw) is not None else field.name
-
-
-def _chosen_kind(record: RecordLayout, values: Mapping[str, Any]) -> str | None:
-    """The type that the selector of a record chooses; None where it has no selector."""
-    if record.selector is None:
-        return None
-    number = values.get(record.selector.name)
-    for field in record.fields:
-        for case in field.cases:
-            if number in case.numbers:
-                return case.value.type.name
-    return ""
-
-
-def _number_of_kind(record: RecordLayout, kind: str) -> int | None:
-    """The number of the selector that chooses a type."""
-    for field in record.fields:
-        for case in field.cases:
-            if case.value.type.name == kind or (kind.startswith("bool") and case.value.type.name.startswith("bool")):
-                return min(case.numbers)
-    return None
-
-
-def _signed(raw: Any, size: int, signed: bool) -> Any:
-    """A number of a field, read as the type of a parameter has it."""
-    if not isinstance(raw, int) or isinstance(raw, bool):
-        return raw
-    whole = raw & ((1 << 8 * size) - 1)
-    return whole - (1 << 8 * size) if signed and whole >> (8 * size - 1) else whole
-
-
-def _in_type(raw: Any, field: FieldLayout) -> Any:
-    """A raw value as the type of a field has it."""
-    if (value := field.value) is None or not isinstance(raw, int | float) or value.type.letter in ("s", "f", "d"):
-        return raw
-    if value.type.name.startswith("bool"):
-        return bool(raw)
-    if raw < 0 and not value.type.signed:
-        raw = _signed(round(raw), value.size, False)
-    return min(max(round(raw), value.low), value.high)

@@ -88,10 +88,13 @@ class Simulation:
             listener(now, link, direction, data, text)
 
     def serve(self, link: str, place: str, settings: LineSettings) -> str:
-        """Serves a link at a place: `pty`, `tcp://HOST:PORT`, `udp://HOST:PORT`, or a serial port.
+        """Serves a link at a place: `pty`, `tcp://HOST:PORT`, `udp://HOST:PORT`, a serial port, a CAN bus.
 
         Returns the place that others open. Raises CarrierError.
         """
+        wrong = can_objection(self.layout.links[link], place)
+        if wrong:
+            raise CarrierError(wrong)
         if place.startswith("tcp://"):
             listener = Listener(place)
             name = listener.name
@@ -113,7 +116,7 @@ class Simulation:
         from fieldspec.carriers.web import WebServer
 
         links = self.layout.links
-        datagrams = {name: usual_place(link).startswith("udp://") for name, link in links.items()}
+        datagrams = {name: link.link.is_can or usual_place(link).startswith("udp://") for name, link in links.items()}
         settings = {name: settings_of(link.link) for name, link in links.items()}
         server = WebServer(port, datagrams, lambda link, carrier: self._run(link, carrier, settings[link]))
         self._closers.append(server.close)
@@ -126,6 +129,10 @@ class Simulation:
             terminal = PseudoTerminal()
             self._releases.append(terminal.release)
             return terminal
+        if place.startswith("can://"):
+            from fieldspec.carriers.can_bus import CanBus
+
+            return CanBus(place)
         return Datagrams(place, server=True) if place.startswith("udp://") else SerialPort(place, settings)
 
     def _start(self, work: Callable[[], None]) -> None:
@@ -204,14 +211,25 @@ def settings_of(link: Link, baud: int | None = None, parity: str | None = None) 
     )
 
 
+def can_objection(link: LinkLayout, place: str) -> str:
+    """Why a link is not at a place: CAN frames go over a CAN bus, and nothing else does; empty where it may be."""
+    if link.link.is_can and not place.startswith("can://"):
+        return f"{link.name} is a CAN bus; write where it is as can://INTERFACE/CHANNEL, as in can://socketcan/can0"
+    if place.startswith("can://") and not link.link.is_can:
+        return f"{link.name} is no CAN bus; use a serial port, tcp://HOST:PORT or udp://HOST:PORT"
+    return ""
+
+
 def usual_place(layout: LinkLayout) -> str:
     """Where a link is served that no place is stated for.
 
     Serial links are on a pseudo-terminal, other frames in a stream on TCP; what has neither length, nor delimiters, nor
-    checksum comes in datagrams.
+    checksum comes in datagrams. Nothing says on which bus CAN frames are.
     """
     if layout.link.serial is not None:
         return "pty"
+    if layout.link.is_can:
+        return "can://"
     streams = layout.request.role("length") is not None or layout.request.start or layout.request.checksums
     return "tcp://127.0.0.1:0" if streams else "udp://127.0.0.1:0"
 

@@ -1,5 +1,6 @@
 import { begins, find } from "./escapes.js";
-import { originalParts, withoutDelimiters, wrongParts } from "./link.js";
+import { withoutDelimiters } from "./delimiters.js";
+import { originalParts, wrongParts } from "./link.js";
 import { readPart } from "./parts.js";
 
 /**

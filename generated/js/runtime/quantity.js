@@ -71,14 +71,14 @@ export function powerUnit({ unit: symbol, exponents, unknown, ...counts }) {
  */
 export function conversion({ full, complement, low, high }) {
   return Object.freeze({
-    /** The quantity of a count. */
-    quantity(count, reference) {
+    /** The quantity of a count, the raw value. */
+    fromRaw(raw, reference) {
       const [above, under] = fraction(reference);
-      const share = complement ? full - BigInt(count) : BigInt(count);
+      const share = complement ? full - BigInt(raw) : BigInt(raw);
       return quotient(above * share, under * full);
     },
     /** The nearest count of a quantity, of two equally near ones the even one. Throws CodecError out of range. */
-    count(quantity, reference) {
+    toRaw(quantity, reference) {
       const [above, under] = fraction(quantity);
       const [over, below] = fraction(reference);
       if (over === 0n) throw new CodecError("out_of_range", "the reference is 0");

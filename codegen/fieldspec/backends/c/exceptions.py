@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from fieldspec.backends.c.expressions import (
+    IN,
+    LENGTH,
     OUT,
     ZERO,
     Cast,
+    Element,
     Expression,
     Group,
     Identifier,
     Operation,
     PointerMember,
     Unary,
+    all_of,
+    at_least,
+    decimal,
     different,
     equal,
     negate,
@@ -21,6 +27,7 @@ from fieldspec.backends.c.naming import Naming, argument, frame_member
 from fieldspec.backends.c.statements import Assignment, Body, If, assign
 from fieldspec.backends.c.values import out_of_range_test, refuse
 from fieldspec.classes import replace
+from fieldspec.layout.exception_mark import ExceptionMark
 from fieldspec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.model.link import ExceptionResponse
 
@@ -43,10 +50,19 @@ def read_mark(mark: ExceptionResponse, frame: FrameLayout, code: Expression, err
     return (assign(error, different(Operation("&", (code, flag)), ZERO)), If(error, (without_flag,)))
 
 
+def mark_in_data(mark: ExceptionMark, frame: FrameLayout) -> Expression:
+    """Whether the data of a frame that is read have the mark: `length >= 10u && in[8] == 128u`"""
+    end = frame.header_size + mark.end + frame.trailer_size
+    tests = [at_least(LENGTH, unsigned(end))]
+    for place, byte in enumerate(mark.pattern):
+        tests.append(equal(Element(IN, decimal(frame.header_size + mark.offset + place)), unsigned(byte)))
+    return all_of(tests)
+
+
 def check_mark(naming: Naming, link: LinkLayout, frame: FrameLayout, is_exception: bool) -> Body:
     """Refuses a part, or a code, that marks the other kind of response."""
     mark = link.link.exception_response
-    if mark is None or frame.direction == "request" or mark.flag:
+    if mark is None or frame.direction == "request" or mark.flag or mark.field:
         return ()
     if mark.code is not None:
         wrong = different(_CODE, unsigned(mark.code))

@@ -9,7 +9,7 @@ from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Funct
 from fieldspec.backends.c.delimiters import declare_unwrap, is_wrapped, unwrap_function, wrap_frame
 from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
 from fieldspec.backends.c.escapes import escape_call
-from fieldspec.backends.c.exceptions import read_mark
+from fieldspec.backends.c.exceptions import mark_in_data, read_mark
 from fieldspec.backends.c.expressions import (
     CAPACITY,
     IN,
@@ -243,9 +243,10 @@ def _length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> t
 def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
     """Reads the code, takes the flag of an exception response off it, and refuses a code that no message has."""
     part = frame.role("code")
-    if part is None:
-        return ()
     code, error = PointerMember(OUT, "code"), PointerMember(OUT, "error")
+    if part is None:
+        is_marked = link.mark is not None and frame.direction == "response"
+        return (assign(error, mark_in_data(link.mark, frame)),) if link.mark is not None and is_marked else ()
     body: Body = (assign(code, load(naming, part_value(part), part_pointer(IN, part, LENGTH))),)
     guard: list[Expression] = []
     if link.link.exception_response is not None and frame.direction == "response":

@@ -90,9 +90,12 @@ def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: Link
     error = link.link.exception_response
     assert error is not None
     function = naming.function("link", link.name, "encode", "error")
+    record = layout.records[error.record]
+    if link.mark is not None:
+        about = comment("Writes the whole frame of an exception response.")
+        return [about, _encode_frame(naming, link, "response", record, function, [], (), True)]
     code: list[Expression] = [Operation("|", (_CODE, unsigned(error.flag))) if error.flag else _CODE]
     parameters = [Variable(CODE_TYPE, "code")]
-    record = layout.records[error.record]
     about = comment("Writes the whole frame of an exception response to a code.")
     return [about, _encode_frame(naming, link, "response", record, function, parameters, code, True)]
 

@@ -241,12 +241,12 @@
     });
   }
 
-  const canOpen = (row) => row.id && KINDS.includes(row.id.split("/")[0]) && !row.classList.contains("element");
+  const isOpenable = (row) => row.id && KINDS.includes(row.id.split("/")[0]) && !row.classList.contains("element");
 
   function equip(table) {
     for (const row of table.tBodies[0].rows) {
       const heading = row.querySelector("th[scope=row]");
-      if (!heading || !canOpen(row) || heading.querySelector(".opener")) { continue; }
+      if (!heading || !isOpenable(row) || heading.querySelector(".opener")) { continue; }
       const button = element("button", { type: "button", className: "opener" });
       button.setAttribute("aria-label", `Open ${row.id.split("/").pop()}`);
       button.setAttribute("aria-expanded", "false");
@@ -319,7 +319,7 @@
   function arrive() {
     let target = null;
     try { target = document.getElementById(decodeURIComponent(location.hash.slice(1))); } catch { return; }
-    if (target && target.tagName === "TR" && canOpen(target)) {
+    if (target && target.tagName === "TR" && isOpenable(target)) {
       equip(target.closest("table"));
       open(target);
       target.scrollIntoView({ block: "start" });

@@ -59,7 +59,8 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     name = names.scope.take(Name.of(link.name).camel(), f"{Name.of(link.name).camel()}Link")
     pascal = Name.of(link.name).pascal()
     carried = [message for message in names.layout.messages.values() if carries(link, message)]
-    exception = link.link.exception_response if link.response.role("code") is not None else None
+    is_marked = link.mark is not None or link.response.role("code") is not None
+    exception = link.link.exception_response if is_marked else None
     addresses = link.link.unit_addresses
     frames = f"framesOf{pascal}"
     code = [f"const {frames} = /* @__PURE__ */ frames({{"]
@@ -136,6 +137,8 @@ def _subcodes(link: LinkLayout, names: Names) -> str:
 def _exception(link: LinkLayout, exception: ExceptionResponse, names: Names) -> str:
     """What marks an exception response, and its record."""
     row = {"flag": str(exception.flag), "record": names.records[exception.record]}
+    if link.mark is not None:
+        row["mark"] = f"{{ offset: {link.mark.offset}, bytes: {list(link.mark.pattern)} }}"
     if exception.code is not None:
         row["code"] = str(exception.code)
     part = next((part for part in link.response.header if part.name == exception.part), None)

@@ -72,7 +72,9 @@ def client_view(layout: DeviceLayout, module: str, view: Mapping[str, Any]) -> C
     """The view of a client; None for a device that answers nothing. `view` is that of the version's module."""
     names = _names(layout, view)
     spoken: Mapping[str, LinkView] = view["links_by_name"]
-    answering = [link for link in layout.links.values() if link.name in spoken and link.carried("response")]
+    # Where users supply a part of an identifier, nothing tells a client with which one it speaks to its device.
+    closed = [link for link in layout.links.values() if not link.open_identifier]
+    answering = [link for link in closed if link.name in spoken and link.carried("response")]
     if not answering:
         return None
     single = [link for link in answering if is_framed(link)]

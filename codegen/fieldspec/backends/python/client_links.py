@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from fieldspec.backends.python.client_names import CODEC, ClientNames
 from fieldspec.backends.python.links import LinkView
+from fieldspec.backends.python.naming import RECORD
+from fieldspec.backends.python.records import shape
 from fieldspec.backends.python.text import item_lines, literal
 from fieldspec.backends.python.writing import tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.exception_mark import reason_field
 from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.record import RecordLayout
 from fieldspec.model.link import Link, Serial
 from fieldspec.model.operand import Operands
 from fieldspec.model.texts import Limit
@@ -60,6 +64,8 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     arguments += [f"pause={pause!r}"] if pause else []
     refusal = link.link.exception_response
     arguments += [f"refusal_code={refusal.code}"] if refusal is not None and refusal.code is not None else []
+    arguments += ["refusal_code=0"] if link.mark is not None and link.request.role("code") is None else []
+    arguments += _reason(layout.records[refusal.record], names) if refusal is not None else []
     repeated, value_counts = [], []
     for message in link.carried("response").values():
         access = message.message.accesses
@@ -81,6 +87,14 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     arguments += [f"value_counts={{{', '.join(value_counts)}}}"] if value_counts else []
     name = f"_{Name.of(link.name).upper()}"
     return ClientLinkView(name, literal(link.name), item_lines(f"{name} = _Link(", arguments, ")", 0))
+
+
+def _reason(record: RecordLayout, names: ClientNames) -> list[str]:
+    """The argument with the field of an exception response that says why; none where it is the first one."""
+    field = reason_field(record)
+    stored = shape(record, names.words, RECORD).stored
+    own = next((slot for slot in stored if field is not None and slot.title == field.name), None)
+    return [f"reason={literal(own.name)}"] if own is not None and own is not stored[0] else []
 
 
 def _timeout(layout: DeviceLayout, link: LinkLayout) -> float | None:

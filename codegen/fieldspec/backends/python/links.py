@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from fieldspec.backends.fact_texts import described
+from fieldspec.backends.python.error_views import ErrorView, error_view
 from fieldspec.backends.python.fixed_frames import FixedFrame, fixed_frame, has_fixed_length
 from fieldspec.backends.python.frames import (
     PartView,
@@ -23,7 +24,7 @@ from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import chained, docstring, item_lines, literal, union
-from fieldspec.backends.python.writing import pairs, within
+from fieldspec.backends.python.writing import pairs
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
@@ -83,19 +84,6 @@ class DirectionView:
     framer: str
     framer_arguments: list[str]
     framer_doc: list[str]
-
-
-@dataclass(frozen=True, slots=True)
-class ErrorView:
-    """The exception responses of a link: what marks them, the code in the reply, the record, and the parts."""
-
-    wrapper: str
-    condition: str
-    code: str
-    record: str
-    head: str
-    bind: list[str]
-    refusals: list[str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,7 +160,8 @@ def link_view(
         for direction in ("request", "response")
         if direction == "request" or link.carried(direction) or not link.messages
     }
-    error = _error(link, words, pascal, scope) if coded and "response" in views else None
+    marked = coded or link.mark is not None
+    error = error_view(link, words, pascal, scope) if marked and "response" in views else None
     wrappers = [
         _wrapper(view.wrapper, direction, ["message: _M"], view.head_parts)
         for direction, view in views.items()
@@ -348,6 +337,7 @@ def _exchange(
     # Of messages that share a code, the body tells which one it is.
     shared = code is not None and len(link.messages_with_code(code, direction)) > 1
     marked = any(marks_exceptions(link, frame, part) for part in frame.header)
+    marked = marked or (direction == "response" and link.mark is not None)
     reads = together and not shared and not marked and (part is None or (part.size == 1 and not (code or 0) & flag))
     asked = exchange.message if direction == "request" else None
     tests, refusals = head_tests(link, frame, asked), head_refusals(link, frame, asked)
@@ -370,30 +360,4 @@ def _exchange(
         wrapper=wrapper,
         station="station" if station is not None else "0",
         head_parts=arguments,
-    )
-
-
-def _error(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> ErrorView | None:
-    error, frame = link.link.exception_response, link.response
-    code = frame.role("code")
-    if error is None or code is None or code.value is None:
-        return None
-    head = [head_value(part, f"code | {error.flag:#x}" if error.flag else "code") for part in frame.header]
-    limits = (code.value.type.low, code.value.type.high) if error.code is None else (error.code, error.code)
-    limit = f"_refused_number({literal(code.name)}, code, {limits[0]}, {limits[1]})"
-    if error.code is not None:
-        limit = f"_refused_code(code, {error.code:#04x})"
-    place = next((at for at, part in enumerate(frame.header) if part.name == error.part), 0)
-    condition = f"code & {error.flag:#x}" if error.flag else f"code == {error.code}"
-    if error.normal is not None:
-        condition = f"not ({within(f'head[{place}]', error.normal)})"
-    arguments = argument_views(frame, words)
-    return ErrorView(
-        wrapper=scope.take(f"{pascal}ErrorReply") if arguments else "_ErrorReply",
-        condition=condition,
-        code=f"code & {~error.flag & code.value.type.high:#x}" if error.flag else "code",
-        record=words.records[error.record],
-        head=f"[{', '.join(head)}]",
-        bind=[f"{part.variable} = {part.name}" for part in arguments],
-        refusals=chained("error = ", [*head_refusals(link, frame, is_exception=True), limit], "or", "", 8),
     )

@@ -7,6 +7,7 @@ from fieldspec.backends.wireshark.text import Data, line_text
 from fieldspec.backends.wireshark.values import errata_data, intervals, value_data
 from fieldspec.layout.checksums import reflected
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.exception_mark import ExceptionMark
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.layout.subcodes import Subcode
 from fieldspec.model.checksums import checksum_named
@@ -34,7 +35,7 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
         "is_framed": any(shape["is_framed"] for shape in shapes.values()),
         "is_numbered": any(part.part.same_as for part in link.response.header),
         "messages": messages,
-        "exception": None if exception is None else _exception(exception),
+        "exception": None if exception is None else _exception(exception, link.mark),
         "units": None
         if addresses is None
         else {"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast},
@@ -42,8 +43,9 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
     }
 
 
-def _exception(exception: ExceptionResponse) -> dict[str, Data]:
+def _exception(exception: ExceptionResponse, mark: ExceptionMark | None) -> dict[str, Data]:
     return {
+        **({"mark": {"offset": mark.offset, "bytes": mark.pattern}} if mark is not None else {}),
         "flag": exception.flag,
         "code": exception.code,
         "part": exception.part or None,

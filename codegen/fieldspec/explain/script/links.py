@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fieldspec.explain.script.literals import Data
 from fieldspec.explain.script.values import fact_data, intervals, stated, value_data
+from fieldspec.layout.exception_mark import ExceptionMark
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.model.checksums import checksum_named
 from fieldspec.model.escape import Escape
@@ -26,7 +27,7 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
                 "addresses": stated({"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast})
                 if addresses is not None
                 else None,
-                "exception": _exception(exception) if exception is not None else None,
+                "exception": _exception(exception, link.mark) if exception is not None else None,
                 "serial": stated(
                     {
                         "baud": list(serial.baud),
@@ -50,12 +51,16 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
     }
 
 
-def _exception(exception: ExceptionResponse) -> Data:
-    """What marks an exception response, and its record; the mark is a flag, a code, or a part that is not normal."""
+def _exception(exception: ExceptionResponse, mark: ExceptionMark | None) -> Data:
+    """What marks an exception response, and its record.
+
+    The mark is a flag, a code, a part that is not normal, or bytes at a place in the data.
+    """
     return {
         "record": exception.record,
         "flag": exception.flag,
         **stated({"code": exception.code, "part": exception.part, "normal": intervals(exception.normal)}),
+        **({"mark": {"offset": mark.offset, "bytes": list(mark.pattern)}} if mark is not None else {}),
     }
 
 

@@ -109,21 +109,24 @@ def _delimiters(entry: Entry) -> dict[str, bytes]:
 
 
 def _exception_response(entry: Entry) -> ExceptionResponse:
-    marks = [key for key in ("flag", "code", "part") if key in entry.own]
+    marks = [key for key in ("flag", "code", "part", "field") if key in entry.own]
     if len(marks) != 1:
         text = f"an exception response has {len(marks)} marks" if marks else "nothing marks an exception response"
-        entry.refuse("wrong_form", marks[-1] if marks else "record", text, "state one of `flag`, `code` and `part`")
+        entry.refuse(
+            "wrong_form", marks[-1] if marks else "record", text, "state one of `flag`, `code`, `part` and `field`"
+        )
     if ("normal" in entry.own) != ("part" in entry.own):
         key = "part" if "part" in entry.own else "normal"
         entry.refuse("wrong_form", key, "`part` and `normal` need each other", "add the other one, or remove both")
-    part, code = entry.text("part"), entry.integer("code")
+    part, field, code = entry.text("part"), entry.text("field"), entry.integer("code")
     return ExceptionResponse(
-        flag=(entry.integer("flag") or 0) if code is None and not part else 0,
+        flag=(entry.integer("flag") or 0) if code is None and not part and not field else 0,
         record=entry.text("record"),
         sources=entry.sources,
-        code=None if part else code,
+        code=None if part or field else code,
         part=part,
         normal=entry.whole_ranges("normal") if part else None,
+        field=field,
     )
 
 

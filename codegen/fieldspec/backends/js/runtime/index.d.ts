@@ -63,10 +63,10 @@ export interface PowerUnit {
 
 /** A share of a reference. */
 export interface Conversion {
-  /** The quantity of a count. */
-  quantity(count: number, reference: Quantity): number;
+  /** The quantity of a count, the raw value. */
+  fromRaw(raw: number, reference: Quantity): number;
   /** The nearest count of a quantity. Throws CodecError out of range. */
-  count(quantity: Quantity, reference: Quantity): number;
+  toRaw(quantity: Quantity, reference: Quantity): number;
 }
 
 /** A record: its values are plain objects. */
@@ -122,7 +122,7 @@ export interface Link<Q, R, M, E> {
   readonly unitAddresses: { readonly ranges: readonly (readonly [number, number])[] | null; readonly broadcast: number | null } | null;
   encodeRequest<K extends M>(header: Q, message: K, data: DataOf<K, "request">): Uint8Array;
   encodeResponse<K extends M>(header: R, message: K, data: DataOf<K, "response">): Uint8Array;
-  encodeException(header: R, code: number, data: E): Uint8Array;
+  encodeException(header: R, code: number | null, data: E): Uint8Array;
   decodeRequest<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "request", Q>;
   decodeResponse<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "response", R> | ([E] extends [never] ? never : ExceptionFrame<M, R, E>);
 }

@@ -1,4 +1,5 @@
 import { checksumBytes } from "./checksums.js";
+import { hexText, matches, withDelimiters, withoutDelimiters } from "./delimiters.js";
 import { CodecError, refusedNumber } from "./error.js";
 import { readPart, writePart } from "./parts.js";
 import { rangesText, within } from "./values.js";
@@ -18,7 +19,7 @@ export function frames({ name, hex, request, response, unitAddresses }) {
 
 /**
  * A link with its frames and the messages that it carries. `exception` has the flag in the code and the record of an
- * exception response, or is null. `unanswered` are the messages to which the device sends no response. `subcodes` has
+ * exception response, or is null; its `mark` are bytes at a place in the data, where frames carry no code. `unanswered` are the messages to which the device sends no response. `subcodes` has
  * for each direction the number in the data that tells messages with one code apart, by this code; or the messages whose
  * `answers` nothing in the data tells apart, so that only the request does. `barred` are the messages whose requests
  * cannot be broadcast.
@@ -43,9 +44,12 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
       const code = codeOf(context, response, entry);
       return encoded(context, response, header, code, entry.response, data, context.exception?.normal);
     },
-    /** The frame of an exception response to a code. Throws CodecError. */
+    /** The frame of an exception response to a code, which is null where frames carry none. Throws CodecError. */
     encodeException(header, code, data) {
       const exception = expectedException(context);
+      if ((code === null) !== (response.code === null)) {
+        throw new CodecError("unknown_code", code === null ? "an exception response has a code" : "frames here carry no code");
+      }
       const own = exception.code ?? code | exception.flag;
       const bytes = encoded(context, response, header, own, exception.record, data, exception.marks);
       if (exception.code !== undefined && code !== own) {
@@ -110,63 +114,6 @@ function expectedException({ name, exception }) {
 /** The offset of a place in parts of `size` bytes; negative ones count from the end, and null is the end. */
 function place(offset, size) {
   return offset === null ? size : offset < 0 ? size + offset : offset;
-}
-
-function isHex(byte) {
-  return (byte >= 48 && byte <= 57) || (byte >= 65 && byte <= 70) || (byte >= 97 && byte <= 102);
-}
-
-function digit(byte) {
-  return byte <= 57 ? byte - 48 : (byte & 0x5f) - 55;
-}
-
-function matches(bytes, offset, mark) {
-  for (let at = 0; at < mark.length; at++) if (bytes[offset + at] !== mark[at]) return false;
-  return true;
-}
-
-function hexText(bytes) {
-  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join(" ");
-}
-
-/** A frame without its delimiters, as bytes instead of characters. Throws CodecError. */
-export function withoutDelimiters({ hex }, { start, end }, bytes) {
-  if (start.length === 0 && end.length === 0 && !hex) return bytes;
-  if (bytes.length < start.length || !matches(bytes, 0, start)) {
-    throw new CodecError("wrong_mark", `the frame does not start with ${hexText(start)}`, 0);
-  }
-  const last = bytes.length - end.length;
-  if (last < start.length || !matches(bytes, last, end)) {
-    throw new CodecError("wrong_mark", `the frame does not end with ${hexText(end)}`, bytes.length);
-  }
-  if (!hex) return bytes.subarray(start.length, last);
-  for (let at = start.length; at < last; at++) {
-    if (!isHex(bytes[at])) throw new CodecError("not_hex", `byte ${bytes[at]} is no hexadecimal character`, at);
-  }
-  if ((last - start.length) % 2) throw new CodecError("wrong_length", "an odd number of characters", last);
-  const data = new Uint8Array((last - start.length) / 2);
-  for (let at = 0; at < data.length; at++) {
-    data[at] = digit(bytes[start.length + 2 * at]) * 16 + digit(bytes[start.length + 2 * at + 1]);
-  }
-  return data;
-}
-
-function withDelimiters({ hex }, { start, end }, data) {
-  if (start.length === 0 && end.length === 0 && !hex) return data;
-  const inner = hex ? 2 * data.length : data.length;
-  const bytes = new Uint8Array(start.length + inner + end.length);
-  bytes.set(start, 0);
-  if (hex) {
-    for (let at = 0; at < data.length; at++) {
-      const [high, low] = [data[at] >> 4, data[at] & 15];
-      bytes[start.length + 2 * at] = high + (high < 10 ? 48 : 55);
-      bytes[start.length + 2 * at + 1] = low + (low < 10 ? 48 : 55);
-    }
-  } else {
-    bytes.set(data, start.length);
-  }
-  bytes.set(end, start.length + inner);
-  return bytes;
 }
 
 /** Whether a length or a checksum is that of the bytes which are sent, not of those before they were escaped. */
@@ -266,6 +213,11 @@ function decoded(context, shape, bytes, entry, direction) {
       throw new CodecError("unknown_code", "the frame carries no code: pass the message that it belongs to");
     }
     if (direction === "response") expectAnswer(context, entry);
+    const { exception } = context;
+    if (exception !== null && direction === "response" && hasMark(exception.mark, shape, data)) {
+      const record = exception.record.read(data, shape.headerSize, end);
+      return { kind: "exception", name: entry.name, header, message: entry, code: entry.code ?? 0, data: record };
+    }
     return { kind: direction, name: entry.name, header, message: entry, data: entry[direction].read(data, shape.headerSize, end) };
   }
   const offset = place(shape.code.offset, data.length);
@@ -285,6 +237,12 @@ function decoded(context, shape, bytes, entry, direction) {
     throw new CodecError("unknown_code", `the code is that of ${known.name}, not of ${entry?.name}`, offset);
   }
   return { kind: direction, name: known.name, header, message: known, data: known[direction].read(data, shape.headerSize, end) };
+}
+
+/** Whether the data of a response have the mark of exception responses. */
+function hasMark({ offset, bytes }, { headerSize, trailerSize }, data) {
+  const at = headerSize + offset;
+  return at + bytes.length <= data.length - trailerSize && matches(data, at, bytes);
 }
 
 /** Whether a response is an exception response: by a bit in its code, by its code, or by another part. */

@@ -34,9 +34,9 @@ class Link:
 
     `counters` are the parts of a request that its response repeats, each with its lowest and highest number. `timeout`
     is how long a response may take, `pause` how long the line is silent before a request, in seconds. `refusal_code` is
-    the code of all exception responses, None where it is that of the request. `repeated` has the fields that a response
-    repeats, by the class of the request, and `value_counts` the field with the number of values and the field of the
-    response with these values.
+    the code of all exception responses, None where it is that of the request, and `reason` their field that says why,
+    empty for the first one. `repeated` has the fields that a response repeats, by the class of the request, and
+    `value_counts` the field with the number of values and the field of the response with these values.
     """
 
     def __init__(
@@ -48,11 +48,13 @@ class Link:
         timeout: float = 1.0,
         pause: float = 0.0,
         refusal_code: int | None = None,
+        reason: str = "",
         repeated: dict[Any, tuple[str, ...]] | None = None,
         value_counts: dict[Any, tuple[str, str]] | None = None,
     ) -> None:
         self.codec, self.addressed, self.counters = codec, addressed, counters
         self.timeout, self.pause, self.refusal_code = timeout, pause, refusal_code
+        self.reason = reason
         self.repeated, self.value_counts = repeated or {}, value_counts or {}
 
     def is_answer(self, reply: Any, request: Any, station: int, head: dict[str, int]) -> bool:
@@ -185,7 +187,7 @@ class Session:
                 self._owed -= self._owed > 0
                 self._silent_until = self.now() + self.pause
                 if isinstance(reply, ErrorReply):
-                    raise refusal(reply.exception)
+                    raise refusal(reply.exception, self.link.reason)
                 return reply
         self._owed_until = deadline + self.timeout
         self._silent_until = self.now() + self.pause
@@ -200,9 +202,10 @@ class Session:
         return reply if self.link.is_answer(reply, request, self.station, self._head) else None
 
 
-def refusal(exception: Any) -> RefusedError:
-    """The error for an exception response: its number is in the first field."""
-    first = getattr(exception, exception.__match_args__[0]) if exception.__match_args__ else 0
+def refusal(exception: Any, reason: str = "") -> RefusedError:
+    """The error for an exception response: its number is in the field `reason`, or else in the first one."""
+    names = (reason,) if reason else exception.__match_args__
+    first = getattr(exception, names[0]) if names else 0
     name = getattr(first, "name", "")
     text = f"the device refuses the request: exception {int(first)}" + (f", {name.lower()}" if name else "")
     return RefusedError(text, int(first), exception)

@@ -1,4 +1,4 @@
-"""Transports of clients over TCP and UDP, for programs that block and for asyncio.
+"""Transports of clients over TCP, UDP and CAN buses, for programs that block and for asyncio.
 
 A client takes anything with `read` and `write`: a port of pyserial with a `timeout`, or an object of yours.
 """
@@ -8,11 +8,12 @@ from __future__ import annotations
 from socket import IPPROTO_TCP, SOCK_DGRAM, TCP_NODELAY, create_connection, getaddrinfo
 from socket import socket as Socket
 
+from ._can import CanFrame
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from asyncio import StreamReader, StreamWriter
-    from typing import Protocol
+    from typing import Any, Protocol
 
     class Transport(Protocol):
         """What carries the bytes of a client that blocks."""
@@ -125,6 +126,39 @@ class AsyncSocketTransport:
         return self
 
     async def __aexit__(self, *error: object) -> None:
+        self.close()
+
+
+class CanTransport:
+    """A bus of python-can, `message` is its class `can.Message`: `CanTransport(can.Bus(...), can.Message)`."""
+
+    datagrams = True
+
+    def __init__(self, bus: Any, message: Any, timeout: float = 0.05) -> None:
+        self._bus, self._message, self._timeout = bus, message, timeout
+
+    def read(self, size: int) -> bytes:
+        """A frame, for which `size` does not matter; none when the time-out is over. Raises what the bus raises."""
+        message = self._bus.recv(self._timeout)
+        if message is None or message.is_error_frame or message.is_remote_frame or message.is_fd:
+            return b""
+        return CanFrame(message.arbitration_id, bytes(message.data), message.is_extended_id).frame()
+
+    def write(self, data: bytes) -> None:
+        """Sends a frame. Raises what the bus raises."""
+        frame = CanFrame.of(data)
+        self._bus.send(
+            self._message(arbitration_id=frame.identifier, data=frame.data, is_extended_id=frame.is_extended)
+        )
+
+    def close(self) -> None:
+        """Ends the bus."""
+        self._bus.shutdown()
+
+    def __enter__(self) -> CanTransport:
+        return self
+
+    def __exit__(self, *error: object) -> None:
         self.close()
 
 

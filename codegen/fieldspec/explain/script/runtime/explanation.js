@@ -42,6 +42,7 @@ class ExplainedFrame {
     const rows = [...startRows(this.wrapped), ...this.headRows()];
     let registers = [];
     if (this.data.length >= this.shape.headerSize) {
+      this.error ||= this.isMarked();
       const body = this.body();
       registers = body.registers;
       rows.push(...body.rows, ...this.tailRows());
@@ -50,6 +51,14 @@ class ExplainedFrame {
     rows.push(...endRows(this.wrapped));
     const errata = [...this.device.errataOfWords([this.link.path]), ...(this.message?.errata ?? [])];
     return this.result(this.message?.name ?? "", rows, registers, errata);
+  }
+
+  /** Whether the data say that the frame is an exception response. */
+  isMarked() {
+    const mark = this.direction === "response" ? this.link.exception?.mark : undefined;
+    if (!mark) return false;
+    const at = this.shape.headerSize + mark.offset;
+    return sameBytes(this.data.subarray(at, at + mark.bytes.length), mark.bytes);
   }
 
   result(message, rows, registers, errata) {

@@ -1,0 +1,51 @@
+"""Raw values in the type of a field, and the type that a selector chooses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from fieldspec.classes import TYPE_CHECKING
+from fieldspec.layout.record import FieldLayout, RecordLayout
+
+if TYPE_CHECKING:
+    from typing import Any
+
+
+def chosen_kind(record: RecordLayout, values: Mapping[str, Any]) -> str | None:
+    """The type that the selector of a record chooses; None where it has no selector."""
+    if record.selector is None:
+        return None
+    number = values.get(record.selector.name)
+    for field in record.fields:
+        for case in field.cases:
+            if number in case.numbers:
+                return case.value.type.name
+    return ""
+
+
+def number_of_kind(record: RecordLayout, kind: str) -> int | None:
+    """The number of the selector that chooses a type."""
+    for field in record.fields:
+        for case in field.cases:
+            if case.value.type.name == kind or (kind.startswith("bool") and case.value.type.name.startswith("bool")):
+                return min(case.numbers)
+    return None
+
+
+def signed(raw: Any, size: int, is_signed: bool) -> Any:
+    """A number of a field, read as the type of a parameter has it."""
+    if not isinstance(raw, int) or isinstance(raw, bool):
+        return raw
+    whole = raw & ((1 << 8 * size) - 1)
+    return whole - (1 << 8 * size) if is_signed and whole >> (8 * size - 1) else whole
+
+
+def in_type(raw: Any, field: FieldLayout) -> Any:
+    """A raw value as the type of a field has it."""
+    if (value := field.value) is None or not isinstance(raw, int | float) or value.type.letter in ("s", "f", "d"):
+        return raw
+    if value.type.name.startswith("bool"):
+        return bool(raw)
+    if raw < 0 and not value.type.signed:
+        raw = signed(round(raw), value.size, False)
+    return min(max(round(raw), value.low), value.high)

@@ -1,0 +1,94 @@
+"""Random CAN buses: identifiers whose bits are parts, and messages that fit into a frame."""
+
+from __future__ import annotations
+
+from random_devices import drawn_messages
+from random_devices.draft import Draft, Spec
+from random_devices.drawn_records import fixed_field
+
+DATA = 8
+"""The most bytes of the data of a frame."""
+
+
+def add_bus(draft: Draft) -> None:
+    """Adds one CAN bus with messages to a device."""
+    link, room = _link(draft, coded := draft.chance(75))
+    draft.spec["links"] = [link]
+    codes: set[int] = set()
+    draft.spec["messages"] = []
+    for number in range(1, draft.number(2, 5)):
+        key = {"code": drawn_messages.free_code(draft, codes)} if coded else {"number": number, "links": [link["name"]]}
+        message = draft.fact(**key, request=_body(draft, room["request"]), response=_body(draft, room["response"]))
+        draft.spec["messages"].append(message)
+    if any(part.get("role") == "code" for part in link["response"]):
+        small = [record for record in draft.records if not record.apart and record.size <= room["response"]]
+        if small and draft.chance(60):
+            highest = 1 << (draft.code_bits - 1)
+            mark = {"code": highest + draft.number(0, 9)} if draft.chance(40) else {"flag": highest}
+            link["exception_response"] = {**mark, "record": draft.pick(small).name}
+    else:
+        drawn_messages.mark_exceptions(draft)
+
+
+def _link(draft: Draft, coded: bool) -> tuple[Spec, dict[str, int]]:
+    """A bus, and the bytes that are left for the data of each direction."""
+    bits = draft.pick((11, 29))
+    link = draft.fact(byte_order=draft.byte_order, can={"identifier": bits})
+    if draft.word_order:
+        link["word_order"] = draft.word_order
+    in_identifier = coded and (bits == 29 or draft.code_bits == 8) and draft.chance(50)
+    identifier = _identifier(draft, bits, draft.code_bits if in_identifier else 0)
+    room = {}
+    has_code = {"request": coded, "response": coded and (in_identifier or draft.chance(70))}
+    for direction in ("request", "response"):
+        behind: list[Spec] = []
+        if has_code[direction] and not in_identifier:
+            behind.append(_part(draft, "code", f"u{draft.code_bits}"))
+        if draft.chance(30):
+            behind.append(_part(draft, "plain", "u8", **({"const": draft.number(0, 255)} if draft.chance(50) else {})))
+        parts = [*({**part} for part in identifier), *behind, draft.fact(role="body")]
+        link[direction] = parts
+        room[direction] = DATA - 2 - sum(int(part["type"][1:]) // 8 for part in behind)
+    return link, room
+
+
+def _identifier(draft: Draft, bits: int, code_bits: int) -> list[Spec]:
+    """Parts that have all bits of an identifier, in any order; the code is one where it has `code_bits`."""
+    widths = [("code", code_bits)] if code_bits else []
+    left = bits - code_bits
+    while left > 0:
+        width = min(left, draft.number(1, 16)) if len(widths) < 3 else left
+        role = "unit_address" if width <= 8 and all(own != "unit_address" for own, _ in widths) else "plain"
+        widths.append((role if draft.chance(60) else "plain", width))
+        left -= width
+    order = list(range(len(widths)))
+    at, places = 0, {}
+    while order:
+        index = order.pop(draft.number(0, len(order) - 1))
+        places[index] = (at, at + widths[index][1] - 1)
+        at += widths[index][1]
+    parts = []
+    for index, (role, width) in enumerate(widths):
+        first, last = places[index]
+        kind = f"u{8 if width <= 8 else 16 if width <= 16 else 32}"
+        part = _part(draft, role, kind, bits=f"{first}..{last}" if first < last else first)
+        if role == "plain" and draft.chance(40):
+            part |= {"const": draft.number(0, (1 << width) - 1)} if draft.chance(70) else {"reserved": True}
+        parts.append(part)
+    return parts
+
+
+def _part(draft: Draft, role: str, kind: str, **keys: object) -> Spec:
+    part = draft.fact(type=kind, **keys)
+    return part if role == "plain" else {**part, "role": role}
+
+
+def _body(draft: Draft, room: int) -> list[Spec]:
+    """Fields that take some bytes at the most."""
+    fields = []
+    for _ in range(draft.number(0, 4)):
+        field, size = fixed_field(draft)
+        if size <= room and not {"since", "until"} & set(field):
+            fields.append(field)
+            room -= size
+    return fields
