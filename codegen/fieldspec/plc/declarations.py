@@ -79,7 +79,7 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     supported, frame_findings = with_supported_links(with_spaces, dialect)
     narrowed_layout, findings = narrowed(supported, dialect)
     binary_findings = digits_refusals([with_spaces], dialect.title, for_controllers=True)
-    if binary_findings:
+    if binary_findings or any(signal.value.digits for signal in layout.device.signals.values()):
         narrowed_layout, _ = narrowed(without_digits(supported), dialect)
     findings += [*absent_reals(with_spaces, dialect), *binary_findings]
     findings += [*space_findings, *frame_findings, *wide_enums(layout, dialect)]

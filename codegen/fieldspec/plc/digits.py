@@ -38,7 +38,8 @@ def without_digits(layout: DeviceLayout) -> DeviceLayout:
         replace(group, registers=tuple(replace(register, value=_bytes(register.value)) for register in group.registers))
         for group in layout.device.groups
     )
-    device = replace(layout.device, groups=groups)
+    signals = {name: replace(signal, value=_bytes(signal.value)) for name, signal in layout.device.signals.items()}
+    device = replace(layout.device, groups=groups, signals=signals)
     return replace(
         layout, device=device, records=records, messages=messages, links=links, registers=registers, tables=tables
     )
