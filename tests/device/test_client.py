@@ -230,7 +230,7 @@ def test_the_same_work_is_awaited(device: SimulatedDevice) -> None:
 def test_a_cancelled_point_takes_its_start_back(device: SimulatedDevice) -> None:
     async def work() -> bool:
         async with await transports.async_tcp(*address(device.places["ascii"])) as transport:
-            client = tc100_client.AsyncClient(transport, link="ascii", timeout=0.6, settle=0.02)
+            client = tc100_client.AsyncClient(transport, link="ascii", timeout=0.6, settle=0.1)
             await client.home()
             with pytest.raises(asyncio.TimeoutError):
                 await asyncio.wait_for(client.run_point(**POINT_1), 0.5)
@@ -241,7 +241,7 @@ def test_a_cancelled_point_takes_its_start_back(device: SimulatedDevice) -> None
 
 def test_packets_have_tasks_messages_and_parameters() -> None:
     with simulation("esc11", rate=20, folder=SPECS) as device, serial.Serial(device.place, 19200, timeout=0.02) as port:
-        client = esc11_client.Client(port, settle=0.02, pause=0.0)
+        client = esc11_client.Client(port, settle=0.1, pause=0.0)
         client.servo_on()
         client.home()
         client.move_absolute(position_mm=12.5, speed=50)
@@ -266,7 +266,7 @@ def test_telegrams_have_tasks_and_parameters_their_channel() -> None:
             with pytest.raises(errors.RefusedError):
                 client.read_elements(hiwin_e.profidrive_parameters.ALARM_CODES, 0, 65)
         with transports.udp(*address(device.places["cyclic"])) as transport:
-            axis = hiwin_client.Telegram111(transport, settle=0.02, cycle=0.002)
+            axis = hiwin_client.Telegram111(transport, settle=0.1, cycle=0.002)
             with pytest.raises(errors.ServoOffError):
                 axis.home()
             axis.servo_on()
