@@ -127,7 +127,7 @@ VERBS: dict[str, tuple[list[str], Callable[[Bench, str], bool], bool]] = {
     "watch": (["watch", *NAMES, "--count", "2", "--every", "0", "--format", "json"], rows_are_right, False),
     "write": (["write", "limit=3", "--yes"], has_value("limit", "3"), True),
     "dump": (["dump", "{dump.csv}"], dump_is_right, False),
-    "scan": (["scan", "--format", "json"], scan_is_right, False),
+    "scan": (["scan", "0x1020..0x1029", "--format", "json"], scan_is_right, False),
     "points download": (["points", "download", "{saved.csv}", "--table", "points"], list_is_right("saved.csv"), False),
     "points upload": (["points", "upload", "{points.csv}", "--yes"], list_is_right("points.csv"), True),
     "backup": (["backup", "{backup.csv}"], list_is_right("backup.csv"), False),
