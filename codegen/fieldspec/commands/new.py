@@ -25,8 +25,14 @@ from fieldspec.schema import schema
 SHAPES = ("packet", "telegram")
 """The skeletons of devices without a protocol."""
 
-# The sections of a protocol whose entries a device must cite, and the key that an entry needs there.
-_CITED = {"links": "", "messages": "", "enums": "", "records": "fields"}
+# The sections of a protocol whose entries a device must cite, and the keys that an entry needs there.
+_CITED: dict[str, tuple[str, ...]] = {
+    "links": (),
+    "messages": (),
+    "enums": (),
+    "flags": ("type", "bits"),
+    "records": ("fields",),
+}
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -147,11 +153,16 @@ def _overlays(path: Path) -> Iterator[str]:
         if items:
             yield f"{section}:"
         for item in items:
-            inner = next(mappings(item.values.get(needed)), None) if needed else None
-            more = f", {needed}: [{{name: {identity(inner)}}}]" if inner is not None else ""
+            more = "".join(f", {key}: {_needed(item, key)}" for key in needed if key in item.values)
             order = ", word_order: big" if section == "links" else ""
             yield f"  - {{name: {identity(item)}, source: 1 L1{order}{more}}}"
     yield from _spaces(list(mappings(tree.values.get("messages"))))
+
+
+def _needed(item: Mapping, key: str) -> str:
+    """What an entry must say under a key beside what its protocol says: its first element alone, or the same."""
+    inner = next(mappings(item.values.get(key)), None)
+    return _text(item, key) if inner is None else f"[{{name: {identity(inner)}}}]"
 
 
 def _spaces(messages: list[Mapping]) -> Iterator[str]:
