@@ -11,6 +11,7 @@ import serial
 
 from fieldspec.testing import SimulatedDevice, simulation
 from fieldspec_devices import DeviceError, errors, esc11, hiwin_e, tc100, transports
+from fieldspec_devices._client import _read_async
 from fieldspec_devices.esc11 import client as esc11_client
 from fieldspec_devices.hiwin_e import client as hiwin_client
 from fieldspec_devices.tc100 import client as tc100_client
@@ -285,3 +286,26 @@ def test_telegrams_have_tasks_and_parameters_their_channel() -> None:
                 assert device.value("axis/moving")
             axis.run(0.3)
             assert not device.value("axis/moving")
+
+
+def test_a_task_that_is_cancelled_while_bytes_come_ends() -> None:
+    class Transport:
+        """Cancels the task that reads from it, at the moment at which a byte comes."""
+
+        async def read(self, size: int) -> bytes:
+            loop = asyncio.get_running_loop()
+            byte: asyncio.Future[bytes] = loop.create_future()
+            loop.call_later(0.01, lambda: (byte.set_result(b"x"), task.cancel()))
+            return await byte
+
+        async def write(self, data: bytes) -> None:
+            """Sends nothing."""
+
+    async def is_cancelled() -> bool:
+        nonlocal task
+        task = asyncio.ensure_future(_read_async(Transport(), 1, 1.0))
+        await asyncio.wait({task})
+        return task.cancelled()
+
+    task: asyncio.Future[bytes]
+    assert asyncio.run(is_cancelled())

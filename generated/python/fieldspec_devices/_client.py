@@ -296,11 +296,25 @@ async def carry_out_async(work: Work[T], transport: AsyncTransport) -> T:
 
 
 async def _read_async(transport: AsyncTransport, size: int, seconds: float) -> bytes:
+    from asyncio import CancelledError, ensure_future, wait
     from asyncio import TimeoutError as AsyncTimeoutError
-    from asyncio import wait_for
 
+    # Before Python 3.12, wait_for forgets that it is cancelled where bytes come at that moment: a move would go on.
+    reading = ensure_future(transport.read(size))
     try:
-        return await wait_for(transport.read(size), seconds)
+        await wait({reading}, timeout=seconds)
+    except CancelledError:
+        reading.cancel()
+        await wait({reading})
+        if not reading.cancelled():
+            reading.exception()
+        raise
+    reading.cancel()
+    await wait({reading})
+    if reading.cancelled():
+        return b""
+    try:
+        return reading.result()
     except (TimeoutError, AsyncTimeoutError):
         return b""
     except ConnectionRefusedError as error:
