@@ -164,7 +164,8 @@ def test_a_request_that_lacks_a_value_says_how_to_add_it(
     ("text", "expected"),
     [
         ("axis", "--with axis has no value; write it as NAME=VALUE"),
-        ("axes=1", "there is no field of requests on serial axes; did you mean axis?"),
+        ("axes=1", "there is no open field of requests on serial axes; did you mean axis?"),
+        ("number=1", "there is no open field of requests on serial number; there are axis"),
         ("axis=7", "--with axis=7: out_of_range"),
         ("axis=left", "--with axis=left"),
     ],
@@ -184,3 +185,10 @@ def test_a_scan_goes_on_where_a_device_is_silent_at_numbers_that_it_does_not_hav
     assert bench.run("scan", "4..9", "--retries", "0", "--format", "json", timeout="0.05") == 0
     (space,) = json.loads(capsys.readouterr().out)["spaces"]
     assert space["words"] == {"0x0004": 1000, "0x0008": 1}
+
+
+@pytest.mark.parametrize("verb", ["read", "write"])
+def test_registers_take_no_values_of_requests(capsys: pytest.CaptureFixture[str], verb: str) -> None:
+    arguments = ["live", "widget", verb, "limit=3", "--with", "start=1", "--port", "tcp://127.0.0.1:9"]
+    assert main([*arguments, "--specs", FOLDER]) == 2
+    assert "there is no open field of requests on rtu start; there are none" in capsys.readouterr().err

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
 from fieldspec.carriers.carrier import Carrier, CarrierError
@@ -16,10 +16,12 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.values import MeaningError, Raw, raw_value
 from fieldspec.live.client import Client, Timing
-from fieldspec.live.messages import link_of, signals
+from fieldspec.live.messages import link_of, parameter_message, signals
 from fieldspec.live.parameter_access import ParameterAccess
 from fieldspec.live.register_access import RegisterAccess
+from fieldspec.model.value import Value
 from fieldspec.reference.records import CodecError, encoded_value
+from fieldspec.simulator.parameters import count_field, part_of
 from fieldspec.simulator.simulation import can_objection, settings_of, usual_unit_address
 
 if TYPE_CHECKING:
@@ -51,11 +53,12 @@ def access_of(client: Client) -> Access:
 @contextmanager
 def connected(layout: DeviceLayout, arguments: argparse.Namespace, dry: bool = False) -> Iterator[Client]:
     """A client of the device at `--port`; nothing is opened for a `dry` run. Raises UsageError."""
-    _link(layout, arguments)
+    link = layout.links[_link(layout, arguments)]
+    fixed = dict(_fixed_value(layout, link, text) for text in arguments.fixed)
     try:
-        carrier: Carrier = _Nothing() if dry else _opened(layout, arguments)
+        carrier: Carrier = _Nothing() if dry else _opened(link, arguments)
         try:
-            yield _client(layout, arguments, carrier)
+            yield _client(layout, link, arguments, carrier, fixed)
         finally:
             carrier.close()
     except CarrierError as error:
@@ -106,12 +109,11 @@ def _refuse_open_identifier(link: LinkLayout) -> None:
         raise UsageError(f"{text}: they are for a program, such as one with the generated code")
 
 
-def _opened(layout: DeviceLayout, arguments: argparse.Namespace) -> Carrier:
+def _opened(link: LinkLayout, arguments: argparse.Namespace) -> Carrier:
     place = arguments.port
     if not place:
         places = "/dev/ttyUSB0, socket://HOST:PORT, tcp://HOST:PORT, can://socketcan/can0"
         raise UsageError(f"say where the device is: --port {places}")
-    link = layout.links[_link(layout, arguments)]
     _refuse_open_identifier(link)
     wrong = can_objection(link, place)
     if wrong:
@@ -127,8 +129,14 @@ def _opened(layout: DeviceLayout, arguments: argparse.Namespace) -> Carrier:
     return SerialPort(place, settings_of(link.link, arguments.baud, arguments.parity))
 
 
-def _client(layout: DeviceLayout, arguments: argparse.Namespace, carrier: Carrier) -> Client:
-    link = layout.links[_link(layout, arguments)].link
+def _client(
+    layout: DeviceLayout,
+    chosen: LinkLayout,
+    arguments: argparse.Namespace,
+    carrier: Carrier,
+    fixed: Mapping[str, Raw],
+) -> Client:
+    link = chosen.link
     addresses = link.unit_addresses
     unit = usual_unit_address(layout) if arguments.unit is None else arguments.unit
     if addresses is not None and addresses.ranges is not None and unit not in addresses.ranges:
@@ -145,7 +153,6 @@ def _client(layout: DeviceLayout, arguments: argparse.Namespace, carrier: Carrie
     def trace(direction: str, frame: bytes) -> None:
         print(f"{direction} {frame.hex(' ').upper()}", file=sys.stderr)
 
-    fixed = dict(_fixed_value(layout, layout.links[link.name], text) for text in arguments.fixed)
     return Client(layout, link.name, carrier, unit, timing, trace=trace if arguments.trace else None, fixed=fixed)
 
 
@@ -154,20 +161,35 @@ def _fixed_value(layout: DeviceLayout, link: LinkLayout, text: str) -> tuple[str
     name, equals, entered = text.partition("=")
     if not equals:
         raise UsageError(f"--with {text} has no value; write it as NAME=VALUE, such as axis=0")
-    fields = {
-        field.name: field
-        for message in link.carried("request").values()
-        for field in message.request.fields
-        if field.value is not None and not field.is_list and not field.field.reserved
-    }
+    fields = _open_fields(layout, link)
     if name not in fields:
-        raise unknown(f"field of requests on {link.name}", name, fields)
-    value = fields[name].value
-    assert value is not None
+        raise unknown(f"open field of requests on {link.name}", name, fields)
+    value = fields[name]
     try:
         return name, encoded_value(name, value, raw_value(layout.device, name, value, entered), layout.device)
     except (MeaningError, CodecError) as error:
         raise UsageError(f"--with {text}: {error}") from None
+
+
+def _open_fields(layout: DeviceLayout, link: LinkLayout) -> dict[str, Value]:
+    """What requests for parameters need besides the parameter and its value, by name."""
+    messages = [
+        parameter_message(link, parameter_set, operation)
+        for parameter_set in (() if has_registers(layout) else layout.device.parameters.values())
+        for operation in ("read", "write")
+    ]
+    requests = [message.request for message in messages if message is not None]
+    return {
+        field.name: field.value
+        for request in requests
+        for field in request.fields
+        if field.value is not None
+        and field.value.parameter is None
+        and field.value.const is None
+        and not (field.is_list or field.field.reserved or field.field.measures)
+        and field is not request.selector
+        and (part_of(request, "subindex") is None or field is not count_field(request))
+    }
 
 
 def unsent(error: CodecError) -> UsageError:
