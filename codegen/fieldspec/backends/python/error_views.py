@@ -48,7 +48,7 @@ def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> Err
             record=words.records[error.record],
             head=f"[{', '.join(head_value(part, '0') for part in frame.header)}]",
             bind=[f"{part.variable} = {part.name}" for part in arguments],
-            refusals=chained("error = ", refusals, "or", "None", 8) if refusals else [],
+            refusals=chained("_wrong = ", refusals, "or", "None", 8) if refusals else [],
             coded=False,
         )
     if code is None or code.value is None:
@@ -67,5 +67,5 @@ def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> Err
         record=words.records[error.record],
         head=f"[{', '.join(head)}]",
         bind=[f"{part.variable} = {part.name}" for part in arguments],
-        refusals=chained("error = ", [*head_refusals(link, frame, is_exception=True), limit], "or", "", 8),
+        refusals=chained("_wrong = ", [*head_refusals(link, frame, is_exception=True), limit], "or", "", 8),
     )

@@ -4572,12 +4572,12 @@ class RtuLink:
     def encode_error(self, unit_address: int, code: int, exception: ExceptionRecord) -> bytes:
         """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
-        error = (
+        _wrong = (
             _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _refused_number("function", code, 0, 255)
         )
-        if error is not None:
-            raise error
+        if _wrong is not None:
+            raise _wrong
         return _RTU_RESPONSES.joined([unit_address, code | 0x80], body)
 
     def request_framer(self) -> _CodeFramer:
@@ -4761,12 +4761,12 @@ class AsciiLink:
     def encode_error(self, unit_address: int, code: int, exception: ExceptionRecord) -> bytes:
         """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
-        error = (
+        _wrong = (
             _refused_number("station", unit_address, 0, 255, ((1, 16),), (0,))
             or _refused_number("function", code, 0, 255)
         )
-        if error is not None:
-            raise error
+        if _wrong is not None:
+            raise _wrong
         return _ASCII_RESPONSES.joined([unit_address, code | 0x80], body)
 
     def request_framer(self) -> _MarkFramer:

@@ -9515,14 +9515,14 @@ class ParameterChannelLink:
 
     def encode_error(self, code: int, exception: ParameterError, *, request_reference: int) -> bytes:
         """The exception response to the request with a code. Raises CodecError for values that are out of range."""
-        body = exception.encode()
         part_request_reference = request_reference
-        error = (
+        body = exception.encode()
+        _wrong = (
             _refused_number("request_reference", part_request_reference, 0, 255, ((1, 255),))
             or _refused_number("response_id", code, 0, 255)
         )
-        if error is not None:
-            raise error
+        if _wrong is not None:
+            raise _wrong
         return _PARAMETER_CHANNEL_RESPONSES.joined([part_request_reference, code | 0x80, 0, 1], body)
 
     def request_framer(self) -> _CodeFramer:
