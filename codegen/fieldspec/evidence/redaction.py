@@ -233,7 +233,7 @@ class Redaction:
 
 def _element(parameter: Parameter, index: int) -> tuple[Fact, Value] | None:
     """The fact and the value of an element; None for a reserved one."""
-    own = next((element for element in parameter.subindices if index in element.indices), None)
+    own = parameter.element(index)
     if own is not None and own.reserved:
         return None
     return own or parameter, element_value(parameter, index)
