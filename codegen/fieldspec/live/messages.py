@@ -79,6 +79,10 @@ class ParameterAssignment:
         return self.signal.path
 
 
+class UnfitAnswerError(Exception):
+    """An answer whose bytes are no value of the parameter that was asked for."""
+
+
 def link_of(layout: DeviceLayout) -> LinkLayout | None:
     """The first link whose messages read something when they are asked; None where there is none."""
     return next((link for link in layout.links.values() if any(True for _ in signals(layout, link))), None)
@@ -191,14 +195,14 @@ def read_signals(client: Client, chosen: Sequence[Signal]) -> Iterator[SignalRea
             answer = answers[signal.query]
             name = signal.fact.name
             yield signal_reading(client.layout, signal, {**answer.values, **answer.head}[name])
-        except (RefusedError, CodecError) as error:
+        except (RefusedError, UnfitAnswerError) as error:
             yield SignalReading(signal, (), None, str(error))
 
 
 def read_parameter(client: Client, signal: Signal) -> Any:
     """The raw value of a parameter, or of one element.
 
-    Raises RefusedError, NoAnswerError and CarrierError.
+    Raises RefusedError, UnfitAnswerError, NoAnswerError and CarrierError.
     """
     assert signal.parameter_set is not None
     message = parameter_message(client.frames.link, signal.parameter_set, "read")
@@ -207,7 +211,10 @@ def read_parameter(client: Client, signal: Signal) -> Any:
     carried = part_of(message.response, "value")
     assert carried is not None
     if carried.carries_bytes:
-        return value_of_bytes(client.layout.device, carried, signal.value, answer.values)
+        try:
+            return value_of_bytes(client.layout.device, carried, signal.value, answer.values)
+        except CodecError as error:
+            raise UnfitAnswerError(str(error)) from None
     content = answer.values[carried.name]
     return content[0] if isinstance(content, list) else content
 
