@@ -6,8 +6,8 @@ Why: the bytes of a value are read in the type of the parameter. With more or fe
 
 Example: `type: bytes, length: 4` for the value, and `sizes` with a case of eight bytes.
 
-Cure: State the numbers of bytes that the manual prints. A value that no message carries, such as a long text, is left
-out of the set.
+Cure: State the numbers of bytes that the manual prints. A value that is sent in several frames, as long texts of
+CANopen are, cannot be read or written by these messages: leave it out of the set.
 """
 
 from __future__ import annotations
@@ -122,7 +122,7 @@ def _of_set(device: Device, parameter_set: ParameterSet) -> Iterator[Diagnostic]
                     have = plural(value.size, "byte")
                     text = f"{fact.name or parameter.name} has {have}, and no message can {verb} as many"
                     there = label(carriers[0].place, "name", "a field with the values of these parameters")
-                    help = "correct the type, or state a message that carries it"
+                    help = "correct the type, or state a message that carries it; segments of a value cannot be stated"
                     yield finding(_CODE, fact.place, "type", text, help, there)
 
 

@@ -26,10 +26,13 @@ def with_parameter(layout: DeviceLayout, record: RecordLayout, direction: str, t
     parameter = _parameter(layout, numbered, texts)
     if parameter is None:
         return
-    index = texts.get(indexed.name, 0) if indexed is not None else 0
-    if indexed is not None and isinstance(index, str):
-        index = _index(parameter, index)
-        texts[indexed.name] = index
+    index: object = 0
+    if indexed is not None:
+        if parameter.elements is None:
+            texts.setdefault(indexed.name, 0)
+        index = texts.get(indexed.name)
+        if isinstance(index, str):
+            index = texts[indexed.name] = _index(parameter, index)
     text = texts.get(carried.name) if carried is not None else None
     if carried is None or not carried.carries_bytes or not isinstance(text, str) or not isinstance(index, int):
         return
@@ -39,7 +42,9 @@ def with_parameter(layout: DeviceLayout, record: RecordLayout, direction: str, t
         raise UsageError(f"{parameter.name} can only be read; no frame is written")
     value = element_value(parameter, index)
     if not carries(carried, value.size):
-        raise UsageError(f"{parameter.name} has {value.size} bytes, which {record.name} does not carry")
+        raise UsageError(
+            f"{parameter.name} has {value.size} {'byte' if value.size == 1 else 'bytes'}; use another message"
+        )
     known = encoded_value(parameter.name, value, raw_value(layout.device, parameter.name, value, text), layout.device)
     for name, content in bytes_of_value(layout.device, carried, value, known).items():
         if name == carried.name or name not in texts:

@@ -146,7 +146,12 @@ def _read_as(
         return replace(row, meanings=(element.meaning, *row.meanings))
     again = None if row.reason else _again(device, fact.value, field, row, size)
     if again is None:
-        return replace(row, meanings=(element.meaning, *row.meanings), notes=(*row.notes, *fact.notes))
+        row = replace(row, meanings=(element.meaning, *row.meanings), notes=(*row.notes, *fact.notes))
+        if row.reason or not field.carries_bytes or element.parameter.reserved or fact.reserved:
+            return row
+        stated = fact.value.size
+        text = f"wrong: should be {stated} {'byte' if stated == 1 else 'bytes'}"
+        return replace(row, verdict=text, reason="out_of_range")
     read = decode_value(device, fact.value.for_writing() if is_request else fact.value, *again, reserved=fact.reserved)
     if element.parameter.trigger and not is_request:
         read = replace(read, verdict="", reason="")  # what starts something does not answer what was written

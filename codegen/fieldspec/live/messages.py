@@ -100,13 +100,17 @@ def signals(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:
     yield from _parts(link)
     orders = Orders(layout.device.byte_order, layout.device.word_order)
     for parameter_set in layout.device.parameters.values():
-        if parameter_message(link, parameter_set, "read") is None:
+        reading = parameter_message(link, parameter_set, "read")
+        if reading is None:
             continue
+        carried = part_of(reading.response, "value")
         for row in parameter_set.parameters:
             for place in range(row.count if not row.reserved else 0):
                 name = row.name if row.count == 1 else f"{row.name}[{place}]"
                 number = parameter_set.base + row.number + place
                 for path, fact, value, index in _elements(name, row):
+                    if carried is not None and carried.carries_bytes and not carries(carried, value.size):
+                        continue  # a value that needs more than one frame
                     order, swapped = orders.of(value)
                     yield Signal(path, fact, value, order, swapped, parameter_set, row, number, index)
 

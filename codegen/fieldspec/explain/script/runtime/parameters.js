@@ -106,7 +106,12 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
   const { fact, parameter, meaning } = element;
   if (!fact || !parameter) return { ...row, meanings: [meaning, ...row.meanings] };
   const again = row.reason ? undefined : field.valueBytes ? bytesOfValue(fact, field, row, size) : bytesAgain(fact.value, field, row);
-  if (!again) return { ...row, meanings: [meaning, ...row.meanings], notes: [...row.notes, ...(fact.notes ?? [])] };
+  if (!again) {
+    const named = { ...row, meanings: [meaning, ...row.meanings], notes: [...row.notes, ...(fact.notes ?? [])] };
+    if (row.reason || !field.valueBytes || parameter.reserved || fact.reserved) return named;
+    const stated = fact.value.size;
+    return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
+  }
   let read = decodeValue(device, isRequest ? forWriting(fact.value) : fact.value, ...again, fact.reserved);
   // What starts something does not answer what was written.
   if (parameter.trigger && !isRequest) read = { ...read, verdict: "", reason: "" };
