@@ -10,7 +10,10 @@ from pathlib import Path
 import pytest
 
 from external_tools import require_tool
+from fieldspec.backends.c.backend import files
 from fieldspec.cli import main
+from fieldspec.evidence.redaction import Redaction
+from fieldspec.evidence.secrets import Secrets
 from fieldspec.explain.explanation import explained
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of
@@ -134,3 +137,52 @@ def test_encode_refuses_what_no_object_takes(
 ) -> None:
     assert main(["encode", "node", *arguments, "node=5", "--specs", str(TEST_SPECS)]) == 2
     assert text in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("data", "clean"),
+    [
+        ("43 18 10 04 78 56 34 12", "43 18 10 04 00 00 00 00"),
+        ("4B 00 20 02 34 12 AA BB", "4B 00 20 02 34 12 00 00"),
+        ("43 00 30 00 78 56 34 12", "43 00 30 00 00 00 00 00"),
+    ],
+)
+def test_redacted_responses_have_no_serial_number_and_nothing_behind_a_value(data: str, clean: str) -> None:
+    redaction = Redaction(NODE, Secrets())
+    frame = bytes.fromhex(f"{HEAD} {data}")
+    decoded = redaction.codec.links["sdo"].decode(frame, "response", "upload")
+    assert redaction.frame("sdo", "response", frame, decoded, {}) == bytes.fromhex(f"{HEAD} {clean}")
+
+
+C_PROGRAM = """
+#include "node_v1.h"
+int main(void)
+{
+    static const uint8_t body[] = {0x4B, 0x00, 0x20, 0x02, 0x34, 0x12, 0x00, 0x00};
+    node_upload_response response;
+    size_t size = 0u;
+    uint16_t count = 0u;
+    if (node_upload_response_decode(body, sizeof body, &response) != NODE_OK) {
+        return 1;
+    }
+    if (node_par_objects_upload_response_data_size(&response, &size) != NODE_OK) {
+        return 2;
+    }
+    if (size != NODE_PAR_OBJECTS_VALUES_COUNT_SIZE || size == NODE_PAR_OBJECTS_VALUES_SPEED_SIZE) {
+        return 3;
+    }
+    return node_par_objects_values_count_decode(response.data, &count) != NODE_OK || count != 0x1234u ? 4 : 0;
+}
+"""
+
+
+def test_a_header_says_how_many_bytes_of_a_response_are_the_value(tmp_path: Path) -> None:
+    for path, text in files([NODE]).items():
+        place = tmp_path / Path(path).name
+        place.write_text(str(text), encoding="utf-8")
+    (tmp_path / "program.c").write_text(C_PROGRAM, encoding="utf-8")
+    program = tmp_path / "program"
+    warnings = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+    command = [require_tool("gcc"), *warnings, str(tmp_path / "program.c"), "-o", str(program)]
+    subprocess.run(command, check=True)
+    assert subprocess.run([str(program)], check=False).returncode == 0

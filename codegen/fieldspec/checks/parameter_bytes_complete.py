@@ -6,8 +6,8 @@ Why: the bytes of a value are read in the type of the parameter. With more or fe
 
 Example: `type: bytes, length: 4` for the value, and `sizes` with a case of eight bytes.
 
-Cure: State the numbers of bytes that the manual prints. A value that is sent in several frames, as long texts of
-CANopen are, cannot be read or written by these messages: leave it out of the set.
+Cure: State the numbers of bytes that the manual prints. A value that is sent in several frames, such as a long
+text, cannot be read or written by these messages: leave it out of the set.
 """
 
 from __future__ import annotations
