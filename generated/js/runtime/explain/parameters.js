@@ -105,7 +105,7 @@ function indexField(outer, numberField) {
 function readAs(device, row, field, element, isRequest, size = field.size) {
   const { fact, parameter, meaning } = element;
   if (!fact || !parameter) return { ...row, meanings: [meaning, ...row.meanings] };
-  const again = row.reason ? undefined : field.valueBytes ? bytesOfValue(fact, field, row, size) : bytesAgain(fact.value, field, row);
+  const again = row.reason ? undefined : field.valueBytes ? parameterBytes(fact, field, row, size) : bytesAgain(fact.value, field, row);
   if (!again) {
     const named = { ...row, meanings: [meaning, ...row.meanings], notes: [...row.notes, ...(fact.notes ?? [])] };
     if (row.reason || !field.valueBytes || parameter.reserved || fact.reserved) return named;
@@ -132,7 +132,7 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
 }
 
 /** The bytes of a parameter's value in a field of bytes, with their order; undefined where they are not as many. */
-function bytesOfValue({ value, byteOrder }, field, row, size) {
+function parameterBytes({ value, byteOrder }, field, row, size) {
   if (size !== value.size) return undefined;
   const [own, words] = field.valueBytes;
   const order = byteOrder ?? own;
