@@ -75,6 +75,7 @@ def test_canopen_reads_and_writes_the_objects_of_a_simulated_drive(node: canopen
     ("name", "value", "code"),
     [
         ("missing", None, 0x06020000),
+        ("missing", 1, 0x06020000),
         ("beyond", None, 0x06090011),
         ("element_of_a_value", None, 0x06090011),
         ("position", 1, 0x06010002),

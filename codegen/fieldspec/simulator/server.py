@@ -168,6 +168,9 @@ class Server:
         key = (target.set_name, target.number)
         value = element_value(target.parameter, target.first) if target.parameter is not None else None
         value_field = parameters.part_of(request, "value")
+        carried = value_field or parameters.part_of(response, "value")
+        if carried is not None and carried.carries_bytes and value is None:
+            raise Refusal("unknown_address", f"nothing says how many bytes parameter {target.number} has")
         if value_field is not None:
             kind = chosen_kind(request, values)
             if kind is not None and value is not None and kind != value.type.name:
