@@ -1,4 +1,7 @@
-"""CAN buses: identifiers with bits, in all codecs, and talks of a drive of CiA 402 with canopen over a virtual bus."""
+"""CAN buses: identifiers with bits, in all codecs, and talks of a drive of CiA 402 with canopen over a virtual bus.
+
+The objects of the drive are read and written by name; canopen is the node, and then the one that asks.
+"""
 
 from __future__ import annotations
 
@@ -22,9 +25,11 @@ from random_devices.agreement import JUDGES, Comparison, compare_layout
 
 AXIS = newest(TEST_SPECS, "axis")
 MODULE = module_of(AXIS)
+OBJECTS = MODULE.objects
+STATUS_REQUEST = OBJECTS.read_request(OBJECTS.STATUSWORD)
 NODE = 5
 TIMEOUT = 20.0
-OBJECTS = {
+ENTRIES = {
     0x6040: ("controlword", dictionary.UNSIGNED16),
     0x6041: ("statusword", dictionary.UNSIGNED16),
     0x6060: ("mode", dictionary.INTEGER8),
@@ -43,7 +48,7 @@ def test_codecs_agree_on_random_frames_of_a_can_bus() -> None:
 
 
 def test_a_frame_is_an_identifier_and_data_for_drivers() -> None:
-    frame = MODULE.sdo.encode_request(NODE, MODULE.ReadStatuswordRequest())
+    frame = MODULE.sdo.encode_request(NODE, STATUS_REQUEST)
     record = MODULE.sdo.can_frame(frame)
     assert (record.identifier, record.data.hex(" "), record.is_extended) == (0x605, "40 41 60 00 00 00 00 00", False)
     assert MODULE.sdo.frame_of(0x605, record.data) == frame
@@ -79,7 +84,7 @@ def test_the_page_of_a_device_says_which_bits_of_the_identifier_a_part_is() -> N
 def test_lines_of_candump_are_frames(text: str) -> None:
     line = log_line(text, [link.link for link in AXIS.links.values()])
     assert line is not None
-    assert line.frame == MODULE.sdo.encode_request(NODE, MODULE.ReadStatuswordRequest())
+    assert line.frame == MODULE.sdo.encode_request(NODE, STATUS_REQUEST)
 
 
 # canopen
@@ -88,14 +93,23 @@ def test_lines_of_candump_are_frames(text: str) -> None:
 def objects() -> dictionary.ObjectDictionary:
     """The objects of the drive, and what canopen needs to map process data."""
     result = dictionary.ObjectDictionary()
-    for index, (name, kind) in OBJECTS.items():
-        variable = dictionary.ODVariable(name, index, 0)
-        variable.data_type, variable.default, variable.access_type = kind, 0, "rw"
-        result.add_object(variable)
+    for index, (name, kind) in ENTRIES.items():
+        result.add_object(_variable(name, index, 0, kind, "ro" if index in (0x6041, 0x6061, 0x6064) else "rw"))
+    speeds = dictionary.ODRecord("homing_speeds", 0x6099)
+    speeds.add_member(_variable("highest", 0x6099, 0, dictionary.UNSIGNED8, "ro", 2))
+    for subindex, name in ((1, "switch_search"), (2, "zero_search")):
+        speeds.add_member(_variable(name, 0x6099, subindex, dictionary.UNSIGNED32, "rw"))
+    result.add_object(speeds)
     for offset in (0x1400, 0x1800):
         result.add_object(dictionary.ODRecord(f"communication_{offset:x}", offset))
         result.add_object(dictionary.ODArray(f"mapping_{offset:x}", offset + 0x200))
     return result
+
+
+def _variable(name: str, index: int, subindex: int, kind: int, access: str, default: int = 0) -> dictionary.ODVariable:
+    variable = dictionary.ODVariable(name, index, subindex)
+    variable.data_type, variable.default, variable.access_type = kind, default, access
+    return variable
 
 
 class Bus:
@@ -122,7 +136,16 @@ class Bus:
     def ask(self, request: Any) -> Any:
         """The answer to a request for an object."""
         self.send(MODULE.sdo, MODULE.sdo.encode_request(NODE, request))
-        return MODULE.sdo.decode_response(self.receive(MODULE.sdo), request).message
+        return MODULE.sdo.decode_response(self.receive(MODULE.sdo), request)
+
+    def read(self, entry: Any, subindex: int = 0) -> Any:
+        """The value of an object of the node."""
+        answer = self.ask(OBJECTS.read_request(entry, subindex=subindex)).message
+        return OBJECTS.read_value(entry, answer, subindex)
+
+    def write(self, entry: Any, value: Any, subindex: int = 0) -> Any:
+        """The answer of the node to a write."""
+        return self.ask(OBJECTS.write_request(entry, value, subindex=subindex))
 
 
 @pytest.fixture
@@ -134,31 +157,62 @@ def bus(request: pytest.FixtureRequest) -> Iterator[Bus]:
     result.driver.shutdown()
 
 
-def test_generated_code_reads_and_writes_the_objects_of_a_node_of_canopen(bus: Bus) -> None:
+def test_generated_code_reads_and_writes_the_objects_of_a_node_of_canopen_by_name(bus: Bus) -> None:
     node = bus.network.create_node(NODE, objects())
-    node.sdo[0x6041].raw = 0x0237
-    node.sdo[0x6064].raw = -123456
-    node.sdo[0x6061].raw = 6
-    status = bus.ask(MODULE.ReadStatuswordRequest()).statusword
+    node.sdo[0x6041].raw, node.sdo[0x6064].raw, node.sdo[0x6061].raw = 0x0237, -123456, 6
+    status = bus.read(OBJECTS.STATUSWORD)
     assert (status.raw, status.operation_enabled, status.fault) == (0x0237, True, False)
-    assert bus.ask(MODULE.ReadPositionRequest()).position == -123456
-    assert bus.ask(MODULE.ReadModeRequest()).mode == MODULE.Mode.HOMING
-    bus.ask(MODULE.WriteControlwordRequest(controlword=MODULE.Controlword(0x0F)))
-    bus.ask(MODULE.WriteTargetRequest(target=-10))
-    bus.ask(MODULE.WriteModeRequest(mode=MODULE.Mode.PROFILE_POSITION))
+    assert bus.read(OBJECTS.POSITION) == -123456
+    assert bus.read(OBJECTS.MODE_DISPLAY) == MODULE.Mode.HOMING
+    bus.write(OBJECTS.CONTROLWORD, MODULE.Controlword(0x0F))
+    bus.write(OBJECTS.TARGET, -10)
+    bus.write(OBJECTS.MODE, MODULE.Mode.PROFILE_POSITION)
+    bus.write(OBJECTS.HOMING_SPEEDS, 70000, OBJECTS.HOMING_SPEEDS.index("zero_search"))
     assert [node.sdo[index].raw for index in (0x6040, 0x607A, 0x6060)] == [0x0F, -10, 1]
+    assert (node.sdo[0x6099][2].raw, bus.read(OBJECTS.HOMING_SPEEDS), bus.read(OBJECTS.HOMING_SPEEDS, 2)) == (
+        70000,
+        2,
+        70000,
+    )
 
 
-def test_what_a_node_of_canopen_aborts_is_an_exception_response(bus: Bus) -> None:
-    bus.network.create_node(NODE, dictionary.ObjectDictionary())
-    request = MODULE.ReadStatuswordRequest()
-    bus.send(MODULE.sdo, MODULE.sdo.encode_request(NODE, request))
-    reply = MODULE.sdo.decode_response(bus.receive(MODULE.sdo), request)
+def test_a_value_of_another_size_is_none_of_the_object(bus: Bus) -> None:
+    wide = dictionary.ObjectDictionary()
+    wide.add_object(_variable("statusword", 0x6041, 0, dictionary.UNSIGNED32, "ro"))
+    bus.network.create_node(NODE, wide)
+    with pytest.raises(codec_error(), match="statusword has 2 bytes, not 4"):
+        bus.read(OBJECTS.STATUSWORD)
+
+
+def test_elements_that_can_only_be_read_are_not_written() -> None:
+    for entry, subindex, name in ((OBJECTS.STATUSWORD, 0, "statusword"), (OBJECTS.HOMING_SPEEDS, 0, "homing_speeds.")):
+        with pytest.raises(codec_error(), match=f"{name}.*can only be read"):
+            OBJECTS.write_request(entry, 2, subindex=subindex)
+
+
+@pytest.mark.parametrize(
+    ("entry", "subindex", "reason"),
+    [
+        (OBJECTS.VELOCITY, 0, MODULE.AbortCode.UNKNOWN_OBJECT),
+        (OBJECTS.HOMING_SPEEDS, 9, MODULE.AbortCode.UNKNOWN_SUBINDEX),
+    ],
+)
+def test_what_a_node_of_canopen_aborts_is_an_exception_response(
+    bus: Bus, entry: Any, subindex: int, reason: Any
+) -> None:
+    bus.network.create_node(NODE, objects())
+    reply = bus.ask(OBJECTS.read_request(entry, subindex=subindex))
     assert (reply.unit_address, reply.code, reply.exception) == (
         NODE,
         0x40,
-        MODULE.Abort(index=0x6041, subindex=0, reason=MODULE.AbortCode.UNKNOWN_OBJECT),
+        MODULE.Abort(index=entry.wire_number, subindex=subindex, reason=reason),
     )
+
+
+def test_a_node_of_canopen_refuses_to_write_what_can_only_be_read(bus: Bus) -> None:
+    bus.network.create_node(NODE, objects())
+    reply = bus.ask(MODULE.Download1Request(index=0x6099, subindex=0, data=b"\x07"))
+    assert reply.exception.reason is MODULE.AbortCode.READ_ONLY
 
 
 def test_canopen_raises_the_abort_of_an_exception_response(bus: Bus) -> None:
@@ -166,7 +220,7 @@ def test_canopen_raises_the_abort_of_an_exception_response(bus: Bus) -> None:
         request = MODULE.sdo.decode_request(bus.receive(MODULE.sdo)).message
         reason = MODULE.AbortCode.READ_ONLY
         abort = MODULE.Abort(index=0x607A, subindex=0, reason=reason)
-        assert request == MODULE.WriteTargetRequest(target=1)
+        assert request == OBJECTS.write_request(OBJECTS.TARGET, 1)
         bus.send(MODULE.sdo, MODULE.sdo.encode_error(NODE, abort))
 
     drive = threading.Thread(target=refuse, daemon=True)
@@ -181,11 +235,14 @@ def test_canopen_reads_and_writes_what_generated_code_answers(bus: Bus) -> None:
     sent: list[Any] = []
 
     def answer() -> None:
+        status = OBJECTS.STATUSWORD.to_bytes(MODULE.Statusword(0x0237)).ljust(4, b"\0")
+        position = OBJECTS.POSITION.to_bytes(-7)
+        at = {"index": 0x6064, "subindex": 0}
         for response in (
-            MODULE.ReadStatuswordResponse(statusword=MODULE.Statusword(0x0237)),
-            MODULE.ReadPositionResponse(position=-7),
-            MODULE.WriteTargetResponse(),
-            MODULE.WriteModeResponse(),
+            MODULE.UploadResponse(size=MODULE.UploadSize.BYTES_2, index=0x6041, subindex=0, data=status),
+            MODULE.UploadResponse(size=MODULE.UploadSize.BYTES_4, data=position, **at),
+            MODULE.Download4Response(index=0x607A, subindex=0),
+            MODULE.Download1Response(index=0x6060, subindex=0),
         ):
             sent.append(MODULE.sdo.decode_request(bus.receive(MODULE.sdo)).message)
             bus.send(MODULE.sdo, MODULE.sdo.encode_response(NODE, response))
@@ -197,7 +254,8 @@ def test_canopen_reads_and_writes_what_generated_code_answers(bus: Bus) -> None:
     node.sdo[0x607A].raw = 100_000
     node.sdo[0x6060].raw = 8
     drive.join(TIMEOUT)
-    assert sent[2:] == [MODULE.WriteTargetRequest(target=100_000), MODULE.WriteModeRequest(mode=8)]
+    expected = [OBJECTS.write_request(OBJECTS.TARGET, 100_000), OBJECTS.write_request(OBJECTS.MODE, 8)]
+    assert sent == [OBJECTS.read_request(entry) for entry in (OBJECTS.STATUSWORD, OBJECTS.POSITION)] + expected
 
 
 def test_process_data_are_those_of_canopen_both_ways(bus: Bus) -> None:
@@ -228,13 +286,15 @@ def test_a_generated_client_asks_a_node_of_canopen(bus: Bus) -> None:
     client = importlib.import_module(f"{package().__name__}.axis.client")
     drive = client.Client(runtime("transports").CanTransport(bus.driver, can.Message), unit_address=NODE)
     bus.network.send_message(0x701, b"\x05")
-    assert drive.ask(MODULE.ReadPositionRequest()).message.position == -123456
-    drive.ask(MODULE.WriteTargetRequest(target=77))
-    assert node.sdo[0x607A].raw == 77
-    del node.object_dictionary[0x6041]
+    assert drive.read_parameter(OBJECTS.POSITION) == -123456
+    drive.write_parameter(OBJECTS.TARGET, 77)
+    drive.write_parameter(OBJECTS.HOMING_SPEEDS, 500, 1)
+    assert (node.sdo[0x607A].raw, drive.read_parameter(OBJECTS.HOMING_SPEEDS, 1)) == (77, 500)
+    with pytest.raises(runtime("errors").InvalidValueError, match="can only be read"):
+        drive.write_parameter(OBJECTS.HOMING_SPEEDS, 2, 0)
     with pytest.raises(runtime("errors").RefusedError) as refused:
-        drive.ask(MODULE.ReadStatuswordRequest())
-    assert (refused.value.number, refused.value.exception.index) == (0x06020000, 0x6041)
+        drive.read_parameter(OBJECTS.PROFILE_VELOCITY)
+    assert (refused.value.number, refused.value.exception.index) == (0x06020000, 0x6081)
 
 
 def test_a_client_does_not_speak_where_nothing_says_which_identifier() -> None:

@@ -43,11 +43,11 @@ def ask(bus: Bus, request: Any) -> Any:
 def test_an_object_of_any_size_is_read_and_written(bus: Bus, size: int) -> None:
     node = bus.network.create_node(NODE, objects())
     kind = getattr(MODULE, f"Download{size}Request")
-    value = int.from_bytes(BYTES[size], "little")
-    assert isinstance(ask(bus, kind(index=0x2000, subindex=size, value=value)).message, kind.response_type())
+    request = kind(index=0x2000, subindex=size, data=BYTES[size])
+    assert isinstance(ask(bus, request).message, kind.response_type())
     assert bytes(node.sdo[0x2000][size].data) == BYTES[size]
     answer = ask(bus, MODULE.UploadRequest(index=0x2000, subindex=size)).message
-    assert (answer.size.name, bytes(answer.data[:size])) == (f"BYTES_{size}", BYTES[size])
+    assert (answer.size.name, answer.data[:size]) == (f"BYTES_{size}", BYTES[size])
 
 
 def test_an_unknown_subindex_is_aborted(bus: Bus) -> None:

@@ -94,7 +94,7 @@ def test_frames_of_a_can_bus_are_read_as_socketcan_records_them(tmp_path: Path, 
     assert [frame["unit_address"] for frame in frames if frame["verdict"] == "ok"] == 4 * [5]
     assert frames[2]["bytes"].hex() == "000007050100000005"
     assert frames[4]["exception"] == "unknown_object"
-    assert ("read_statusword.statusword", 0x0237) in [(value["register"], value["raw"]) for value in values]
+    assert ("upload.data", "37 02 00 00") in [(value["register"], value["text"]) for value in values]
     assert "remote requests and errors of CAN buses: 1" in text
     assert "frames of CAN FD: 1" in text
 

@@ -17,7 +17,7 @@ from layouts import TEST_SPECS
 
 FOLDER = str(TEST_SPECS)
 NODE = 5
-POSITION = "messages/read_position/response/position"
+POSITION = "parameters/objects/position"
 
 
 @pytest.fixture
@@ -28,14 +28,33 @@ def drive(request: pytest.FixtureRequest) -> Iterator[SimulatedDevice]:
         yield device
 
 
-def objects() -> dictionary.ObjectDictionary:
-    """An object that the drive has, and one that it does not have."""
-    result = dictionary.ObjectDictionary()
-    for name, index in (("position", 0x6064), ("missing", 0x6099)):
-        variable = dictionary.ODVariable(name, index, 0)
-        variable.data_type, variable.access_type = dictionary.INTEGER32, "rw"
-        result.add_object(variable)
-    return result
+ENTRIES = (
+    ("position", 0x6064, 0, dictionary.INTEGER32),
+    ("target", 0x607A, 0, dictionary.INTEGER32),
+    ("wide_mode", 0x6060, 0, dictionary.INTEGER32),
+    ("missing", 0x60FF, 0, dictionary.INTEGER32),
+    ("highest", 0x6099, 0, dictionary.UNSIGNED8),
+    ("zero_search", 0x6099, 2, dictionary.UNSIGNED32),
+    ("beyond", 0x6099, 3, dictionary.UNSIGNED32),
+    ("element_of_a_value", 0x607B, 1, dictionary.INTEGER32),
+)
+
+
+@pytest.fixture
+def node(drive: SimulatedDevice) -> Iterator[canopen.RemoteNode]:
+    """The drive as canopen sees it, with objects that it does not have."""
+    network = canopen.Network()
+    network.connect(interface="virtual", channel=drive.place.rpartition("/")[2])
+    yield network.add_node(NODE, dictionary.ObjectDictionary())
+    network.disconnect()
+
+
+def entry(node: canopen.RemoteNode, name: str) -> canopen.sdo.base.SdoVariable:
+    """An object as canopen reads and writes it."""
+    own, index, subindex, kind = next(row for row in ENTRIES if row[0] == name)
+    variable = dictionary.ODVariable(own, index if index != 0x607B else 0x607A, subindex)
+    variable.data_type, variable.access_type = kind, "rw"
+    return canopen.sdo.base.SdoVariable(node.sdo, variable)
 
 
 def live(place: str, *arguments: str) -> int:
@@ -44,24 +63,48 @@ def live(place: str, *arguments: str) -> int:
     return main(["live", "axis", *arguments, "--link", "sdo", *options])
 
 
-def test_canopen_reads_a_simulated_drive(drive: SimulatedDevice) -> None:
-    network = canopen.Network()
-    network.connect(interface="virtual", channel=drive.place.rpartition("/")[2])
-    try:
-        node = network.add_node(NODE, objects())
-        network.send_message(0x701, b"\x05")  # a heartbeat of another node, which nobody answers
-        assert node.sdo["position"].raw == -1000
-        with pytest.raises(canopen.SdoAbortedError) as aborted:
-            node.sdo["missing"].raw  # noqa: B018
-        assert aborted.value.code == 0x06020000
-    finally:
-        network.disconnect()
+def test_canopen_reads_and_writes_the_objects_of_a_simulated_drive(node: canopen.RemoteNode) -> None:
+    node.network.send_message(0x701, b"\x05")  # a heartbeat of another node, which nobody answers
+    assert (entry(node, "position").raw, entry(node, "highest").raw) == (-1000, 2)
+    entry(node, "target").raw = -70_000
+    entry(node, "zero_search").raw = 3_000_000_000
+    assert (entry(node, "target").raw, entry(node, "zero_search").raw) == (-70_000, 3_000_000_000)
 
 
-def test_live_reads_a_drive_over_a_bus(drive: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
-    assert live(drive.place, "read", "read_position.position", "--format", "json") == 0
+@pytest.mark.parametrize(
+    ("name", "value", "code"),
+    [
+        ("missing", None, 0x06020000),
+        ("missing", 1, 0x06020000),
+        ("beyond", None, 0x06090011),
+        ("element_of_a_value", None, 0x06090011),
+        ("position", 1, 0x06010002),
+        ("highest", 3, 0x06010002),
+        ("target", 1_000_001, 0x06090030),
+        ("wide_mode", 1, 0x06070010),
+    ],
+)
+def test_a_simulated_drive_aborts_what_no_object_takes(
+    node: canopen.RemoteNode, name: str, value: int | None, code: int
+) -> None:
+    own = entry(node, name)
+    with pytest.raises(canopen.SdoAbortedError) as aborted:
+        own.raw if value is None else setattr(own, "raw", value)
+    assert aborted.value.code == code
+
+
+def test_live_reads_and_writes_objects_by_name_over_a_bus(
+    drive: SimulatedDevice, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert live(drive.place, "read", "position", "--format", "json") == 0
     (row,) = json.loads(capsys.readouterr().out)
     assert row["value"] == -1000
+    assert live(drive.place, "write", "homing_speeds.zero_search=500 increment/s", "target=-3", "--yes") == 0
+    capsys.readouterr()
+    assert live(drive.place, "read", "homing_speeds.zero_search", "target", "identity", "--format", "json") == 0
+    assert [row["value"] for row in json.loads(capsys.readouterr().out)] == [500, -3, 4, 0, 0, 0, 0]
+    assert live(drive.place, "write", "homing_speeds.highest_subindex=3", "--yes") == 2
+    assert "homing_speeds.highest_subindex can only be read" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

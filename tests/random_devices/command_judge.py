@@ -16,6 +16,7 @@ from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.registers import Parameter, ParameterSet
 from fieldspec.model.value import Kind
+from fieldspec.reference.parameters import carries
 from random_devices.inputs import header_values, number_or_text
 from random_devices.queries import Answer, Query
 
@@ -52,7 +53,8 @@ class Command:
             ):
                 continue
             for raw in (ranges.low, number_or_text(self.layout, kind, self.dice), ranges.high + 1, ranges.low - 1):
-                if not kind.type.low <= raw <= kind.type.high or kind.size != value.size or raw < 0:
+                fits = carries(value, kind.size) if value.carries_bytes else kind.size == value.size
+                if not kind.type.low <= raw <= kind.type.high or not fits or raw < 0:
                     continue
                 allowed = raw in ranges or kind.sentinel(raw) is not None
                 head = header_values(self.layout, link.name, link.request, random.Random(2))

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from random_devices.draft import Draft, Spec, bounds
+from hypothesis import strategies as st
+
+from random_devices.draft import SIZES, Draft, Spec, bounds
 from random_devices.drawn_records import body, telegram
 
 
@@ -170,11 +172,41 @@ def _parameter_messages(draft: Draft, codes: set[int], links: list[str]) -> list
     parameter_set = draft.pick(draft.spec["parameters"])
     name = parameter_set.get("space") or parameter_set["name"]
     number = draft.fact(type="u16", parameter={"set": name, "part": "number"})
+    if draft.chance(40):
+        return _with_codes(draft, _messages_of_bytes(draft, name, number), codes, links)
     kind = draft.pick(("u16", "u32", "i32"))
     value = draft.fact(type=kind, parameter={"set": name, "part": "value", "number": number["name"]})
     drawn = [draft.fact(request=[number], response=[number, value]), draft.fact(request=[number, value], response=[])]
+    return _with_codes(draft, drawn, codes, links)
+
+
+def _with_codes(draft: Draft, drawn: list[Spec], codes: set[int], links: list[str]) -> list[Spec]:
     for message in drawn:
         message["code"] = free_code(draft, codes)
         if links:
             message["links"] = list(links)
     return drawn
+
+
+def _messages_of_bytes(draft: Draft, name: str, number: Spec) -> list[Spec]:
+    """Messages with the bytes of values: as many as a field before them says, or a message for each number of bytes."""
+    sets = [own for own in draft.spec["parameters"] if name in (own.get("space"), own["name"])]
+    rows = [row for own in sets for row in own["rows"]]
+    kinds = [inner for row in rows for inner in (row, *row.get("subindices", ()))]
+    sizes = sorted({SIZES.get(kind["type"], kind.get("length", 0)) for kind in kinds})
+    subindex = draft.fact(type="u8", parameter={"set": name, "part": "subindex", "number": number["name"]})
+    asked = [number, subindex] if draft.chance(60) else [number]
+    value = {"set": name, "part": "value", "number": number["name"]}
+    values = draft.draw(st.lists(st.integers(0, 255), min_size=len(sizes), max_size=len(sizes), unique=True))
+    members = [{"value": at, "name": f"bytes_{size}"} for at, size in zip(sorted(values), sizes, strict=True)]
+    enum = {**draft.fact(), "sparse": True, "members": members}
+    draft.spec["enums"].append(enum)
+    by = draft.fact(type="u8", enum=enum["name"])
+    cases = [{"when": [f"bytes_{size}"], "bytes": size} for size in sizes]
+    length = sizes[-1] + draft.number(0, 2)
+    padded = draft.fact(type="bytes", length=length, parameter={**value, "sizes": {"by": by["name"], "cases": cases}})
+    drawn = [draft.fact(request=asked, response=[by, number, padded])]
+    if draft.chance(50):
+        return [*drawn, draft.fact(request=[*asked, by, padded], response=[])]
+    single = [draft.fact(type="bytes", length=size, parameter=value) for size in sizes]
+    return [*drawn, *(draft.fact(request=[*asked, data], response=[]) for data in single)]

@@ -198,7 +198,9 @@ def _parameter(draft: Draft, at: int) -> Spec:
     elif draft.chance(10):
         row["elements"] = draft.number(2, 6)
         if draft.chance(50):
-            inner = draft.fact(index=0, type=row["type"])
+            inner = draft.fact(index=0, type=draft.pick((row["type"], "u8", "i32")))
+            if draft.chance(40):
+                inner["access"] = draft.pick(("ro", "rw", "wo"))
             rest = draft.fact(index=f"1..{row['elements'] - 1}", type=row["type"], reserved=True)
             row["subindices"] = [inner, rest] if row["elements"] > 2 else [inner, {**rest, "index": 1}]
     return row

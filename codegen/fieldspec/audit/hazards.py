@@ -180,6 +180,9 @@ def _of_parameter(device: Device, parameter_set: ParameterSet, parameter: Parame
         yield _hazard("trigger", parameter, where, _started(parameter.value), key="trigger")
     if parameter.access == "wo":
         yield _hazard("write_only", parameter, where, "access wo", key="access")
+    for inner in parameter.subindices:
+        if inner.access == "wo":
+            yield _hazard("write_only", inner, f"{where}[{inner.indices.text()}]", "access wo", key="access")
     yield from _shared(device, parameter, parameter.value, parameter.access, where)
     if parameter.restart:
         yield _hazard("restart", parameter, where, "restart", key="restart")

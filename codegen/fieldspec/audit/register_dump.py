@@ -231,7 +231,7 @@ def _parameters(device: Device, entry: Entry, number: int) -> Iterator[DumpValue
 
 
 def _parameter(device: Device, where: str, parameter: Parameter, at: int, number: int, entry: Entry) -> DumpValue:
-    element = next((subindex for subindex in parameter.subindices if at in subindex.indices), None)
+    element = parameter.element(at)
     value = element.value if element is not None else parameter.value
     reserved = parameter.reserved or (element is not None and element.reserved)
     name = parameter.name + (f"[{at}]" if parameter.elements or len(entry.values) > 1 else "")

@@ -11,6 +11,15 @@ Example: a field with `type: u16, digits: decimal, length: 5`.
 
 Cure: Exclude the output for the device (`--to`), or state the digits as a text.
 """,
+    "wireshark_parameters_typed": """The value of a parameter is a number or a text where a dissector shows it.
+
+Why: the dissector reads the value of a parameter in the type of its field. Bytes whose number another field says have
+none.
+
+Example: `{name: data, type: bytes, length: 4, parameter: {set: objects, part: value, number: index}}`.
+
+Cure: Exclude the output for the device (`--to`), or state the type of the field.
+""",
     "wireshark_frames_unescaped": """The frames that a dissector shows have the bytes that are sent.
 
 Why: the dissector does not undo escapes, so it would show other values than the frame has.

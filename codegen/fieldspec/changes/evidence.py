@@ -16,7 +16,7 @@ from fieldspec.model.ranges import Ranges
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Subindex, Table
 from fieldspec.model.texts import Erratum, Example, Limit, Lookup, LookupColumn, Note
-from fieldspec.model.value import Conversion, ParameterPart, Primitive, Signal, Value
+from fieldspec.model.value import Conversion, ParameterPart, ParameterSizes, Primitive, Signal, Value
 
 NOTHING = "nothing"
 
@@ -41,7 +41,11 @@ def value_text(value: object) -> str:
     if isinstance(value, Primitive):
         return value.name
     if isinstance(value, ParameterPart):
-        return f"{value.part} of {value.set}" + (f" by {value.number}" if value.number else "")
+        sizes = f", {value_text(value.sizes)}" if value.sizes else ""
+        return f"{value.part} of {value.set}" + (f" by {value.number}" if value.number else "") + sizes
+    if isinstance(value, ParameterSizes):
+        cases = (f"{case.bytes} for {' or '.join(case.when)}" for case in value.cases)
+        return f"bytes by {value.by}: {', '.join(cases)}"
     if isinstance(value, Claim):
         return f"{value_text(value.values)} in {value_text(value.sources)}"
     if isinstance(value, LookupColumn | Cause | Manual):

@@ -17,6 +17,7 @@ from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.device import Device
 from fieldspec.model.record import Field
+from fieldspec.model.value import Kind
 from fieldspec.source import Span
 
 _VALUES = ("value", "values")
@@ -27,6 +28,8 @@ def parameters_fit_messages(device: Device) -> Iterator[Diagnostic]:
     for field in fields(device):
         for value in (field.value, *(case.value for case in cases(field))):
             if value is not None and value.parameter is not None and value.parameter.part in _VALUES:
+                if value.type.kind is Kind.BYTES:
+                    continue  # parameter_bytes_complete judges them
                 for parameter_set in device.sets(value.parameter.set):
                     carriers.setdefault(parameter_set.name, []).append((value.size, field))
     for parameter_set in device.parameters.values():

@@ -78,8 +78,8 @@ def _all_statements(device: Device, sizes: RecordSizes, fact: Fact) -> dict[str,
         initial = checksum_named(fact.algorithm).initial if fact.algorithm else None
         return {"initial": initial, **(_value(device, fact.value) if fact.value else {})}
     if isinstance(fact, Signal | Case | Subindex):
-        count = {"count": _length(fact.indices)} if isinstance(fact, Subindex) else {}
-        return {**_value(device, fact.value), **count}
+        own = {"count": _length(fact.indices), "access": fact.access or None} if isinstance(fact, Subindex) else {}
+        return {**_value(device, fact.value), **own}
     if isinstance(fact, Table):
         words = {"words": _words(fact.words, sizes.named(fact.record)), "access": fact.access or None}
         return {"at": fact.base, "decimal": fact.base, "count": fact.count, **words}

@@ -67,6 +67,7 @@ from fieldspec.checks.names_unique import names_unique
 from fieldspec.checks.numbers_regular import numbers_regular
 from fieldspec.checks.offsets_match_layout import offsets_match_layout
 from fieldspec.checks.orders_agree import orders_agree
+from fieldspec.checks.parameter_bytes_complete import parameter_bytes_complete
 from fieldspec.checks.parameter_messages_complete import parameter_messages_complete
 from fieldspec.checks.parameter_numbers_ascending import parameter_numbers_ascending
 from fieldspec.checks.parameter_numbers_within_range import parameter_numbers_within_range
@@ -174,6 +175,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("numbers_regular", numbers_regular),
     ("offsets_match_layout", offsets_match_layout),
     ("orders_agree", orders_agree),
+    ("parameter_bytes_complete", parameter_bytes_complete),
     ("parameter_messages_complete", parameter_messages_complete),
     ("parameter_numbers_ascending", parameter_numbers_ascending),
     ("parameter_numbers_within_range", parameter_numbers_within_range),

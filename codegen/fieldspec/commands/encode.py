@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterator, Mapping
 
 from fieldspec.classes import dataclass
 from fieldspec.commands import layout_cache
+from fieldspec.commands.encode_parameters import with_parameter
 from fieldspec.commands.frame_options import frame_options, number_of
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.explanation import explained
@@ -43,6 +44,7 @@ def run(arguments: argparse.Namespace) -> int:
     body = body_of(layout, way.link, way.direction, way.message, False)
     try:
         _with_words(layout, way.message, texts)
+        with_parameter(layout, body, way.direction, texts)
         counts = {name: _count_of(layout, way, name, value) for name, value in texts.items()}
         values = raw_of(layout.device, parts, body, counts)
         _refuse_access(layout, way, values)

@@ -32,6 +32,7 @@ _CITED: dict[str, tuple[str, ...]] = {
     "enums": (),
     "flags": ("type", "bits"),
     "records": ("fields",),
+    "parameters": ("rows",),
 }
 
 
@@ -162,7 +163,10 @@ def _overlays(path: Path) -> Iterator[str]:
 def _needed(item: Mapping, key: str) -> str:
     """What an entry must say under a key beside what its protocol says: its first element alone, or the same."""
     inner = next(mappings(item.values.get(key)), None)
-    return _text(item, key) if inner is None else f"[{{name: {identity(inner)}}}]"
+    if inner is None:
+        return _text(item, key)
+    number = f", number: {_text(inner, 'number')}" if "number" in inner.values else ""
+    return f"[{{name: {identity(inner)}{number}}}]"
 
 
 def _spaces(messages: list[Mapping]) -> Iterator[str]:

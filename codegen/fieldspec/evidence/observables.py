@@ -54,7 +54,8 @@ class Observables:
                 self.parameters[path] = Observable(parameter.name, parameter, parameter.value, parameter.access, space)
                 for element in parameter.subindices:
                     if not element.reserved:
-                        own = Observable(parameter.name, element, element.value, parameter.access, space)
+                        access = element.access or parameter.access
+                        own = Observable(parameter.name, element, element.value, access, space)
                         self.parameters[element.place.path] = own
         self.fields: dict[tuple[str, str], Observable] = {}
         for message in layout.messages.values():

@@ -13,13 +13,14 @@ from fieldspec.evidence.secrets import Secrets
 from fieldspec.explain.registers import Occupant
 from fieldspec.layout.bits import packed_bits, unpacked_bits
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.live.reading import all_occupants, is_bit
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import RegisterAccess
 from fieldspec.model.registers import Parameter
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.frames import Decoded, codec
+from fieldspec.reference.parameters import stated_bytes
 from fieldspec.reference.records import value_construct
 from fieldspec.simulator.memory import element_value, numbers_of
 from fieldspec.simulator.parameters import part_of
@@ -135,10 +136,24 @@ class Redaction:
                 self._replace(None, piece)
                 return bytes(len(piece))
             fact, value = own
+            if field.carries_bytes:
+                return self._carried(field, fact, value, piece, values)
         if self.is_secret(fact, value):
             self._replace(fact, piece)
             return _filler(value, len(piece), field.order, field.swapped)
         return piece
+
+    def _carried(
+        self, field: FieldLayout, fact: Fact, value: Value | None, piece: bytes, values: Mapping[str, Any]
+    ) -> bytes:
+        """The bytes of a parameter's value, and zeros for those that do not count."""
+        data = stated_bytes(field, {**values, field.name: piece})
+        self._drop(piece[len(data) :])
+        if self.is_secret(fact, value):
+            self._replace(fact, data)
+            order = Orders(field.order, self.layout.device.word_order).of(value)
+            data = _filler(value, len(data), *order)
+        return data.ljust(len(piece), b"\0")
 
     def _parameter(self, field: FieldLayout, index: int, values: Mapping[str, Any]) -> tuple[Fact, Value] | None:
         """The fact and the value of an element of a parameter; None where the spec has no such parameter."""
@@ -233,7 +248,7 @@ class Redaction:
 
 def _element(parameter: Parameter, index: int) -> tuple[Fact, Value] | None:
     """The fact and the value of an element; None for a reserved one."""
-    own = next((element for element in parameter.subindices if index in element.indices), None)
+    own = parameter.element(index)
     if own is not None and own.reserved:
         return None
     return own or parameter, element_value(parameter, index)

@@ -9,7 +9,7 @@ from fractions import Fraction
 from fieldspec.classes import dataclass, replace
 from fieldspec.explain.row import ExplanationRow, citations, errata_at, errata_of_words
 from fieldspec.explain.values import Meaning, decode_value, in_unit
-from fieldspec.layout.record import FieldLayout
+from fieldspec.layout.record import FieldLayout, Orders
 from fieldspec.layout.values import Raw
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
@@ -77,7 +77,7 @@ def with_parameter(
             return row
         parameter = parameter_set.parameters[index]
         return _read_as(
-            device, row, field, _Element(parameter_set, parameter.number, parameter, None, None), is_request
+            device, row, field, _Element(parameter_set, parameter.number, parameter, None, None), is_request, field.size
         )
     asked = row.number if part.part == "number" else known.get(part.number)
     match = device.parameter_at(part.set, asked) if isinstance(asked, int) else None
@@ -94,7 +94,11 @@ def with_parameter(
         at = first + index if isinstance(first, int) else None
     element = _element(parameter_set, number, known_parameter, at)
     if part.part == "value":
-        return _read_as(device, row, field, element, is_request)
+        size = field.size
+        if part.sizes is not None:
+            stated = known.get(part.sizes.by)
+            size = field.sizes.get(stated, 0) if isinstance(stated, int) else 0
+        return _read_as(device, row, field, element, is_request, size)
     if part.part == "subindex" and element.index is None:
         return row
     return replace(row, meanings=(*row.meanings, element.meaning))
@@ -127,20 +131,27 @@ def _element(parameter_set: ParameterSet, number: int, parameter: Parameter | No
     several = parameter is not None and (parameter.elements is not None or parameter.subindices)
     if parameter is None or not several or not isinstance(at, int):
         return _Element(parameter_set, number, parameter, None, None)
-    subindex = next((inner for inner in parameter.subindices if at in inner.indices), None)
-    return _Element(parameter_set, number, parameter, at, subindex)
+    return _Element(parameter_set, number, parameter, at, parameter.element(at))
 
 
 def _read_as(
-    device: Device, row: ExplanationRow, field: FieldLayout, element: _Element, is_request: bool
+    device: Device, row: ExplanationRow, field: FieldLayout, element: _Element, is_request: bool, size: int
 ) -> ExplanationRow:
-    """The row with its bytes read as the value of a parameter. No codec refuses a frame for what is wrong with that."""
+    """The row with its first `size` bytes read as the value of a parameter.
+
+    No codec refuses a frame for what is wrong with that.
+    """
     fact = element.fact
     if fact is None or element.parameter is None:
         return replace(row, meanings=(element.meaning, *row.meanings))
-    again = None if row.reason else _again(fact.value, field, row)
+    again = None if row.reason else _again(device, fact.value, field, row, size)
     if again is None:
-        return replace(row, meanings=(element.meaning, *row.meanings), notes=(*row.notes, *fact.notes))
+        row = replace(row, meanings=(element.meaning, *row.meanings), notes=(*row.notes, *fact.notes))
+        if row.reason or not field.carries_bytes or element.parameter.reserved or fact.reserved:
+            return row
+        stated = fact.value.size
+        text = f"wrong: should be {stated} {'byte' if stated == 1 else 'bytes'}"
+        return replace(row, verdict=text, reason="out_of_range")
     read = decode_value(device, fact.value.for_writing() if is_request else fact.value, *again, reserved=fact.reserved)
     if element.parameter.trigger and not is_request:
         read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
@@ -160,9 +171,13 @@ def _read_as(
     )
 
 
-def _again(value: Value, field: FieldLayout, row: ExplanationRow) -> tuple[bytes, str, bool] | None:
+def _again(
+    device: Device, value: Value, field: FieldLayout, row: ExplanationRow, size: int
+) -> tuple[bytes, str, bool] | None:
     """The bytes of a row as bytes of another value, with their order; None if they cannot be read as it."""
     own = field.primitive
+    if field.carries_bytes:
+        return (row.raw[:size], *Orders(field.order, device.word_order).of(value)) if size == value.size else None
     alike = own.kind is value.type.kind or (own.kind in _COUNTS and value.type.kind in _COUNTS)
     if value.size == field.size and (alike or Kind.FLOAT not in (own.kind, value.type.kind)):
         return row.raw, field.order, field.swapped

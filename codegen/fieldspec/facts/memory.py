@@ -144,6 +144,7 @@ def _parameter(parameter_set: ParameterSet, parameter: Parameter) -> Iterator[Fa
     for inner in parameter.subindices:
         many = sum(high - low + 1 for low, high in inner.indices.intervals)
         own = {"code": parameter.number, "number": inner.indices.low, "count": many if many > 1 else None}
+        own |= {"access": inner.access} if inner.access else {}
         yield from of_fact("subindex", inner, inner.value, **own)
     for kind, key, names in (
         ("applies_to", "applies_to", parameter.applies_to),

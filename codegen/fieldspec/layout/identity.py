@@ -11,7 +11,7 @@ from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
 from fieldspec.model.record import RegisterAccess
-from fieldspec.model.value import Value
+from fieldspec.model.value import ParameterPart, Value
 
 Words = tuple[object, ...]
 
@@ -61,10 +61,20 @@ def _value(value: Value | None) -> Words:
         value.enum,
         value.flags,
         sentinels,
-        value.parameter,
+        _part(value.parameter),
         *((value.write_ranges,) if value.write_ranges is not None else ()),
         *((value.digits, value.places) if value.digits else ()),
     )
+
+
+def _part(part: ParameterPart | None) -> str | None:
+    """What a value is in an access to parameters."""
+    if part is None:
+        return None
+    text = f"ParameterPart(set={part.set!r}, part={part.part!r}, number={part.number!r})"
+    if part.sizes is None:
+        return text
+    return f"{text} by {part.sizes.by}: {[(case.bytes, case.when) for case in part.sizes.cases]}"
 
 
 def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
@@ -219,6 +229,8 @@ def _parameters(device: Device) -> Iterator[Words]:
             yield (parameter.value.byte_order,)
             for inner in parameter.subindices:
                 yield "subindex", inner.name, inner.indices, inner.reserved, *_value(inner.value)
+                if inner.access:
+                    yield "access", inner.access
 
 
 def _conversions(device: Device) -> Iterator[Words]:

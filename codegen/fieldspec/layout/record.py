@@ -9,7 +9,7 @@ from fieldspec.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.model.enums import Enum
 from fieldspec.model.record import Case, Choice, Field, Record
 from fieldspec.model.registers import Register
-from fieldspec.model.value import Primitive, Value
+from fieldspec.model.value import Kind, Primitive, Value
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -33,7 +33,9 @@ class FieldLayout:
 
     `size` is the size of one element in bytes. `count` is the number of elements, None if they go on to the end of the
     data. A field has either a `value`, or a `record`, or `cases`; `size` is then the size of the smallest case.
-    `order` is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one.
+    `order` is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one. Of a field with
+    the bytes of a parameter's value, `sizes` are the numbers of bytes that are the value, by the number in another
+    field, of equal ones the one to write first; it is empty where all are.
     """
 
     field: Field
@@ -46,6 +48,13 @@ class FieldLayout:
     order: str
     swapped: bool
     cases: tuple[CaseLayout, ...] = ()
+    sizes: Mapping[int, int] = classes.field(default_factory=dict)
+
+    @property
+    def carries_bytes(self) -> bool:
+        """Whether it has the bytes of the value of a parameter."""
+        part = self.value.parameter if self.value is not None else None
+        return part is not None and part.part == "value" and self.primitive.kind is Kind.BYTES and not self.is_list
 
     @property
     def primitive(self) -> Primitive:
@@ -127,7 +136,7 @@ def record_layout(
     """The layout of a record. `records` are the layouts of the records in it."""
     last = record.fields[-1] if record.fields else None
     if last is None or last.choice is None:
-        return _fixed(record, records, orders)
+        return _fixed(record, records, orders, enums)
     return _choosing(record, last, last.choice, records, orders, enums)
 
 
@@ -149,7 +158,7 @@ def _choosing(
         numbers = frozenset(member.value for name in case.when if (member := enum.named(name)) is not None)
         cases.append(CaseLayout(case, case.name, numbers, case.value, *orders.of(case.value)))
         decided = replace(last, value=case.value, choice=None)
-        record_layout = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders)
+        record_layout = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders, enums)
         chosen |= dict.fromkeys(sorted(numbers), record_layout)
     shapes = list(chosen.values())
     first = shapes[0]
@@ -169,7 +178,9 @@ def _choosing(
     )
 
 
-def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders) -> RecordLayout:
+def _fixed(
+    record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum]
+) -> RecordLayout:
     """The layout of a record without cases."""
     at = 0
     fields = []
@@ -179,7 +190,8 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders) 
         size = field.value.size if field.value else (inner.size or 0) if inner else 0
         count = None if field.repeat else field.count or 1
         order, swapped = orders.of(field.value)
-        field_layout = FieldLayout(field, field.name, at, size, count, field.value, inner, order, swapped)
+        sizes = _sizes(record, field, enums)
+        field_layout = FieldLayout(field, field.name, at, size, count, field.value, inner, order, swapped, sizes=sizes)
         fields.append(field_layout)
         if count is None:
             repeated = field_layout
@@ -191,6 +203,17 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders) 
     assert repeat is not None
     most = at + repeat.high * repeated.size
     return RecordLayout(record, record.name, tuple(fields), None, at + repeat.low * repeated.size, most)
+
+
+def _sizes(record: Record, field: Field, enums: Mapping[str, Enum]) -> Mapping[int, int]:
+    """The numbers of bytes that are the value of a parameter, by the numbers of the field that says so."""
+    part = field.value.parameter if field.value is not None else None
+    by = record.named(part.sizes.by) if part is not None and part.sizes is not None else None
+    enum = enums.get(by.value.enum) if by is not None and by.value is not None else None
+    if part is None or part.sizes is None or enum is None:
+        return {}
+    members = ((enum.named(name), case.bytes) for case in part.sizes.cases for name in case.when)
+    return {member.value: size for member, size in members if member is not None}
 
 
 @dataclass(frozen=True, slots=True)

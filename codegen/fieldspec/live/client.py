@@ -205,11 +205,12 @@ class Client:
         return decoded if decoded.error or self._fits(asked, decoded) else None
 
     def _fits(self, asked: _Request, decoded: Decoded) -> bool:
-        """Whether a response is about the registers that were asked for: as many words, or the same address."""
+        """Whether a response is about what was asked for: it repeats what it should, and has as many words."""
         message = self.layout.messages[asked.message].message
         access = message.accesses
         if access is None:
-            return True
+            repeated = [field for field in message.response.fields if field.same_as in asked.values]
+            return all(decoded.values.get(field.name) == asked.values[field.same_as] for field in repeated)
         if access.operation == "write":
             same = [name for name in (access.start, access.count) if name in decoded.values and name in asked.values]
             return all(decoded.values[name] == asked.values[name] for name in same)

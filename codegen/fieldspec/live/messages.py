@@ -16,6 +16,7 @@ from fieldspec.live.writing import WriteError
 from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Parameter, ParameterSet
 from fieldspec.model.value import Kind, Value
+from fieldspec.reference.parameters import bytes_of_value, carries, value_of_bytes
 from fieldspec.reference.records import CodecError, encoded_value, value_construct
 from fieldspec.simulator.parameters import count_field, part_of
 
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 class Signal:
     """A value that messages carry: a parameter with its set, or a field or a part of the response to `query`.
 
-    `path` is its name for people. `wire_number` is the number of a parameter, None for other values, and `index` that
+    `path` is its name for people. `wire_number` is the number of `parameter`, None for other values, and `index` that
     of an element, None for a single value.
     """
 
@@ -37,9 +38,15 @@ class Signal:
     order: str
     swapped: bool
     parameter_set: ParameterSet | None = None
+    parameter: Parameter | None = None
     wire_number: int | None = None
     index: int | None = None
     query: str = ""
+
+    @property
+    def access(self) -> str:
+        """Whether a parameter, or its element, can be read and written; empty where nothing says so."""
+        return self.parameter.element_access(self.index or 0) if self.parameter is not None else ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +79,10 @@ class ParameterAssignment:
         return self.signal.path
 
 
+class UnfitAnswerError(Exception):
+    """An answer whose bytes are no value of the parameter that was asked for."""
+
+
 def link_of(layout: DeviceLayout) -> LinkLayout | None:
     """The first link whose messages read something when they are asked; None where there is none."""
     return next((link for link in layout.links.values() if any(True for _ in signals(layout, link))), None)
@@ -89,15 +100,19 @@ def signals(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:
     yield from _parts(link)
     orders = Orders(layout.device.byte_order, layout.device.word_order)
     for parameter_set in layout.device.parameters.values():
-        if parameter_message(link, parameter_set, "read") is None:
+        reading = parameter_message(link, parameter_set, "read")
+        if reading is None:
             continue
+        carried = part_of(reading.response, "value")
         for row in parameter_set.parameters:
             for place in range(row.count if not row.reserved else 0):
                 name = row.name if row.count == 1 else f"{row.name}[{place}]"
                 number = parameter_set.base + row.number + place
                 for path, fact, value, index in _elements(name, row):
+                    if carried is not None and carried.carries_bytes and not carries(carried, value.size):
+                        continue  # a value that needs more than one frame
                     order, swapped = orders.of(value)
-                    yield Signal(path, fact, value, order, swapped, parameter_set, number, index)
+                    yield Signal(path, fact, value, order, swapped, parameter_set, row, number, index)
 
 
 def _elements(name: str, row: Parameter) -> Iterator[tuple[str, Fact, Value, int | None]]:
@@ -106,7 +121,7 @@ def _elements(name: str, row: Parameter) -> Iterator[tuple[str, Fact, Value, int
         yield name, row, row.value, None
         return
     for index in range(row.elements):
-        own = next((inner for inner in row.subindices if index in inner.indices), None)
+        own = row.element(index)
         if own is None:
             yield f"{name}[{index}]", row, row.value, index
         elif not own.reserved:
@@ -129,16 +144,24 @@ def _parts(link: LinkLayout) -> Iterator[Signal]:
             yield Signal(part.name, part.part, part.value, part.order, False, query=query)
 
 
-def parameter_message(link: LinkLayout, parameter_set: ParameterSet, operation: str) -> MessageLayout | None:
-    """The message of a link that reads or writes one parameter of a set; the one with the fewest other fields."""
+def parameter_message(
+    link: LinkLayout, parameter_set: ParameterSet, operation: str, size: int | None = None
+) -> MessageLayout | None:
+    """The message of a link that reads or writes one parameter of a set; the one with the fewest other fields.
+
+    A field with the bytes of a value must be able to carry `size` of them, where that is stated.
+    """
     suitable = []
     for message in link.carried("response").values():
         number = part_of(message.request, "number")
         part = number.value.parameter if number is not None and number.value is not None else None
         if part is None or part.set not in (parameter_set.name, parameter_set.space):
             continue
-        writes = part_of(message.request, "value") is not None
-        if writes == (operation == "write") and (writes or part_of(message.response, "value") is not None):
+        sent = part_of(message.request, "value")
+        carried = sent or part_of(message.response, "value")
+        if (sent is not None) != (operation == "write") or carried is None:
+            continue
+        if size is None or not carried.carries_bytes or carries(carried, size):
             suitable.append(message)
     return min(suitable, key=lambda message: len(message.request.fields), default=None)
 
@@ -176,14 +199,14 @@ def read_signals(client: Client, chosen: Sequence[Signal]) -> Iterator[SignalRea
             answer = answers[signal.query]
             name = signal.fact.name
             yield signal_reading(client.layout, signal, {**answer.values, **answer.head}[name])
-        except RefusedError as error:
+        except (RefusedError, UnfitAnswerError) as error:
             yield SignalReading(signal, (), None, str(error))
 
 
 def read_parameter(client: Client, signal: Signal) -> Any:
     """The raw value of a parameter, or of one element.
 
-    Raises RefusedError, NoAnswerError and CarrierError.
+    Raises RefusedError, UnfitAnswerError, NoAnswerError and CarrierError.
     """
     assert signal.parameter_set is not None
     message = parameter_message(client.frames.link, signal.parameter_set, "read")
@@ -191,6 +214,11 @@ def read_parameter(client: Client, signal: Signal) -> Any:
     answer = client.ask(message.name, parameter_address(message.request, signal))
     carried = part_of(message.response, "value")
     assert carried is not None
+    if carried.carries_bytes:
+        try:
+            return value_of_bytes(client.layout.device, carried, signal.value, answer.values)
+        except CodecError as error:
+            raise UnfitAnswerError(str(error)) from None
     content = answer.values[carried.name]
     return content[0] if isinstance(content, list) else content
 
@@ -230,41 +258,51 @@ def _bytes_of(signal: Signal, raw: Any) -> bytes:
 
 def parameter_assignment(layout: DeviceLayout, link: LinkLayout, signal: Signal, text: str) -> ParameterAssignment:
     """The assignment of a value as people write it. Raises WriteError."""
-    fact = signal.fact
-    if signal.parameter_set is None:
+    if signal.parameter_set is None or signal.parameter is None:
         raise WriteError(f"{signal.path} is part of a response; only parameters are written")
-    if signal.index is not None or not isinstance(fact, Parameter):
-        raise WriteError(f"{signal.path} is an element of an array, and is not written by itself")
-    message = parameter_message(link, signal.parameter_set, "write")
+    message = parameter_message(link, signal.parameter_set, "write", signal.value.size)
     if message is None:
         raise WriteError(f"no message writes {signal.path} by itself")
-    if fact.access == "ro":
+    if signal.index is not None and not writes_elements(message):
+        raise WriteError(f"{signal.path} is an element of an array, and is not written by itself")
+    if signal.access == "ro":
         raise WriteError(f"{signal.path} can only be read")
-    value = fact.value.for_writing()
+    value = signal.value.for_writing()
     try:
         raw = encoded_value(signal.path, value, raw_value(layout.device, signal.path, value, text), layout.device)
     except (MeaningError, CodecError) as error:
         raise WriteError(str(error)) from None
-    return ParameterAssignment(signal, raw, tuple(_bytes_of(signal, raw)), tuple(_hazards(fact, message)))
+    return ParameterAssignment(signal, raw, tuple(_bytes_of(signal, raw)), tuple(_hazards(signal, message)))
 
 
-def _hazards(fact: Parameter, message: MessageLayout) -> Iterator[str]:
+def writes_elements(message: MessageLayout) -> bool:
+    """Whether a message writes one element of a parameter by itself: in bytes, which carry values of any type."""
+    carried = part_of(message.request, "value")
+    return carried is not None and carried.carries_bytes and part_of(message.request, "subindex") is not None
+
+
+def _hazards(signal: Signal, message: MessageLayout) -> Iterator[str]:
+    fact = signal.parameter
+    assert fact is not None
     # A message that stores what it writes does so for every parameter.
     handlings = sorted((fact.handling, message.message.handling), key=lambda own: own.memory != "nonvolatile")
-    return write_hazards(trigger=fact.trigger, access=fact.access, restart=fact.restart, handlings=handlings)
+    return write_hazards(trigger=fact.trigger, access=signal.access, restart=fact.restart, handlings=handlings)
 
 
 def parameter_request(client: Client, chosen: ParameterAssignment) -> tuple[str, dict[str, Any], bytes]:
     """The message that writes a parameter, its fields, and its frame. Raises WriteError."""
     signal = chosen.signal
     assert signal.parameter_set is not None
-    message = parameter_message(client.frames.link, signal.parameter_set, "write")
+    message = parameter_message(client.frames.link, signal.parameter_set, "write", signal.value.size)
     assert message is not None
     request = message.request
     values = parameter_address(request, signal)
     carried = part_of(request, "value")
     assert carried is not None
-    values[carried.name] = [chosen.raw] if carried.is_list else chosen.raw
+    if carried.carries_bytes:
+        values |= bytes_of_value(client.layout.device, carried, signal.value, chosen.raw)
+    else:
+        values[carried.name] = [chosen.raw] if carried.is_list else chosen.raw
     if request.selector is not None:
         form = _form(request, signal.value)
         if form is None:

@@ -18,10 +18,10 @@ from fieldspec.live.messages import (
     roles_of,
     signal_reading,
     signals,
+    writes_elements,
 )
 from fieldspec.live.value_lists import COMMANDS
 from fieldspec.model.access import writable
-from fieldspec.model.registers import Parameter
 
 if TYPE_CHECKING:
     from fieldspec.layout.device import DeviceLayout
@@ -87,19 +87,20 @@ class ParameterAccess:
 
         Where a set states the access of none of its parameters, the messages that read and write them do.
         """
-        fact = item.fact
-        if item.parameter_set is None or not isinstance(fact, Parameter):
-            return "is part of a response" if item.parameter_set is None else "is an element, not written by itself"
+        fact = item.parameter
+        if item.parameter_set is None or fact is None:
+            return "is part of a response"
+        message = parameter_message(self.link, item.parameter_set, "write", item.value.size)
+        if item.index is not None and not (message is not None and writes_elements(message)):
+            return "is an element, not written by itself"
         if fact.trigger or COMMANDS.intersection(roles_of(self.layout, item)):
             return "commands the device; write it by its name, with the verb write"
         stated = any(row.access for row in item.parameter_set.parameters)
-        if not writable(fact.access) and (fact.access or stated):
-            return "can only be read" if fact.access else "is not stated to be writable"
-        if fact.access == "wo" or fact.handling.clears_on_read:
+        if not writable(item.access) and (item.access or stated):
+            return "can only be read" if item.access else "is not stated to be writable"
+        if item.access == "wo" or fact.handling.clears_on_read:
             return "cannot be read back, so that nothing could be verified; write it by its name, with the verb write"
-        if item.index is not None:
-            return "is an element, not written by itself"
-        if parameter_message(self.link, item.parameter_set, "write") is None:
+        if message is None:
             return "has no message that writes it by itself"
         return ""
 
@@ -135,8 +136,8 @@ class ParameterAccess:
 
     def read_back(self, client: Client, chosen: ParameterAssignment) -> SignalReading | None:
         """What the device holds after a write. Raises NoAnswerError and CarrierError."""
-        fact = chosen.signal.fact
-        if isinstance(fact, Parameter) and (fact.trigger or fact.access == "wo"):
+        fact = chosen.signal.parameter
+        if fact is not None and (fact.trigger or chosen.signal.access == "wo"):
             return None
         return next(read_signals(client, [chosen.signal]))
 

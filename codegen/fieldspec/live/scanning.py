@@ -4,15 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.read_plan import read_plan
+from fieldspec.layout.record import FieldLayout
 from fieldspec.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.live.messages import parameter_message
 from fieldspec.live.reading import all_occupants, message_for, read_words
 from fieldspec.model.registers import ParameterSet
+from fieldspec.reference.parameters import stated_bytes, value_of_bytes
+from fieldspec.simulator.memory import element_value
 from fieldspec.simulator.parameters import count_field, part_of
+
+if TYPE_CHECKING:
+    from typing import Any
 
 _PAGE = 0x100
 
@@ -197,9 +203,26 @@ def _parameter_counts(client: Client, parameter_set: ParameterSet, number: int) 
             values[amount.name] = 0
     carried = part_of(message.response, "value")
     assert carried is not None
-    content = client.ask(message.name, values).values[carried.name]
+    answer = client.ask(message.name, values).values
+    if carried.carries_bytes:
+        return (_count_of_bytes(client, carried, parameter_set, number, answer),)
+    content = answer[carried.name]
     own = content if isinstance(content, list) else [content]
     return tuple(int(count) for count in own if isinstance(count, int))
+
+
+def _count_of_bytes(
+    client: Client, carried: FieldLayout, parameter_set: ParameterSet, number: int, values: Mapping[str, Any]
+) -> int:
+    """The count in a field of bytes: that of the parameter, or the bytes as a number where the spec has none of it."""
+    data = stated_bytes(carried, values)
+    parameter = parameter_set.numbered(number - parameter_set.base)
+    value = element_value(parameter, 0) if parameter is not None else None
+    if value is not None and value.size == len(data):
+        raw = value_of_bytes(client.layout.device, carried, value, values)
+        if isinstance(raw, int):
+            return int(raw)
+    return int.from_bytes(data, "big" if carried.order == "big" else "little")
 
 
 def compared(layout: DeviceLayout, result: Scan) -> ScanComparison:

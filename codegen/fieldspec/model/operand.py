@@ -51,7 +51,9 @@ def operands(device: Device) -> Iterator[Operand]:
                 continue
             yield from _valued(device, PARAMETERS, parameter, parameter.value, parameter.roles, parameter.access)
             for inner in parameter.subindices:
-                yield from _valued(device, PARAMETERS, inner, inner.value, inner.roles, parameter.access)
+                yield from _valued(
+                    device, PARAMETERS, inner, inner.value, inner.roles, inner.access or parameter.access
+                )
     for link in device.links.values():
         for part in link.response:
             if part.value is not None:

@@ -123,11 +123,15 @@ class Table(Fact):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Subindex(Fact):
-    """An element of a parameter, or a run of them, with a meaning of its own."""
+    """An element of a parameter, or a run of them, with a meaning of its own.
+
+    `access` is empty where that of the parameter applies.
+    """
 
     indices: Ranges
     value: Value
     reserved: bool
+    access: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -152,6 +156,15 @@ class Parameter(Fact):
     applies_to: tuple[str, ...]
     messages: tuple[str, ...]
     reserved: bool
+
+    def element(self, index: int) -> Subindex | None:
+        """The element with an index, where it has a meaning of its own."""
+        return next((inner for inner in self.subindices if index in inner.indices), None)
+
+    def element_access(self, index: int) -> str:
+        """The access of the element with an index."""
+        element = self.element(index)
+        return self.access if element is None else element.access or self.access
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -153,12 +153,32 @@ def power_of_ten(scale_by: str) -> str:
 
 
 @dataclass(frozen=True, slots=True)
+class SizeCase:
+    """A number of bytes, and the members of an enum that stand for it; the first one is written."""
+
+    when: tuple[str, ...]
+    bytes: int
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterSizes:
+    """How many bytes of a field are the value of a parameter: the field `by`, which has an enum, says it."""
+
+    by: str
+    cases: tuple[SizeCase, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class ParameterPart:
-    """What a value is in an access to numbered parameters of a set or of a space: number, subindex or value."""
+    """What a value is in an access to numbered parameters of a set or of a space: number, subindex or value.
+
+    `sizes` is None where all bytes of a field are the value.
+    """
 
     set: str
     part: str
     number: str
+    sizes: ParameterSizes | None = None
 
 
 @dataclass(frozen=True, slots=True)

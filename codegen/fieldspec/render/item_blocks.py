@@ -121,8 +121,8 @@ def _subindices(parameter: Parameter) -> Iterator[Block]:
         label = " ".join(text for text in (inner.printed_name, inner.label) if text)
         value, name = inner.value, "reserved" if inner.reserved else inner.name
         always = "" if value.const is None else str(value.const)
-        first = (inner.indices.text(), name, label, value.type.name)
+        first = (inner.indices.text(), name, label, value.type.name, inner.access)
         rows.append((*first, unit_text(value), range_text(value), always, value.enum or value.flags, inner.doc))
     if rows:
-        headings = ("index", "element", "label", "type", "unit", "range", "always", "names", "what")
+        headings = ("index", "element", "label", "type", "access", "unit", "range", "always", "names", "what")
         yield narrowed(Table(headings, tuple(rows)))

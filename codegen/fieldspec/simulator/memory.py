@@ -72,7 +72,7 @@ class Memory:
                 if occupant.address == address:
                     self.write(space, occupant, default_raw(occupant.value))
         self.elements = {
-            (parameter_set.name, parameter.number + offset, index): default_raw(_element_value(parameter, index))
+            (parameter_set.name, parameter.number + offset, index): default_raw(element_value(parameter, index))
             for parameter_set in self.layout.device.parameters.values()
             for parameter in parameter_set.parameters
             for offset in range(parameter.count)
@@ -117,17 +117,10 @@ class Memory:
         return data
 
 
-def _element_value(parameter: Parameter, index: int) -> Value:
-    """The value of an element: that of the parameter, or of the run of elements that it belongs to."""
-    for inner in parameter.subindices:
-        if index in inner.indices:
-            return inner.value
-    return parameter.value
-
-
 def element_value(parameter: Parameter, index: int) -> Value:
-    """The value of an element of a parameter."""
-    return _element_value(parameter, index)
+    """The value of an element: that of the parameter, or of the run of elements that it belongs to."""
+    element = parameter.element(index)
+    return parameter.value if element is None else element.value
 
 
 def numbers_of(sets: Iterable[ParameterSet]) -> list[tuple[str, int, Parameter]]:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Target:
-    """The elements of a parameter that a request means. `count` is None for one value without an index.
+    """The elements of a parameter that a request means. `count` is None for one value.
 
     `parameter` is None for a number that the set has and no row describes: it holds what is written to it.
     """
@@ -57,6 +57,7 @@ def count_field(record: RecordLayout) -> FieldLayout | None:
         field
         for field in record.fields
         if field.value is not None
+        and not field.field.reserved
         and field.value.const is None
         and field.value.parameter is None
         and field.field.measures is None
@@ -77,7 +78,7 @@ def target_of(engine: Engine, record: RecordLayout, values: Mapping[str, Any]) -
     indexed = part_of(record, "subindex")
     amount = count_field(record) if indexed is not None else None
     count = int(values[amount.name]) if amount is not None and values[amount.name] else None
-    first = int(values[indexed.name]) if indexed is not None and count is not None else 0
+    first = int(values[indexed.name]) if indexed is not None and (amount is None or count is not None) else 0
     carried = part_of(record, "value")
     content = values.get(carried.name) if carried is not None else None
     if count is not None and isinstance(content, list) and len(content) != count:
@@ -100,8 +101,9 @@ def read_parameter(engine: Engine, target: Target) -> list[Raw]:
         if not all(key in engine.memory.elements for key in keys):
             raise Refusal("unknown_address", f"nothing is known of parameter {target.number}, and nothing was written")
         return [engine.memory.elements[key] for key in keys]
-    if not readable(target.parameter.access or "rw"):
-        raise Refusal("read_forbidden", f"{target.parameter.name} can only be written")
+    for index in target.elements:
+        if not readable(target.parameter.element_access(index) or "rw"):
+            raise Refusal("read_forbidden", f"{target.parameter.name} can only be written")
     return [engine.memory.elements[target.set_name, target.number, index] for index in target.elements]
 
 
@@ -114,7 +116,7 @@ def write_parameter(engine: Engine, target: Target, raws: list[Raw]) -> None:
         for index, raw in zip(target.elements, raws, strict=True):
             engine.memory.elements[target.set_name, target.number, index] = raw
         return
-    if parameter.access == "ro":
+    if any(parameter.element_access(index) == "ro" for index in target.elements):
         raise Refusal("write_forbidden", f"{parameter.name} can only be read")
     for index, raw in zip(target.elements, raws, strict=True):
         why = "" if parameter.reserved else invalid(engine, element_value(parameter, index), raw)

@@ -10,6 +10,7 @@ from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Kind
 from fieldspec.reference.frames import FrameCodec, codec
+from fieldspec.reference.parameters import bytes_of_value, carries, value_of_bytes
 from fieldspec.reference.records import CodecError
 from fieldspec.simulator import parameters
 from fieldspec.simulator.engine import Engine
@@ -167,11 +168,19 @@ class Server:
         key = (target.set_name, target.number)
         value = element_value(target.parameter, target.first) if target.parameter is not None else None
         value_field = parameters.part_of(request, "value")
+        carried = value_field or parameters.part_of(response, "value")
+        if carried is not None and carried.carries_bytes and value is None:
+            raise Refusal("unknown_address", f"nothing says how many bytes parameter {target.number} has")
         if value_field is not None:
             kind = chosen_kind(request, values)
             if kind is not None and value is not None and kind != value.type.name:
                 raise Refusal("type_invalid", f"the parameter is {value.type.name}, not {kind}")
             raw = values[value_field.name]
+            if value_field.carries_bytes and value is not None:
+                try:
+                    raw = value_of_bytes(engine.layout.device, value_field, value, values)
+                except CodecError as error:
+                    raise Refusal("type_invalid", error.detail) from None
             raws = [int(item) if isinstance(item, bool) else item for item in (raw if isinstance(raw, list) else [raw])]
             if value is not None:
                 raws = [signed(item, value.size, value.type.signed) for item in raws]
@@ -185,6 +194,10 @@ class Server:
             return {}
         engine.refresh()
         read = parameters.read_parameter(engine, target)
+        if answer_field.carries_bytes and value is not None:
+            if not carries(answer_field, value.size):
+                raise Refusal("type_invalid", f"no response carries {value.size} bytes")
+            return bytes_of_value(engine.layout.device, answer_field, value, read[0])
         if response.selector is None:
             return {answer_field.name: in_type(read[0], answer_field)}
         number = engine.memory.formats.get(key)

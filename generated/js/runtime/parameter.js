@@ -19,6 +19,10 @@ export function parameter(name, number, base, access, read, write, more) {
     printedName: String(number),
     ...more,
     subindices,
+    /** Whether the element with an index can be read and written: ro, rw, wo, or empty where nothing says it. */
+    accessOf(subindex) {
+      return elementOf(subindex).access ?? access;
+    },
     /** The value of exactly all of its bytes. Throws CodecError. */
     decode(bytes) {
       if (bytes.length !== more.size) {
@@ -36,6 +40,21 @@ export function parameter(name, number, base, access, read, write, more) {
     /** The value of a raw value in a message, which may be signed or not, for the element with an index. */
     fromRaw(raw, subindex = 0) {
       return fromRaw(elementOf(subindex), raw);
+    },
+    /** The value of exactly all of the bytes that a message carries, for the element with an index. Throws CodecError. */
+    fromBytes(bytes, subindex = 0) {
+      const element = elementOf(subindex);
+      if (bytes.length !== element.size) {
+        throw new CodecError("wrong_length", `${element.name} has ${element.size} bytes, not ${bytes.length}`);
+      }
+      return element.read(bytes, 0);
+    },
+    /** The bytes of a value for a message. Throws CodecError. */
+    toBytes(value, subindex = 0) {
+      const element = elementOf(subindex);
+      const bytes = new Uint8Array(element.size);
+      element.write(value, bytes, 0);
+      return bytes;
     },
     /** The raw value of a value for a message: without a sign where `unsigned` is set. Throws CodecError. */
     toRaw(value, { subindex = 0, unsigned = false } = {}) {
@@ -80,9 +99,20 @@ export function parameters(count, name, number, base, ...rest) {
   return Object.freeze(Array.from({ length: count }, (_, index) => parameter(`${name}[${index}]`, number + index, base, ...rest)));
 }
 
-/** The parameters of a set by name; `byNumber(wireNumber)` is one of them, or undefined. */
-export function parameterSet(name, rows) {
+/**
+ * The parameters of a set by name; `byNumber(wireNumber)` is one of them, or undefined. `carried` has the property of a
+ * response with the bytes of a value; the property `by` says how many of them count, by `sizes`.
+ */
+export function parameterSet(name, rows, carried = undefined) {
   const index = new Map();
   for (const row of Object.values(rows)) for (const entry of [row].flat()) index.set(entry.wireNumber, entry);
-  return Object.freeze({ setName: name, parameters: Object.freeze(rows), byNumber: (wireNumber) => index.get(wireNumber) });
+  const own = { setName: name, parameters: Object.freeze(rows), byNumber: (wireNumber) => index.get(wireNumber) };
+  if (!carried) return Object.freeze(own);
+  const { bytes, by, sizes } = carried;
+  return Object.freeze({
+    ...own,
+    valueIn(response, entry, subindex = 0) {
+      return entry.fromBytes(by ? response[bytes].subarray(0, sizes[response[by]] ?? 0) : response[bytes], subindex);
+    },
+  });
 }

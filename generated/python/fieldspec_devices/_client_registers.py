@@ -220,12 +220,12 @@ class ParameterWork:
         return values
 
     def read_in_unit(self, parameter: Parameter[Any], subindex: int = 0) -> Work[float | None]:
-        """The value of a parameter, or of one element, in the unit of the parameter."""
-        return parameter.in_unit((yield from self.read(parameter, subindex)))
+        """The value of a parameter, or of one element, in its unit."""
+        return parameter.in_unit((yield from self.read(parameter, subindex)), subindex)
 
     def write_in_unit(self, parameter: Parameter[Any], quantity: Quantity, subindex: int = 0) -> Work[None]:
         """Writes a parameter, or one element, by a value in its unit; it is encoded at once."""
-        return self.write(parameter, _encoded(parameter.from_unit, quantity), subindex)
+        return self.write(parameter, _encoded(parameter.from_unit, quantity, subindex), subindex)
 
     def write(self, parameter: Parameter[T], value: T, subindex: int = 0) -> Work[None]:
         """Writes a parameter, or one element; the value is encoded at once."""

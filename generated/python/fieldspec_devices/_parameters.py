@@ -20,9 +20,12 @@ if TYPE_CHECKING:
 
 
 class Subindex:
-    """Elements of a parameter that have a meaning of their own; `indices` are intervals with both ends."""
+    """Elements of a parameter that have a meaning of their own; `indices` are intervals with both ends.
 
-    __slots__ = ("indices", "name", "reserved", "source", "type", "value")
+    `access` is empty where it is that of the parameter.
+    """
+
+    __slots__ = ("access", "indices", "name", "reserved", "source", "type", "value")
 
     def __init__(
         self,
@@ -33,9 +36,10 @@ class Subindex:
         type: str = "",
         reserved: bool = False,
         source: str = "",
+        access: str = "",
     ) -> None:
         self.name, self.indices, self.value, self.type = name, indices, value, type
-        self.reserved, self.source = reserved, source
+        self.reserved, self.source, self.access = reserved, source, access
 
     def __contains__(self, index: int) -> bool:
         return any(first <= index <= last for first, last in self.indices)
@@ -127,20 +131,28 @@ class Parameter(Generic[T]):
         """What one count is worth in the unit."""
         return self.value.ratio[0] / self.value.ratio[2]
 
-    def in_unit(self, count: float) -> float | None:
-        """A count in the unit; None for one that stands for an absent value."""
-        return self.value.in_unit(count)
+    def in_unit(self, count: float, subindex: int = 0) -> float | None:
+        """A count in the unit of the element with an index; None for one that stands for an absent value."""
+        return self._element(subindex)[0].in_unit(count)
 
-    def from_unit(self, value: Quantity) -> int:
-        """The count that is nearest to a value in the unit, of two the even one.
+    def from_unit(self, value: Quantity, subindex: int = 0) -> int:
+        """The count that is nearest to a value in the unit of the element with an index, of two the even one.
 
         Raises CodecError out of range, and where that count stands for an absent value.
         """
-        return self.value.from_unit(self.title, value)
+        own, title = self._element(subindex)
+        return own.from_unit(title, value)
 
     def subindex(self, index: int) -> Subindex | None:
         """The description of the element with an index; None where all elements are alike."""
         return next((subindex for subindex in self.subindices if index in subindex), None)
+
+    def index(self, name: str) -> int:
+        """The index of the element with a name, of several the first one. Raises KeyError."""
+        for subindex in self.subindices:
+            if subindex.name == name:
+                return subindex.indices[0][0]
+        raise KeyError(f"{self.title} has no element {name}")
 
     def decode(self, data: bytes) -> T:
         """The value of exactly all of its bytes. Raises CodecError."""
@@ -150,30 +162,47 @@ class Parameter(Generic[T]):
         """The bytes of a value. Raises CodecError where it is out of range."""
         return self.value.encode(self.title, value)
 
-    def writable(self) -> None:
-        """Raises CodecError for a parameter that can only be read."""
-        if self.access == "ro":
-            raise CodecError("read_only", f"{self.title} can only be read")
+    def writable(self, first: int = 0, count: int = 1) -> None:
+        """Raises CodecError for elements that can only be read."""
+        for index in range(first, first + count):
+            element = self.subindex(index) if self.subindices else None
+            if (self.access if element is None else element.access or self.access) == "ro":
+                raise CodecError("read_only", f"{self._title(element)} can only be read")
 
     def from_raw(self, raw: float | str | bytes, subindex: int = 0) -> T:
         """The value of a raw value in a message, for its element with an index. Raises CodecError."""
-        element = self.subindex(subindex) if self.subindices else None
-        value: Value[T] = self.value if element is None else element.value
-        return value.of_carried(self._title(element), raw)
+        own, title = self._element(subindex)
+        value: T = own.of_carried(title, raw)
+        return value
 
     def to_raw(self, value: T, subindex: int = 0) -> Any:
         """The raw value in a message. Raises CodecError where the value is out of range."""
-        element = self.subindex(subindex) if self.subindices else None
-        own = self.value if element is None else element.value
-        error = own.refused(self._title(element), value)
+        own, title = self._element(subindex)
+        error = own.refused(title, value)
         if error is not None:
             raise error
-        if not self.carrier or element is not None:
+        if not self.carrier or own is not self.value:
             return own.to_raw(value)
         try:
             return Struct(self.carrier).unpack(own.struct.pack(own.to_raw(value)))[0]
         except StructError:
             raise CodecError("out_of_range", f"no message can carry {self.title}") from None
+
+    def from_bytes(self, data: bytes, subindex: int = 0) -> T:
+        """The value of exactly all of the bytes that a message carries, for its element with an index.
+
+        Raises CodecError.
+        """
+        own, title = self._element(subindex)
+        if len(data) != own.struct.size:
+            raise CodecError("wrong_length", f"{title} has {own.struct.size} bytes, not {len(data)}")
+        value: T = own.decode(title, data)
+        return value
+
+    def to_bytes(self, value: T, subindex: int = 0) -> bytes:
+        """The bytes of a value in a message. Raises CodecError where the value is out of range."""
+        own, title = self._element(subindex)
+        return own.encode(title, value)
 
     def from_raws(self, raws: Sequence[float | str | bytes], subindex: int = 0) -> list[T]:
         """The values of its elements, of which `subindex` is the first one. Raises CodecError."""
@@ -182,6 +211,11 @@ class Parameter(Generic[T]):
     def to_raws(self, values: Sequence[T], subindex: int = 0) -> list[Any]:
         """The raw values of its elements in a message. Raises CodecError."""
         return [self.to_raw(value, subindex + place) for place, value in enumerate(values)]
+
+    def _element(self, index: int) -> tuple[Value[Any], str]:
+        """The type of the element with an index, and its name in errors."""
+        element = self.subindex(index) if self.subindices else None
+        return self.value if element is None else element.value, self._title(element)
 
     def _title(self, element: Subindex | None) -> str:
         return self.title if element is None else f"{self.title}.{element.name}"
@@ -337,3 +371,8 @@ def selected(parameter: Parameter[Any], formats: Mapping[str, T], selector: T | 
         text = f"no value of the selector is known for {parameter.title}: give one"
         raise CodecError("unknown_value", text)
     return selection
+
+
+def no_message(parameter: Parameter[Any], data: bytes) -> CodecError:
+    """The error for a value with a number of bytes that no message carries."""
+    return CodecError("out_of_range", f"no message carries the {len(data)} bytes of {parameter.title}")

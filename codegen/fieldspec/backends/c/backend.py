@@ -14,10 +14,11 @@ from fieldspec.backends.c.frames import declare_link
 from fieldspec.backends.c.fuzzing import write_fuzz_target
 from fieldspec.backends.c.messages import declare_messages
 from fieldspec.backends.c.naming import Naming
+from fieldspec.backends.c.parameters import declare_parameters
 from fieldspec.backends.c.printer import Printer
 from fieldspec.backends.c.quantities import declare_quantity, scaled_by_register
 from fieldspec.backends.c.records import declare_record
-from fieldspec.backends.c.registers import declare_parameters, declare_register, declare_signal, declare_table
+from fieldspec.backends.c.registers import declare_register, declare_signal, declare_table
 from fieldspec.backends.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
 from fieldspec.backends.c.selftest import write_selftest
 from fieldspec.backends.c.subcodes import subcode_of
@@ -112,7 +113,7 @@ def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable
             (
                 block
                 for parameters in device.parameters.values()
-                for block in declare_parameters(naming, device, parameters)
+                for block in declare_parameters(naming, layout, parameters)
             ),
         ),
         (

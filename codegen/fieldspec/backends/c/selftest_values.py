@@ -36,7 +36,7 @@ from fieldspec.backends.c.expressions import (
     whole_double,
 )
 from fieldspec.backends.c.naming import Naming, Noun
-from fieldspec.backends.c.registers import wire_number_type
+from fieldspec.backends.c.parameters import wire_number_type
 from fieldspec.backends.c.runtime_files import is_bit
 from fieldspec.backends.c.sample_values import legal_numbers, value_bytes
 from fieldspec.backends.c.statements import Block, CompileIf, Statement, Variable, assign, discard

@@ -147,7 +147,7 @@ def _subindex(context: Context, parameter: Parameter, inner: Subindex, marks: In
             Cell(),
             names(inner, subindex_name, mark=marks.all_marks(inner.inferred)),
             kind,
-            Cell(),
+            access_cell(inner.access, inner.inferred, marks) if inner.access else Cell(),
             unit,
             bounds,
             default_cell(inner.value, inner.inferred, marks),

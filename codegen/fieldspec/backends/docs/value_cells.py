@@ -153,6 +153,13 @@ def _named_by(context: Context, value: Value) -> Iterator[Line]:
             code(parameter_set.name, f"#parameters/{parameter_set.name}") for parameter_set in context.device.sets(name)
         ]
         yield (styled(PARTS[value.parameter.part], "quiet"), *joined((link,) for link in links))
+        sizes = value.parameter.sizes
+        if sizes is not None:
+            by = [
+                (text_piece(f"{case.bytes} where it is "), *joined((code(name),) for name in case.when))
+                for case in sizes.cases
+            ]
+            yield (styled("Bytes that count, by ", "quiet"), code(sizes.by), text_piece(": "), *joined(by))
 
 
 def _meanings(context: Context, value: Value) -> Iterator[Item]:

@@ -4,14 +4,24 @@ from __future__ import annotations
 
 from fieldspec.backends.fact_texts import described
 from fieldspec.backends.js.declaration import Declaration, Names
+from fieldspec.backends.js.members import members_of
 from fieldspec.backends.js.naming import property_scope
 from fieldspec.backends.js.text import PURE, comment, flag, literal, object_of
 from fieldspec.backends.js.units import unit_of
 from fieldspec.backends.js.values import Slot
+from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import Orders
 from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 from fieldspec.model.value import Value
 from fieldspec.names import Name
+
+_ACCESS = {"ro": "read only", "rw": "read and write", "wo": "write only"}
+
+
+_VALUE_IN = [
+    "  /** The value of a parameter, or of one element, in the response to its request. Throws CodecError. */",
+    "  valueIn<T>(response: object, parameter: Parameter<T>, subindex?: number): T;",
+]
 
 
 def declare_parameters(parameter_set: ParameterSet, names: Names) -> Declaration:
@@ -21,15 +31,32 @@ def declare_parameters(parameter_set: ParameterSet, names: Names) -> Declaration
     rows = [(scope.take(Name.of(row.name).camel()), row) for row in parameter_set.parameters]
     code = [f"export const {name} = /* @__PURE__ */ parameterSet({literal(parameter_set.name)}, {{"]
     code += [f"  {key}: {_parameter(row, parameter_set, names)}," for key, row in rows]
-    code += ["});", ""]
+    carried = _carried_bytes(parameter_set, names.layout)
+    code += [f"}}, {carried});" if carried else "});", ""]
     types = comment(described(parameter_set.title or Name.of(parameter_set.name).title(), parameter_set))
     types.append(f"export declare const {name}: ParameterSet<{{")
     for key, row in rows:
         types += comment(described(Name.of(row.name).title(), row, _facts(row, parameter_set)), 2)
         kind = f"Parameter<{_type(row, names)}, {'Unit' if unit_of(row.value, row.value.size) else 'null'}>"
         types.append(f"  readonly {key}: {kind if row.count == 1 else f'readonly {kind}[]'};")
-    types += ["}>;", ""]
+    types += [*(["}> & {", *_VALUE_IN, "};"] if carried else ["}>;"]), ""]
     return Declaration(code, types)
+
+
+def _carried_bytes(parameter_set: ParameterSet, layout: DeviceLayout) -> str:
+    """The properties of responses with the bytes of a value, and how many count; empty where no response has them."""
+    for message in layout.messages.values():
+        keys = {member.field.name: member.key for member in members_of(message.response)}
+        for field in message.response.fields:
+            part = field.value.parameter if field.value is not None else None
+            if part is None or not field.carries_bytes or part.set not in (parameter_set.name, parameter_set.space):
+                continue
+            more = {"bytes": literal(keys[field.name])}
+            if part.sizes is not None:
+                sizes = ", ".join(f"{number}: {size}" for number, size in field.sizes.items())
+                more |= {"by": literal(keys[part.sizes.by]), "sizes": f"{{ __proto__: null, {sizes} }}"}
+            return object_of(more)
+    return ""
 
 
 def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names) -> str:
@@ -66,6 +93,7 @@ def _subindex(row: Parameter, subindex: Subindex, names: Names) -> str:
             "signed": flag(subindex.value.type.signed),
             "places": _places(subindex.value, names),
             "kind": _kind(subindex.value),
+            **({"access": literal(subindex.access)} if subindex.access else {}),
             "read": read,
             "write": write,
         }
@@ -105,5 +133,6 @@ def _facts(row: Parameter, parameter_set: ParameterSet) -> str:
     facts += [f"{row.elements} elements"] if row.elements is not None else []
     ranges = row.value.writable_ranges
     facts += [ranges.text()] if ranges is not None else []
-    facts += [{"ro": "read only", "rw": "read and write", "wo": "write only"}[row.access]] if row.access else []
-    return f"{', '.join(facts)}."
+    facts += [_ACCESS[row.access]] if row.access else []
+    others = [f"{inner.name} {_ACCESS[inner.access]}" for inner in row.subindices if inner.access]
+    return f"{', '.join([*facts, *others])}."

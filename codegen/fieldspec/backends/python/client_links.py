@@ -70,12 +70,14 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     for message in link.carried("response").values():
         access = message.message.accesses
         exchange = names.exchanges[message.name]
-        if access is None:
-            continue
         request = f"{CODEC}.{exchange.request_name}"
         asked = {slot.title: slot for slot in exchange.request.stored}
         answer = {slot.title: slot for slot in exchange.response.stored}
-        if access.operation == "write":
+        if access is None:
+            origins = [(asked.get(slot.field.field.same_as), slot.name) for slot in answer.values()]
+            same = [name for origin, name in origins if origin is not None and origin.name == name]
+            repeated += [f"{request}: {tuple_of([literal(name) for name in same])}"] if same else []
+        elif access.operation == "write":
             same = [title for title in (access.start, access.count) if title in asked and title in answer]
             if same and all(asked[title].name == answer[title].name for title in same):
                 repeated.append(f"{request}: {tuple_of([literal(asked[title].name) for title in same])}")

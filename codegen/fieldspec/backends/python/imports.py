@@ -69,7 +69,7 @@ _SHARED = {
     "_flags": "BITS_OF Flags",
     "_framers": "CodeFramer LengthFramer MarkFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response",
-    "_parameters": "Parameter ParameterSet ParameterSpace Subindex selected single",
+    "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",
     "_part_frames": "CountFramer PartFrames",
     "_quantities": "Conversion",
     "_record": "Record",

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from fieldspec.backends.fact_texts import described, places
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.naming import PARAMETERS, TYPES, Scope
+from fieldspec.backends.python.parameter_requests import ParameterMessageView, parameter_messages
 from fieldspec.backends.python.registers import ACCESS, register_value, value_facts
-from fieldspec.backends.python.requests import ParameterMessageView, parameter_messages
 from fieldspec.backends.python.slots import Words, value_type
 from fieldspec.backends.python.text import docstring, filled, literal
 from fieldspec.backends.python.writing import pairs, tuple_of
@@ -54,6 +54,11 @@ class ParameterSetView:
     read: ParameterMessageView | None
     write: ParameterMessageView | None
 
+    @property
+    def tables(self) -> list[list[str]]:
+        """The lines of each table that the messages need."""
+        return [message.table for message in (self.read, self.write) if message is not None and message.table]
+
 
 @dataclass(frozen=True, slots=True)
 class SpaceView:
@@ -68,6 +73,11 @@ class SpaceView:
     numbers: list[NumberView]
     read: ParameterMessageView | None
     write: ParameterMessageView | None
+
+    @property
+    def tables(self) -> list[list[str]]:
+        """The lines of each table that the messages need."""
+        return [message.table for message in (self.read, self.write) if message is not None and message.table]
 
 
 def parameter_set_view(
@@ -204,7 +214,7 @@ def _row(
         "printed_name": printed_name if run or row.printed_name or parameter_set.printed_as else "",
         "default": _default(row),
         "elements": "" if row.elements is None else str(row.elements),
-        "subindices": tuple_of(_subindex(subindex, orders, words, row.trigger) for subindex in row.subindices),
+        "subindices": tuple_of(_subindex(row, subindex, orders, words) for subindex in row.subindices),
         "restart": "" if row.restart is None else str(row.restart),
         "applies_to": tuple_of(map(literal, row.applies_to)),
         "messages": tuple_of(map(literal, row.messages)),
@@ -235,7 +245,7 @@ def _letters(row: Parameter, carrier: FieldLayout | None, big: bool) -> str:
     if carrier is None or carrier.value is None:
         return ""
     letter = carrier.value.type.letter if carrier.size == row.value.size else row.value.type.letter
-    if row.subindices or letter == "s":
+    if row.subindices or letter == "s" or carrier.carries_bytes:
         return ""
     return f"{'>' if big else '<'}{letter}"
 
@@ -245,10 +255,11 @@ def _default(row: Parameter) -> str:
     return "" if default is None else literal(default) if isinstance(default, str) else str(default)
 
 
-def _subindex(subindex: Subindex, orders: Orders, words: Words, trigger: bool) -> str:
+def _subindex(row: Parameter, subindex: Subindex, orders: Orders, words: Words) -> str:
     order, swapped = orders.of(subindex.value)
-    value = register_value(subindex.value, subindex.value.size, order, swapped, words, trigger)
+    value = register_value(subindex.value, subindex.value.size, order, swapped, words, row.trigger)
     more = [f"type={literal(subindex.value.type.name)}"]
+    more += [f"access={literal(subindex.access)}"] if subindex.access else []
     more += ["reserved=True"] if subindex.reserved else []
     more += [f"source={literal(places(subindex.sources))}"] if subindex.sources else []
     return f"_Subindex({', '.join([literal(subindex.name), pairs(subindex.indices), value, *more])})"
@@ -298,5 +309,6 @@ def _element(subindex: Subindex) -> list[str]:
         subindex.value.type.name,
         *value_facts(subindex.value),
         *const,
+        *([ACCESS[subindex.access]] if subindex.access else []),
         *(["reserved"] if subindex.reserved else []),
     ]

@@ -1,21 +1,14 @@
-"""The messages that read and write registers and parameters, as code that builds and parses them."""
+"""The messages that read and write registers, as code that builds and parses them."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from fieldspec.backends.python.links import Exchange
-from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
-from fieldspec.backends.python.slots import Slots, Words
-from fieldspec.backends.python.text import filled, item_lines
+from fieldspec.backends.python.slots import Slots
 from fieldspec.classes import dataclass
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import CaseLayout
 from fieldspec.model.address_space import BIT
 from fieldspec.model.device import Device
 from fieldspec.model.record import RegisterAccess
-from fieldspec.model.value import PRIMITIVES, Kind, Primitive
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,144 +139,3 @@ def write_accesses(exchanges: list[Exchange], bits: bool = False) -> tuple[Acces
 def _settable(shaped: RecordShape, titles: set[str]) -> bool:
     """Whether a request needs no other fields than these."""
     return all(field.title in titles for field in shaped.stored)
-
-
-_ARGUMENTS = frozenset({"parameter", "response", "self", "value", "values"})
-
-
-@dataclass(frozen=True, slots=True)
-class ParameterMessageView:
-    """A message that reads or writes a parameter.
-
-    `head` begins the method that creates the request, and `construction` ends it. `single_head` begins the method for
-    one value where a request takes `several`; it passes on the arguments `passed`. `field` carries the values. `table`
-    has the values of the selector by the types of parameters; it is empty where there is no selector. `required` are
-    the arguments beside parameter and value that have no initial value; an `indexed` one takes the place of an element.
-    """
-
-    request: str
-    response: str
-    head: list[str]
-    single_head: list[str]
-    passed: str
-    construction: list[str]
-    field: str
-    several: bool
-    table: list[str]
-    required: tuple[str, ...]
-    indexed: bool
-
-
-def parameter_messages(
-    exchanges: Sequence[Exchange], name: str, layout: DeviceLayout, words: Words
-) -> tuple[ParameterMessageView | None, ParameterMessageView | None]:
-    """The messages that read and write one parameter of a set or a space: those with the fewest other fields."""
-    reads, writes = [], []
-    for exchange in exchanges:
-        request, response = _parts(exchange.request, name), _parts(exchange.response, name)
-        if "number" not in request:
-            continue
-        extra = [field for field in exchange.request.stored if field not in request.values()]
-        if "value" in request:
-            writes.append((len(extra), exchange, request, request["value"]))
-        elif "value" in response:
-            reads.append((len(extra), exchange, request, response["value"]))
-    read = min(reads, key=lambda candidate: candidate[0], default=None)
-    write = min(writes, key=lambda candidate: candidate[0], default=None)
-    return (
-        _view(read[1], read[2], read[3], layout, words, name) if read else None,
-        _view(write[1], write[2], write[3], layout, words, name) if write else None,
-    )
-
-
-def _parts(shaped: RecordShape, name: str) -> dict[str, Slots]:
-    """The fields that hold number, sub-index and value of a parameter of a set or a space."""
-    parts: dict[str, Slots] = {}
-    for field in shaped.stored:
-        for value in (field.field.value, *(case.value for case in field.field.cases)):
-            if value is not None and value.parameter is not None and value.parameter.set == name:
-                parts.setdefault(value.parameter.part, field)
-    return parts
-
-
-def _view(
-    exchange: Exchange, request: dict[str, Slots], value: Slots, layout: DeviceLayout, words: Words, name: str
-) -> ParameterMessageView:
-    selector = exchange.request.selector if "value" in request else None
-    table = f"_{name.upper()}_FORMATS" if selector is not None else ""
-    scope = Scope(_ARGUMENTS)
-    subindex = request.get("subindex")
-    start = scope.take("subindex") if subindex is not None else "0"
-    expressions = {request["number"].title: "parameter.wire_number"}
-    keywords = []
-    if subindex is not None:
-        expressions[subindex.title] = start
-        keywords.append(f"{start}: int = 0")
-    if "value" in request:
-        expressions[value.title] = _carried(value, start)
-    for field in exchange.request.stored:
-        if field.title in expressions:
-            continue
-        key = scope.take(field.title)
-        expressions[field.title] = f"_selected(parameter, {table}, {key})" if field is selector else key
-        keywords.append(f"{key}: {field.type} | None = None" if field is selector else f"{key}: {_kind(field)}")
-    keywords.sort(key=lambda text: "=" in text)
-    arguments = ["self", "parameter: _Parameter[_T]", "values: _Sequence[_T]", *(["*"] if keywords else []), *keywords]
-    writes, ends = "value" in request, f") -> {exchange.request_name}:"
-    value_arguments = [text if text != "values: _Sequence[_T]" else "value: _T" for text in arguments]
-    if not writes:
-        arguments, value_arguments = [text for text in arguments if "values" not in text], []
-        arguments[1] = "parameter: _Parameter[_Any]"
-    elif not value.is_list:
-        arguments, value_arguments = value_arguments, []
-    name_of = "write_values_request" if writes and value.is_list else "write_request" if writes else "read_request"
-    construction = [f"{field.name}={expressions[field.title]}" for field in exchange.request.stored]
-    rows = _formats(exchange.request, selector, layout, words) if selector is not None else []
-    return ParameterMessageView(
-        request=exchange.request_name,
-        response=exchange.response_name,
-        head=item_lines(f"def {name_of}(", arguments, ends, 4),
-        single_head=item_lines("def write_request(", value_arguments, ends, 4) if value_arguments else [],
-        passed="".join(f", {key}={key}" for key in (text.partition(":")[0] for text in keywords)),
-        construction=filled(f"return {exchange.request_name}(", construction, ")", 8),
-        field=value.name,
-        several=value.is_list,
-        table=item_lines(f"{table}: dict[str, {selector.type}] = {{", rows, "}", 0) if selector is not None else [],
-        required=tuple(text.partition(":")[0] for text in keywords if "=" not in text),
-        indexed=subindex is not None,
-    )
-
-
-def _kind(field: Slots) -> str:
-    """The type of an argument, with the initial value of the field where it has one."""
-    default = field.field.value.default if field.field.value is not None else None
-    return f"{field.type} = {default}" if isinstance(default, int) and field.type == "int" else field.type
-
-
-def _carried(field: Slots, start: str) -> str:
-    """The expression of the field of values: of one `value`, or of several `values` from the element `start` on."""
-    if not field.is_list:
-        return f"parameter.to_raw(value, {start})"
-    raws = f"parameter.to_raws(values, {start})"
-    return f"tuple({raws})" if field.decided else raws
-
-
-def _formats(shaped: RecordShape, selector: Slots, layout: DeviceLayout, words: Words) -> list[str]:
-    """The rows of the table from types of parameters to values of the selector."""
-    enum, view = layout.device.enums[selector.value.enum], words.enums[selector.value.enum]
-    members = {int(member.value): f"{view.name}.{member.name}" for member in view.members}
-    rows = []
-    for primitive in (primitive for primitive in PRIMITIVES.values() if primitive.name != BIT):
-        case = _case(shaped.fields[-1].field.cases, primitive)
-        known = [enum.named(name) for name in case.case.when] if case is not None else []
-        suiting = [members[member.value] for member in known if member is not None and member.value in members]
-        rows += [f'"{primitive.name}": {name}' for name in suiting[:1]]
-    return rows
-
-
-def _case(cases: Sequence[CaseLayout], primitive: Primitive) -> CaseLayout | None:
-    """The case that carries a type: one of the same type, or of whole numbers of the same size without a sign."""
-    same = next((case for case in cases if case.value.type is primitive), None)
-    if same is not None or primitive.kind is not Kind.BOOLEAN:
-        return same
-    return next((case for case in cases if case.value.type.name == f"u{8 * primitive.size}"), None)

@@ -10,7 +10,8 @@ from fieldspec.backends.python.device import device_view
 from fieldspec.backends.python.enums import EnumView
 from fieldspec.backends.python.links import Exchange, LinkView
 from fieldspec.backends.python.naming import Scope, module_name, package_name
-from fieldspec.backends.python.requests import ParameterMessageView, SpaceAccess
+from fieldspec.backends.python.parameter_requests import ParameterMessageView
+from fieldspec.backends.python.requests import SpaceAccess
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.usages import Usage, VersionUsages, sample_count
 from fieldspec.classes import dataclass

@@ -40,8 +40,25 @@ def shared() -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Links whose bytes are escaped and values of digits: a dissector would show the values of other bytes."""
+    """Links whose bytes are escaped, values of digits, parameters in bytes: a dissector would show other values."""
     links = {link.name: link.link for layout in versions for link in layout.links.values()}
+    carriers = {
+        (message.name, direction, field.name): field
+        for layout in versions
+        for message in layout.messages.values()
+        for direction, record in (("request", message.request), ("response", message.response))
+        for field in record.fields
+        if field.carries_bytes
+    }
+    unread = [
+        Diagnostic(
+            "wireshark_parameters_typed",
+            f"{name} of {message} has the bytes of a parameter, which the dissector does not read as its value",
+            field.field.place["parameter"],
+            help=LEAVE_OUT,
+        )
+        for (message, _, name), field in carriers.items()
+    ]
     return [
         Diagnostic(
             "wireshark_frames_unescaped",
@@ -53,7 +70,7 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
         )
         for name, link in links.items()
         if link.escape is not None
-    ] + digits_refusals(versions, "the dissector")
+    ] + [*unread, *digits_refusals(versions, "the dissector")]
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:

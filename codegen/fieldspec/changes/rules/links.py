@@ -8,7 +8,7 @@ from fieldspec.changes.attributes import PYTHON, C
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparison import Comparison, Pair
 from fieldspec.changes.descriptions import change, difference_text, named
-from fieldspec.changes.evidence import hexadecimal
+from fieldspec.changes.evidence import hexadecimal, value_text
 from fieldspec.model.device import Detection, Device, Version, VersionLine
 from fieldspec.model.link import ExceptionResponse, Link, Part, Serial
 from fieldspec.model.record import Field, Measure, Message
@@ -221,7 +221,8 @@ def _parameter(part: ParameterPart | None, comparison: Comparison | None) -> str
     if part is None:
         return ""
     name = comparison.renamed_to("parameters", part.set) if comparison else part.set
-    return f"the {part.part} of {name}" + (f" by {part.number}" if part.number else "")
+    sizes = f", {value_text(part.sizes)}" if part.sizes else ""
+    return f"the {part.part} of {name}" + (f" by {part.number}" if part.number else "") + sizes
 
 
 def _access(comparison: Comparison | None, message: Message) -> str:

@@ -11,7 +11,7 @@ from fieldspec.changes.descriptions import change, difference_text, named
 from fieldspec.classes import attributes
 from fieldspec.model.enums import Bit
 from fieldspec.model.record import Field, Message
-from fieldspec.model.registers import Parameter, Register, Table
+from fieldspec.model.registers import Parameter, Register, Subindex, Table
 from fieldspec.model.texts import Limit
 from fieldspec.model.value import Handling
 
@@ -106,7 +106,7 @@ def limit_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def access_changed(comparison: Comparison) -> Iterator[Change]:
-    """A register, a table, a field or a parameter has another access.
+    """A register, a table, a field, a parameter or an element of one has another access.
 
     Why: the device, or the generated code, refuses to write what can only be read.
 
@@ -116,7 +116,7 @@ def access_changed(comparison: Comparison) -> Iterator[Change]:
     with that reason; else give the new version a number of its own.
     """
 
-    for pair in comparison.any_of(Register, Table, Field, Parameter):
+    for pair in comparison.any_of(Register, Table, Field, Parameter, Subindex):
         old, new = pair.old.access, pair.new.access
         if old != new:
             text = f"{named(pair.new)}: {difference_text('the access', old, new)}"

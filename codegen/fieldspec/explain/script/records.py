@@ -11,8 +11,8 @@ from fieldspec.model.device import Device
 from fieldspec.model.record import RegisterAccess
 
 
-def record_data(record: RecordLayout) -> dict[str, Data]:
-    """A record; `chosen` has its forms by the values of the field that decides them."""
+def record_data(record: RecordLayout, words: str) -> dict[str, Data]:
+    """A record; `chosen` has its forms by the values of the field that decides them. `words` is the order of words."""
     forms: dict[int, tuple[RecordLayout, list[int]]] = {}
     for number, form in record.chosen.items():
         forms.setdefault(id(form), (form, []))[1].append(number)
@@ -20,17 +20,17 @@ def record_data(record: RecordLayout) -> dict[str, Data]:
         **fact_data(record.record),
         "least": record.least,
         **stated({"most": record.most, "size": record.size}),
-        "fields": [_field(field) for field in record.fields],
+        "fields": [_field(field, words) for field in record.fields],
         **stated(
             {
                 "selector": record.selector.name if record.selector is not None else "",
-                "chosen": [[numbers, record_data(form)] for form, numbers in forms.values()],
+                "chosen": [[numbers, record_data(form, words)] for form, numbers in forms.values()],
             }
         ),
     }
 
 
-def _field(field: FieldLayout) -> dict[str, Data]:
+def _field(field: FieldLayout, words: str) -> dict[str, Data]:
     own = field.field
     measures, repeat = own.measures, own.repeat
     return {
@@ -45,6 +45,7 @@ def _field(field: FieldLayout) -> dict[str, Data]:
                 "repeat": [repeat.low, repeat.high] if repeat is not None else None,
                 "lengths": [list(interval) for interval in repeat.intervals] if repeat is not None else None,
                 "value": value_data(field.value, field.order, field.swapped) if field.value is not None else None,
+                "valueBytes": _value_bytes(field, words) if field.carries_bytes else None,
                 "record": field.record.name if field.record is not None else "",
                 "cases": bool(field.cases),
                 "reserved": own.reserved,
@@ -56,14 +57,22 @@ def _field(field: FieldLayout) -> dict[str, Data]:
     }
 
 
+def _value_bytes(field: FieldLayout, words: str) -> Data:
+    """The orders of a parameter's value in a field of bytes; the field that says how many count, and the counts."""
+    part = field.value.parameter if field.value is not None else None
+    if part is None or part.sizes is None:
+        return [field.order, words]
+    return [field.order, words, part.sizes.by, [list(pair) for pair in field.sizes.items()]]
+
+
 def message_data(device: Device, message: MessageLayout) -> dict[str, Data]:
     """A message with the data of its request, and of its response if the device answers it."""
     own = message.message
     return {
         **fact_data(own),
         **stated({"title": own.title, "code": own.code, "number": own.number}),
-        "request": record_data(message.request),
-        "response": record_data(message.response),
+        "request": record_data(message.request, device.word_order),
+        "response": record_data(message.response, device.word_order),
         **stated(
             {
                 "access": _access(device, device.register_access(own)),

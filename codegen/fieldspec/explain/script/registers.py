@@ -89,6 +89,7 @@ def _parameter(parameter: Parameter) -> dict[str, Data]:
         **fact_data(parameter),
         "number": parameter.number,
         "value": value_data(parameter.value),
+        **stated({"byteOrder": parameter.value.byte_order}),
         **stated(
             {
                 "count": parameter.count if parameter.count != 1 else None,
@@ -100,7 +101,7 @@ def _parameter(parameter: Parameter) -> dict[str, Data]:
                         **fact_data(subindex),
                         "indices": intervals(subindex.indices),
                         "value": value_data(subindex.value),
-                        **stated({"reserved": subindex.reserved}),
+                        **stated({"byteOrder": subindex.value.byte_order, "reserved": subindex.reserved}),
                     }
                     for subindex in parameter.subindices
                 ],

@@ -143,6 +143,7 @@ def _subindex(entry: Entry, type_name: str) -> Subindex:
         indices=entry.whole_ranges("index") or Ranges(()),
         value=value(entry, type_name),
         reserved=entry.flag("reserved"),
+        access=entry.text("access"),
     )
 
 
@@ -162,6 +163,7 @@ def parameter_set(entry: Entry, reused: Reused) -> ParameterSet:
 
 
 def _parameter(entry: Entry, type_name: str) -> Parameter:
+    own_type = entry.text("type") or type_name
     return Parameter(
         **entry.fact(),
         number=entry.integer("number") or 0,
@@ -169,7 +171,7 @@ def _parameter(entry: Entry, type_name: str) -> Parameter:
         count=entry.integer("count") or 1,
         value=value(entry, type_name),
         elements=entry.integer("elements"),
-        subindices=tuple(_subindex(inner, entry.text("type") or type_name) for inner in entry.entries("subindices")),
+        subindices=tuple(_subindex(inner, own_type) for inner in entry.entries("subindices")),
         applies_to=entry.texts("applies_to"),
         messages=entry.texts("messages"),
         access=entry.text("access"),

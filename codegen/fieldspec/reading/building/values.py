@@ -12,9 +12,11 @@ from fieldspec.model.value import (
     Conversion,
     Kind,
     ParameterPart,
+    ParameterSizes,
     Primitive,
     Sentinel,
     Signal,
+    SizeCase,
     Value,
     exact_scale,
     power_of_ten,
@@ -63,13 +65,28 @@ def value(entry: Entry, type_name: str = "", words: int | None = None, takes_dig
         const=entry.integer("const"),
         enum=entry.text("enum"),
         flags=entry.text("flags"),
-        parameter=ParameterPart(part.text("set"), part.text("part"), part.text("number")) if part else None,
+        parameter=_parameter_part(part) if part else None,
         sentinels=tuple(_sentinel(inner) for inner in entry.entries("sentinels")),
         write_ranges=entry.whole_ranges("write_range"),
         word_order=entry.text("word_order"),
         digits=digits,
         places=entry.integer("places") or 0,
         scale_by=scale_by,
+    )
+
+
+def _parameter_part(entry: Entry) -> ParameterPart:
+    sizes = entry.entry("sizes")
+    return ParameterPart(
+        entry.text("set"),
+        entry.text("part"),
+        entry.text("number"),
+        ParameterSizes(
+            sizes.text("by"),
+            tuple(SizeCase(case.texts("when"), case.integer("bytes") or 0) for case in sizes.entries("cases")),
+        )
+        if sizes
+        else None,
     )
 
 

@@ -200,6 +200,8 @@ export interface Parameter<T, U = Unit | null> {
   readonly type: string;
   readonly size: number;
   readonly access: "ro" | "rw" | "wo" | "";
+  /** Whether the element with an index can be read and written. */
+  accessOf(subindex: number): "ro" | "rw" | "wo" | "";
   readonly default: number | string | null;
   readonly elements: number | null;
   readonly units: U;
@@ -207,6 +209,10 @@ export interface Parameter<T, U = Unit | null> {
   encode(value: T): Uint8Array;
   /** The value of a raw value in a message, for the element with an index. Throws CodecError. */
   fromRaw(raw: number | bigint | boolean | string | Uint8Array, subindex?: number): T;
+  /** The value of exactly all of the bytes that a message carries, for the element with an index. Throws CodecError. */
+  fromBytes(bytes: Uint8Array, subindex?: number): T;
+  /** The bytes of a value for a message, for the element with an index. Throws CodecError. */
+  toBytes(value: T, subindex?: number): Uint8Array;
   /** The raw value of a value for a message: without a sign where `unsigned` is set. Throws CodecError. */
   toRaw(value: T, options?: { readonly subindex?: number; readonly unsigned?: boolean }): number | bigint | string | Uint8Array;
 }

@@ -79,9 +79,17 @@ export function withParameter(device, row, field, index, known, outer, isRequest
     at = isWhole(first) ? Number(first) + index : null;
   }
   const element = elementOf(words, number, parameterNumbered(words, number), at);
-  if (part === "value") return readAs(device, row, field, element, isRequest);
+  if (part === "value") return readAs(device, row, field, element, isRequest, statedSize(field, known));
   if (part === "subindex" && element.index === null) return row;
   return { ...row, meanings: [...row.meanings, element.meaning] };
+}
+
+/** How many bytes of a field are the value of a parameter; 0 where what should say so does not. */
+function statedSize(field, known) {
+  const [, , by, sizes] = field.valueBytes ?? [];
+  if (!by) return field.size;
+  const stated = known(by);
+  return sizes.find(([number]) => isWhole(stated ?? "") && BigInt(stated) === BigInt(number))?.[1] ?? 0;
 }
 
 /** The name of the field with the index of the first element that a message carries; empty if it has none. */
@@ -93,12 +101,17 @@ function indexField(outer, numberField) {
   return "";
 }
 
-/** The row with its bytes read as the value of a parameter. No codec refuses a frame for what is wrong with that. */
-function readAs(device, row, field, element, isRequest) {
+/** The row with its first bytes read as the value of a parameter. No codec refuses a frame for what is wrong with that. */
+function readAs(device, row, field, element, isRequest, size = field.size) {
   const { fact, parameter, meaning } = element;
   if (!fact || !parameter) return { ...row, meanings: [meaning, ...row.meanings] };
-  const again = row.reason ? undefined : bytesAgain(fact.value, field, row);
-  if (!again) return { ...row, meanings: [meaning, ...row.meanings], notes: [...row.notes, ...(fact.notes ?? [])] };
+  const again = row.reason ? undefined : field.valueBytes ? parameterBytes(fact, field, row, size) : bytesAgain(fact.value, field, row);
+  if (!again) {
+    const named = { ...row, meanings: [meaning, ...row.meanings], notes: [...row.notes, ...(fact.notes ?? [])] };
+    if (row.reason || !field.valueBytes || parameter.reserved || fact.reserved) return named;
+    const stated = fact.value.size;
+    return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
+  }
   let read = decodeValue(device, isRequest ? forWriting(fact.value) : fact.value, ...again, fact.reserved);
   // What starts something does not answer what was written.
   if (parameter.trigger && !isRequest) read = { ...read, verdict: "", reason: "" };
@@ -116,6 +129,20 @@ function readAs(device, row, field, element, isRequest) {
     notes: [...row.notes, ...(fact.notes ?? []), ...read.notes],
     errata: [...new Set(errata)],
   };
+}
+
+/** The bytes of a parameter's value in a field of bytes, with their order; undefined where they are not as many. */
+function parameterBytes({ value, byteOrder }, field, row, size) {
+  if (size !== value.size) return undefined;
+  const [own, words] = field.valueBytes;
+  const order = byteOrder ?? own;
+  const isSwapped = hasWords(value) && Boolean(words) && words !== order;
+  return [row.raw.subarray(0, size), order, isSwapped];
+}
+
+/** Whether a value consists of several words of 16 bits. */
+function hasWords({ kind, size }) {
+  return kind !== "text" && kind !== "bytes" && size > 2 && size % 2 === 0;
 }
 
 const COUNTS = ["integer", "boolean"];
