@@ -27,6 +27,8 @@ def answer(frame: bytes, limits: dict[int, int], weight: int) -> bytes:
         case WEIGHER.SetLimitRequest() as asked:
             limits[asked.number] = asked.limit
             response = WEIGHER.SetLimitResponse(asked.number)
+        case WEIGHER.ReadLabelsRequest() as asked:
+            response = WEIGHER.ReadLabelsResponse(f"W\xe4ger {asked.key}", "A\U0001f600", ["\xe4", ""])
         case _:
             point = WEIGHER.Checkpoint(250)
             response = WEIGHER.ReadCountersResponse(10**18 - 1, -2, [point, point], [2024])
@@ -71,6 +73,44 @@ def test_pyvisa_reads_the_numbers_that_the_generated_codec_sends() -> None:
         assert limits == {11: 12500}
         counters = opened.query("C")
         assert counters.startswith("C" + "9" * 18 + "fffe,0250,0250")
+
+
+def test_pyvisa_reads_the_texts_that_the_generated_codec_sends() -> None:
+    with instrument({}, 0) as opened:
+        opened.write("T  Nr 7", encoding="ascii")
+        data = opened.read_raw()
+        title, user, places = data[1:13], data[13:25], (data[25:30], data[30:35])
+        assert title.decode("latin-1").rstrip(" ") == "W\xe4ger Nr 7"
+        assert user.decode("utf-16-le").partition("\0")[0] == "A\U0001f600"
+        assert [place.decode("utf-8").partition(";")[0] for place in places] == ["\xe4", ""]
+        assert data[35:] == b"\r\n"
+
+
+REFUSED_LABELS = {
+    "end_missing": (13, b"T" + b"A".ljust(12) + "ABCDEF".encode("utf-16-le") + b"a;   b;   "),
+    "half_a_character": (13, b"T" + b"A".ljust(12) + b"\x00\xd8A\0\0\0".ljust(12, b"\0") + b"a;   b;   "),
+    "zero_in_the_text": (1, b"T" + b"A\0B".ljust(12) + bytes(12) + b"a;   b;   "),
+    "overlong_character": (30, b"T" + b"A".ljust(12) + bytes(12) + b"a;   \xc0\x80;  "),
+}
+"""Texts that nobody can send, and the byte at which they are refused."""
+
+
+@pytest.mark.parametrize("name", REFUSED_LABELS)
+def test_bytes_that_are_no_text_are_refused_where_the_text_begins(name: str) -> None:
+    at, content = REFUSED_LABELS[name]
+    frame = content + b"\r\n"
+    with pytest.raises(codec_error()) as refused:
+        LINES.decode_response(frame, WEIGHER.ReadLabelsRequest("A"))
+    with pytest.raises(CodecError) as expected:
+        codec(newest(TEST_SPECS, "weigher")).links["lines"].decode(frame, "response", "read_labels")
+    assert (refused.value.reason, refused.value.offset) == ("unknown_value", at)
+    assert (expected.value.reason, expected.value.offset) == ("unknown_value", at)
+
+
+@pytest.mark.parametrize("key", ["A\xe4", " A", "A\0", "ABCDEFG"])
+def test_texts_that_would_be_read_as_others_are_not_sent(key: str) -> None:
+    with pytest.raises(codec_error()):
+        LINES.encode_request(WEIGHER.ReadLabelsRequest(key))
 
 
 OTHER_LINES = {

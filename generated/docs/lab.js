@@ -348,6 +348,94 @@ function canBytes({ identifier, data, isExtended = false }) {
   return Uint8Array.from([...head, data.length, 0, 0, 0, ...data]);
 }
 
+const NAMES = { ascii: "ASCII", latin_1: "Latin-1", utf_8: "UTF-8", utf_16: "UTF-16" };
+const CHARACTERS = { 0x00: "a zero", 0x20: "a space", 0x0a: "a line feed", 0x0d: "a carriage return" };
+const LONE_SURROGATE = /[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/;
+const UTF_8 = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
+const USUAL = { encoding: "ascii" };
+
+const unitOf = ({ encoding }) => (encoding === "utf_16" ? 2 : 1);
+
+function characterName(code) {
+  return CHARACTERS[code] ?? `the character 0x${code.toString(16).toUpperCase().padStart(2, "0")}`;
+}
+
+/** The codes that a text has at each place: bytes, or numbers of 16 bits. */
+function unitsOf(form, bytes, little) {
+  if (unitOf(form) === 1) return bytes;
+  return Array.from({ length: bytes.length / 2 }, (_, at) => bytes[2 * at + (little ? 1 : 0)] * 256 + bytes[2 * at + (little ? 0 : 1)]);
+}
+
+/** The characters of units; null for those that the encoding does not have. */
+function textOfUnits({ encoding }, units) {
+  if (encoding === "utf_8") {
+    try {
+      return UTF_8.decode(Uint8Array.from(units));
+    } catch {
+      return null;
+    }
+  }
+  let text = "";
+  for (const unit of units) text += String.fromCharCode(unit);
+  if (encoding === "ascii" && units.some((unit) => unit > 0x7f)) return null;
+  return encoding === "utf_16" && LONE_SURROGATE.test(text) ? null : text;
+}
+
+/** The units of a text; null for characters that the encoding does not have. */
+function unitsOfText({ encoding }, text) {
+  if (LONE_SURROGATE.test(text)) return null;
+  if (encoding === "utf_8") return [...new TextEncoder().encode(text)];
+  const units = Array.from({ length: text.length }, (_, at) => text.charCodeAt(at));
+  const most = { ascii: 0x7f, latin_1: 0xff, utf_16: 0xffff }[encoding];
+  return units.some((unit) => unit > most) ? null : units;
+}
+
+/**
+ * The characters of the bytes of a text in a form, in UTF-16 with the low byte first where `little`; null for bytes
+ * that are none. Without a form, a text is ASCII that is filled up with zeros behind it.
+ */
+function decodedText(form, bytes, little) {
+  const { padding = 0, isRight = false, terminator } = form ?? USUAL;
+  const units = unitsOf(form ?? USUAL, bytes, little);
+  let [first, last] = [0, units.length];
+  if (terminator !== undefined) {
+    last = units.indexOf(terminator);
+    if (last < 0) return null;
+  } else {
+    while (!isRight && last > first && units[last - 1] === padding) last--;
+    while (isRight && last > first && units[first] === padding) first++;
+  }
+  const text = textOfUnits(form ?? USUAL, units.slice(first, last));
+  return form !== undefined && text !== null && text.includes("\0") ? null : text;
+}
+
+/** Why a text cannot be sent in `size` bytes of a form: a reason and words; null where it can. */
+function textFault(form, size, text) {
+  const { encoding, padding = 0, isRight = false, terminator } = form;
+  const units = unitsOfText(form, text);
+  if (units === null) return ["unknown_value", `has characters that are not ${NAMES[encoding]}`];
+  if (text.includes("\0")) return ["unknown_value", "has a zero, which ends a text"];
+  if (terminator !== undefined) {
+    if (units.includes(terminator)) return ["unknown_value", `has ${characterName(terminator)}, which ends the text`];
+  } else if (units.at(isRight ? 0 : -1) === padding) {
+    const place = isRight ? "begins" : "ends";
+    return ["unknown_value", `${place} with ${characterName(padding)}, which fills the text up`];
+  }
+  const room = size - (terminator === undefined ? 0 : unitOf(form));
+  const taken = units.length * unitOf(form);
+  return taken > room ? ["wrong_length", `has ${room} bytes, not ${taken}`] : null;
+}
+
+/** The `size` bytes of a text that has no fault. */
+function textBytes(form, size, text, little) {
+  const { padding = 0, isRight = false, terminator } = form;
+  const units = [...unitsOfText(form, text), ...(terminator === undefined ? [] : [terminator])];
+  const filler = new Array(Math.floor(size / unitOf(form)) - units.length).fill(padding);
+  const all = isRight ? [...filler, ...units] : [...units, ...filler];
+  if (unitOf(form) === 1) return Uint8Array.from(all);
+  return Uint8Array.from(all.flatMap((unit) => (little ? [unit & 255, unit >> 8] : [unit >> 8, unit & 255])));
+}
+
 /** Whether a raw value is a whole number; truth values are. A floating-point number is one by its value alone. */
 function isWhole(number) {
   return typeof number === "bigint" || typeof number === "boolean" || Number.isInteger(number);
@@ -503,7 +591,7 @@ function sameValue(left, right) {
 function valueText(value, isFloat = false) {
   if (typeof value === "boolean") return value ? "True" : "False";
   if (typeof value === "number" && (isFloat || !Number.isInteger(value))) return floatText(value);
-  if (value instanceof Uint8Array) return `b${quotedText(latinOf(value))}`;
+  if (value instanceof Uint8Array) return `b${quotedText(latinOf(value), BEYOND_ASCII)}`;
   if (typeof value === "string") return quotedText(value);
   if (Array.isArray(value)) return `[${value.map((item) => valueText(item, isFloat)).join(", ")}]`;
   if (value instanceof Map) return `{${[...value].map(([key, item]) => `${quotedText(key)}: ${valueText(item)}`).join(", ")}}`;
@@ -512,13 +600,20 @@ function valueText(value, isFloat = false) {
 
 const SPELLED = { "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t" };
 
-function quotedText(text) {
+const BEYOND_ASCII = /[^\x20-\x7e]/;
+const UNPRINTABLE = /[\p{C}\p{Z}]/u;
+
+function escapedCharacter(code) {
+  const [letter, digits] = code < 0x100 ? ["x", 2] : code < 0x10000 ? ["u", 4] : ["U", 8];
+  return `\\${letter}${code.toString(16).padStart(digits, "0")}`;
+}
+
+function quotedText(text, escaped = UNPRINTABLE) {
   const quote = text.includes("'") && !text.includes('"') ? '"' : "'";
   const inner = Array.from(text, (char) => {
     if (char === quote) return `\\${char}`;
     if (SPELLED[char]) return SPELLED[char];
-    const code = char.charCodeAt(0);
-    return code < 0x20 || code > 0x7e ? `\\x${DIGITS[code & 0xff].toLowerCase()}` : char;
+    return char !== " " && escaped.test(char) ? escapedCharacter(char.codePointAt(0)) : char;
   });
   return quote + inner.join("") + quote;
 }
@@ -849,8 +944,9 @@ function decodeValue(device, value, bytes, order, swapped, reserved) {
   if (reserved) return decoded(number);
   if (value.kind === "boolean") return decodedBoolean(device, value, number);
   if (value.kind === "text") {
-    if (bytes.some((byte) => byte > 0x7f)) return judged(decoded(bytes), false, "ASCII", "unknown_value");
-    return decoded(latinOf(bytes).replace(/\0+$/, ""));
+    const text = decodedText(value.textForm, bytes, order !== "big");
+    if (text === null) return judged(decoded(bytes), false, value.textFormTitle ?? "ASCII", "unknown_value");
+    return decoded(text);
   }
   if (value.kind === "float") return decodedFloat(value, number);
   if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");
@@ -2816,6 +2912,11 @@ function joinedBytes(series) {
 /** The bytes of one value. Throws CodecError where no codec takes it. */
 function bytesOfValue(device, name, value, raw) {
   const { kind, size, swapped, order = "big" } = value;
+  if (value.textForm && typeof raw === "string") {
+    const fault = textFault(value.textForm, size, raw);
+    if (fault !== null) throw new CodecError(fault[0], `${name} ${fault[1]}`);
+    return textBytes(value.textForm, size, raw, order !== "big");
+  }
   if (kind === "text" || kind === "bytes") {
     const bytes = typeof raw === "string" ? Uint8Array.from(raw, (char) => char.charCodeAt(0)) : raw;
     if (typeof raw === "string" && /[^\x00-\x7f]/.test(raw)) throw new CodecError("unknown_value", `${name} has characters that are not ASCII`);

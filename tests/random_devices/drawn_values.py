@@ -22,7 +22,9 @@ def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:
         keys["length"] = draft.number(1, 12)
         if place in ("register", "table"):
             keys["length"] += keys["length"] % 2
-        if draft.chance(20):
+        if place in ("field", "register", "signal", "table") and draft.chance(40):
+            _text_form(draft, keys)
+        elif draft.chance(20):
             keys["characters"] = draft.number(1, keys["length"])
     elif kind == "bytes":
         keys["length"] = draft.number(1, 9)
@@ -160,6 +162,21 @@ def _digits(draft: Draft, place: str) -> Spec:
         if use == "sentinel":
             _sentinels(draft, keys, low, high)
     return keys
+
+
+def _text_form(draft: Draft, keys: Spec) -> None:
+    """How a text is sent that is not ASCII filled up with zeros."""
+    keys["encoding"] = draft.pick(("ascii", "latin_1", "utf_8", "utf_16"))
+    if keys["encoding"] == "utf_16":
+        keys["length"] += keys["length"] % 2
+    if draft.chance(50):
+        keys["padding"] = draft.pick(("nul", "space"))
+    if draft.chance(30):
+        keys["align"] = draft.pick(("left", "right"))
+    if draft.chance(30) and keys["length"] > 2 and keys.get("align") != "right":
+        keys["terminator"] = draft.pick((0x00, 0x0D, 0x20, 0x7F))
+    if keys["encoding"] == "utf_16" and draft.chance(40):
+        keys["byte_order"] = draft.pick(("little", "big"))
 
 
 def _float(draft: Draft, keys: Spec, place: str) -> None:

@@ -102,6 +102,7 @@ from fieldspec.checks.subindices_match_elements import subindices_match_elements
 from fieldspec.checks.table_fields_readable import table_fields_readable
 from fieldspec.checks.tasks_complete import tasks_complete
 from fieldspec.checks.text_fits_words import text_fits_words
+from fieldspec.checks.texts_fit import texts_fit
 from fieldspec.checks.triggers_writable import triggers_writable
 from fieldspec.checks.types_fit_space import types_fit_space
 from fieldspec.checks.units_known import units_known
@@ -209,6 +210,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("table_fields_readable", table_fields_readable),
     ("tasks_complete", tasks_complete),
     ("text_fits_words", text_fits_words),
+    ("texts_fit", texts_fit),
     ("triggers_writable", triggers_writable),
     ("types_fit_space", types_fit_space),
     ("units_known", units_known),

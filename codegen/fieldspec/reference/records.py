@@ -11,6 +11,7 @@ import construct
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_bytes, digits_number, digits_text
+from fieldspec.model.text_form import decoded_text, encoding_title, text_bytes, text_fault, text_form_title
 from fieldspec.model.value import Kind, Value
 
 
@@ -70,6 +71,8 @@ def value_construct(value: Value | None, order: str, swapped: bool) -> construct
     """One value as a construct."""
     assert value is not None
     kind, size = value.type.kind, value.size
+    if value.text_form is not None:
+        return _Text(value, order)
     if kind in (Kind.TEXT, Kind.BYTES):
         return construct.Bytes(size)
     if value.digits:
@@ -103,6 +106,20 @@ class _Digits(construct.Adapter):  # type: ignore[misc]
     def _turned(self, data: bytes) -> bytes:
         data = data[::-1] if self.is_reversed else data
         return _words_turned(data) if self.swapped else data
+
+
+class _Text(construct.Adapter):  # type: ignore[misc]
+    """A text in a form of its own; bytes that are none are parsed as None, and bytes are built as they are."""
+
+    def __init__(self, value: Value, order: str) -> None:
+        super().__init__(construct.Bytes(value.size))
+        self.value, self.order = value, order
+
+    def _decode(self, data: bytes, context: Any, path: str) -> str | None:
+        return decoded_text(self.value, self.order, data)
+
+    def _encode(self, text: str | bytes, context: Any, path: str) -> bytes:
+        return text_bytes(self.value, self.order, text) if isinstance(text, str) else text
 
 
 def _words_turned(data: bytes) -> bytes:
@@ -170,9 +187,7 @@ def decoded_value(name: str, value: Value | None, raw: Any, device: Device, at: 
             raise CodecError("unknown_value", f"{name} is {raw}, neither 0 nor 1", at)
         return bool(raw)
     if kind is Kind.TEXT:
-        if any(byte > 0x7F for byte in raw):
-            raise CodecError("unknown_value", f"{name} holds bytes that are not ASCII", at)
-        return raw.rstrip(b"\0").decode("ascii")
+        return _decoded_text(name, value, raw, at)
     if kind is Kind.BYTES:
         return bytes(raw)
     if raw is None:
@@ -182,6 +197,14 @@ def decoded_value(name: str, value: Value | None, raw: Any, device: Device, at: 
     if value.enum and not _is_known(device, value, raw):
         raise CodecError("unknown_value", f"{name} is {raw}, which {value.enum} does not list", at)
     return raw
+
+
+def _decoded_text(name: str, value: Value, raw: str | bytes | None, at: int | None) -> str:
+    """The characters of a text, which the construct has read where it has a form of its own."""
+    text = decoded_text(value, "big", raw) if isinstance(raw, bytes) else raw
+    if text is None:
+        raise CodecError("unknown_value", f"{name} is no text in {text_form_title(value) or encoding_title(value)}", at)
+    return text
 
 
 def _is_known(device: Device, value: Value, raw: int) -> bool:
@@ -278,8 +301,13 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
     """One value as raw number or bytes, refused where it is out of range. Raises CodecError."""
     assert value is not None
     kind = value.type.kind
+    if kind is Kind.TEXT and isinstance(raw_value, str):
+        fault = text_fault(value, "big", raw_value)
+        if fault is not None:
+            raise CodecError(fault[0], f"{name} {fault[1]}")
+        return raw_value if value.text_form is not None else text_bytes(value, "big", raw_value)
     if kind in (Kind.TEXT, Kind.BYTES):
-        data = _text_bytes(name, raw_value) if isinstance(raw_value, str) else _bytes(name, raw_value)
+        data = _bytes(name, raw_value)
         if len(data) > value.size or (kind is Kind.BYTES and len(data) != value.size):
             raise CodecError("wrong_length", f"{name} has {value.size} bytes, not {len(data)}")
         return data.ljust(value.size, b"\0")
@@ -294,15 +322,6 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
     if value.enum and not _is_known(device, value, int(raw_value)):
         raise CodecError("unknown_value", f"{name} is {raw_value}, which {value.enum} does not list")
     return _in_range(name, value, int(raw_value))
-
-
-def _text_bytes(name: str, text: str) -> bytes:
-    """The characters of a text. Raises CodecError, also for a zero, which ends the text where it is read."""
-    if not text.isascii():
-        raise CodecError("unknown_value", f"{name} holds characters that are not ASCII")
-    if "\0" in text:
-        raise CodecError("unknown_value", f"{name} holds a zero, which ends a text")
-    return text.encode("ascii")
 
 
 def _bytes(name: str, data: Any) -> bytes:

@@ -23,6 +23,7 @@ from fieldspec.explain.values import decimal_text, in_unit, range_in_unit
 from fieldspec.model.digits import digits_text
 from fieldspec.model.enums import Enum, Member
 from fieldspec.model.fact import Fact
+from fieldspec.model.text_form import text_form_title
 from fieldspec.model.value import Kind, Value
 
 # An enum with more members than this is not written out in the rows that use it.
@@ -62,6 +63,8 @@ def type_lines(value: Value) -> list[Line]:
     lines: list[Line] = [(code(value.type.name), text_piece(size))]
     if value.digits:
         lines.append((text_piece(f"sent as {digits_text(value)}"),))
+    if value.text_form is not None:
+        lines.append((text_piece(text_form_title(value)),))
     if value.characters is not None:
         lines.append((text_piece(f"{value.characters} characters at most"),))
     if value.byte_order:

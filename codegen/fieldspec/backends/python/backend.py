@@ -49,6 +49,7 @@ RUNTIME = (
     "_refusals",
     "_registers",
     "_subcodes",
+    "_texts",
     "_typing",
     "_values",
     "errors",

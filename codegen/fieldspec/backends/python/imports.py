@@ -79,6 +79,7 @@ _SHARED = {
     ),
     "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
     "_subcodes": "Answers Subcodes",
+    "_texts": "FormedText text_form",
     "_values": "Boolean Bytes Closed Constant Double Float Number Open Setting Text Trigger Word",
 }
 _CLIENT = {

@@ -13,8 +13,8 @@ from fieldspec.backends.wireshark.registers import parameter_sets, register_data
 from fieldspec.backends.wireshark.text import Data, comment, line_text, table
 from fieldspec.backends.wireshark.values import enum_data, word_data
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.digits import digits_refusals
 from fieldspec.names import Name, stem
 
 RUNTIME = ("numbers", "checksums", "values", "registers", "parameters", "records", "frames", "streams", "start")
@@ -40,7 +40,7 @@ def shared() -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Links whose bytes are escaped and values of digits: a dissector would show the values of other bytes."""
+    """Escaped links, values of digits and texts in a form of their own: a dissector would show other values."""
     links = {link.name: link.link for layout in versions for link in layout.links.values()}
     help_text = "leave this output out for the device: name the others after --to"
     return [
@@ -54,7 +54,7 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
         )
         for name, link in links.items()
         if link.escape is not None
-    ] + digits_refusals(versions, "the dissector")
+    ] + character_refusals(versions, "the dissector")
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:

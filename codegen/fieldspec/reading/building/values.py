@@ -7,6 +7,7 @@ from decimal import Decimal
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.model.fact import ScalarValue
 from fieldspec.model.ranges import Ranges
+from fieldspec.model.text_form import text_form
 from fieldspec.model.value import (
     PRIMITIVES,
     Conversion,
@@ -70,6 +71,9 @@ def value(entry: Entry, type_name: str = "", words: int | None = None, takes_dig
         digits=digits,
         places=entry.integer("places") or 0,
         scale_by=scale_by,
+        text_form=text_form(
+            entry.text("encoding"), entry.text("padding"), entry.text("align"), entry.integer("terminator")
+        ),
     )
 
 

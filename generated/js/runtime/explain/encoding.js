@@ -1,3 +1,4 @@
+import { textBytes, textFault } from "../encodings.js";
 import { CodecError } from "../error.js";
 import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
@@ -21,6 +22,11 @@ function joinedBytes(series) {
 /** The bytes of one value. Throws CodecError where no codec takes it. */
 function bytesOfValue(device, name, value, raw) {
   const { kind, size, swapped, order = "big" } = value;
+  if (value.textForm && typeof raw === "string") {
+    const fault = textFault(value.textForm, size, raw);
+    if (fault !== null) throw new CodecError(fault[0], `${name} ${fault[1]}`);
+    return textBytes(value.textForm, size, raw, order !== "big");
+  }
   if (kind === "text" || kind === "bytes") {
     const bytes = typeof raw === "string" ? Uint8Array.from(raw, (char) => char.charCodeAt(0)) : raw;
     if (typeof raw === "string" && /[^\x00-\x7f]/.test(raw)) throw new CodecError("unknown_value", `${name} has characters that are not ASCII`);
