@@ -436,6 +436,111 @@ function textBytes(form, size, text, little) {
   return Uint8Array.from(all.flatMap((unit) => (little ? [unit & 255, unit >> 8] : [unit >> 8, unit & 255])));
 }
 
+const DIGITS_OF = { decimal: /^[0-9]*$/, upper_hex: /^[0-9A-F]*$/, lower_hex: /^[0-9a-f]*$/ };
+
+const latinText = (bytes) => Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+const latinBytes = (text) => Uint8Array.from(text, (character) => character.charCodeAt(0));
+
+/** What is sent of the bytes in the image of a value: no leading zeros, and a sign only below zero. */
+function narrowedBytes({ form, hasSign }, image) {
+  const text = latinText(image);
+  if (form === "text") return latinBytes(text.replace(/\0+$/, ""));
+  const digits = (hasSign ? text.slice(1) : text).replace(/^0+(?=[0-9A-Fa-f])/, "");
+  const isNegative = hasSign && text[0] === "-" && /[^0.]/.test(digits);
+  return latinBytes((isNegative ? "-" : "") + digits);
+}
+
+/** The bytes in the image of a value; null for bytes that are none of it. */
+function widenedBytes(field, bytes) {
+  const { form, size, most, places = 0, hasSign = false } = field;
+  let text = latinText(bytes);
+  if (text.length > most) return null;
+  if (form === "text") return text.includes("\0") ? null : latinBytes(text.padEnd(size, "\0"));
+  let sign = hasSign ? "+" : "";
+  if (hasSign && (text[0] === "+" || text[0] === "-")) {
+    sign = text[0];
+    text = text.slice(1);
+  }
+  const point = places ? text.indexOf(".") : -1;
+  const whole = point < 0 ? text : text.slice(0, point);
+  const fraction = point < 0 ? "" : text.slice(point + 1);
+  if (whole === "" || (point >= 0 && fraction === "") || fraction.length > places) return null;
+  if (!DIGITS_OF[form].test(whole + fraction)) return null;
+  const room = most - (places ? places + 1 : 0);
+  const behind = places ? `.${fraction.padEnd(places, "0")}` : "";
+  const image = latinBytes(sign + whole.replace(/^0+(?=.)/, "").padStart(room, "0") + behind);
+  return narrowedBytes(field, image).length <= most ? image : null;
+}
+
+/** Where a field ends that begins at a byte; undefined where its bytes, or its end, are missing. */
+function stopOf({ size, most, end }, bytes, at) {
+  if (most === undefined) return at + size <= bytes.length ? at + size : undefined;
+  if (end === undefined) return bytes.length;
+  const stop = bytes.indexOf(end, at);
+  return stop < 0 ? undefined : stop;
+}
+
+/**
+ * The fields of a record whose values vary in width, as far as the data go: where they are, and their bytes in the
+ * image, in which each value has all the bytes that it may have; null for bytes that are none of the value.
+ */
+function extentsOf(fields, bytes) {
+  const extents = [];
+  let start = 0;
+  for (const field of fields) {
+    const stop = stopOf(field, bytes, start);
+    if (stop === undefined) return extents;
+    const piece = bytes.subarray(start, stop);
+    extents.push({ start, stop, image: field.most === undefined ? piece : widenedBytes(field, piece) });
+    start = stop;
+  }
+  return extents;
+}
+
+/** What `read(image, start, end)` makes of the image of a record. Throws CodecError with the place in the data. */
+function readImage(fields, read, bytes, offset, end) {
+  const data = bytes.subarray(offset, end);
+  const extents = extentsOf(fields, data);
+  const unfit = extents.findIndex(({ image }) => image === null);
+  if (unfit >= 0) throw new CodecError("unknown_value", `${fields[unfit].name} is not in its form`, offset + extents[unfit].start);
+  if (extents.length < fields.length) throw new CodecError("incomplete", `${fields[extents.length].name} has no end`, end);
+  const stop = extents.at(-1).stop;
+  if (stop < data.length) throw new CodecError("wrong_length", `${fields.at(-1).name} is followed by more bytes`, offset + stop);
+  const image = Uint8Array.from(extents.flatMap((extent) => [...extent.image]));
+  try {
+    return read(image, 0, image.length);
+  } catch (error) {
+    if (!(error instanceof CodecError) || error.offset === null) throw error;
+    throw new CodecError(error.reason, error.detail, offset + placeInData(fields, extents, error.offset));
+  }
+}
+
+/** The byte in the data for a byte of the image. */
+function placeInData(fields, extents, at) {
+  let first = 0;
+  for (const [number, { size, most }] of fields.entries()) {
+    if (at < first + size) return extents[number].start + (most === undefined ? at - first : 0);
+    first += size;
+  }
+  return extents.at(-1).stop;
+}
+
+/** What is sent of an image. Throws CodecError for a text that has the byte which would end it. */
+function narrowedImage(fields, image) {
+  const pieces = [];
+  let at = 0;
+  for (const field of fields) {
+    const piece = image.subarray(at, at + field.size);
+    at += field.size;
+    const bytes = field.most === undefined ? piece : narrowedBytes(field, piece);
+    if (field.most !== undefined && field.end !== undefined && bytes.includes(field.end)) {
+      throw new CodecError("unknown_value", `${field.name} has the character that ends it`);
+    }
+    pieces.push(...bytes);
+  }
+  return Uint8Array.from(pieces);
+}
+
 /** Whether a raw value is a whole number; truth values are. A floating-point number is one by its value alone. */
 function isWhole(number) {
   return typeof number === "bigint" || typeof number === "boolean" || Number.isInteger(number);
@@ -1726,6 +1831,10 @@ class ExplainedBody {
 
   explainFields() {
     let at = this.start;
+    if (this.record.spans) {
+      this.explainVarying();
+      return;
+    }
     for (const [number, field] of this.record.fields.entries()) {
       if (field.cases) {
         this.rows.push(this.undecidedRow(field, at));
@@ -1741,6 +1850,26 @@ class ExplainedBody {
       }
     }
     if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
+  }
+
+  /** Adds the rows of a record whose values vary in width. */
+  explainVarying() {
+    const { fields, spans } = this.record;
+    const extents = extentsOf(spans, this.data.subarray(this.start, this.end));
+    let at = this.start;
+    for (const [number, { start, stop, image }] of extents.entries()) {
+      const field = fields[number];
+      at = this.start + start;
+      if (spans[number].most === undefined) this.explainField(field, at, field.count ?? 0);
+      else {
+        const varying = { raw: this.data.subarray(at, this.start + stop), image, form: spans[number].formText };
+        this.values.set(field.name, this.explainValue(field, field.name, at, 0, true, varying));
+      }
+      at = this.start + stop;
+    }
+    const missing = fields[extents.length];
+    if (missing) this.rows.push(this.wrongRow(missing, at, "incomplete", `${missing.name} has no end`));
+    else if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
   }
 
   /** How many elements a field should have: as many as fit if their number is free. */
@@ -1806,10 +1935,14 @@ class ExplainedBody {
     return values;
   }
 
-  explainValue(field, path, at, index, isTop) {
+  /** Adds the row of a value. Of one that varies in width, `varying` has the bytes, those in the image, and its form. */
+  explainValue(field, path, at, index, isTop, varying) {
     const { value } = field;
-    const raw = this.data.subarray(at, at + field.size);
-    let read = decodeValue(this.device, value, raw, value.order ?? "big", value.swapped, field.reserved);
+    const raw = varying?.raw ?? this.data.subarray(at, at + field.size);
+    const image = varying ? varying.image : raw;
+    let read = image === null
+      ? judged(decoded(raw), false, varying.form, "unknown_value")
+      : decodeValue(this.device, value, image, value.order ?? "big", value.swapped, field.reserved);
     const { number } = read;
     if (isTop) read = this.measured(field, this.repeated(field, read));
     const known = (name) => (this.values.has(name) ? this.values.get(name) : this.asked.get(name));
@@ -1825,7 +1958,8 @@ class ExplainedBody {
     const other = this.record.named.get(name);
     if (!other || other.cases) return read;
     const room = Math.floor((this.end - this.start - other.offset) / other.size);
-    const items = other.isList ? Math.max(0, Math.min(this.countOf(other), room)) : 1;
+    const most = this.record.spans ? this.countOf(other) : Math.max(0, Math.min(this.countOf(other), room));
+    const items = other.isList ? most : 1;
     const should = of === "bytes" ? items * other.size : items;
     return judged(read, sameValue(read.number, should), should, "wrong_measure");
   }
@@ -2986,7 +3120,7 @@ function encodeRecord(device, record, values) {
   if (!form) throw new CodecError("unknown_value", `${record.selector} is ${values.get(record.selector)}, which chooses nothing that may follow`);
   const known = new Map();
   for (const field of form.fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
-  return joinedBytes(form.fields.map((field) => {
+  const bytes = joinedBytes(form.fields.map((field) => {
     if (!field.measures) return joinedBytes(known.get(field.name).map((item) => bytesOfElement(device, field, item)));
     const [of, name] = field.measures;
     const other = form.named.get(name);
@@ -2994,6 +3128,7 @@ function encodeRecord(device, record, values) {
     const number = inRange(field.name, field.value, of === "bytes" ? items * other.size : items);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
+  return form.spans ? narrowedImage(form.spans, bytes) : bytes;
 }
 
 /** The values of the elements of a field: those entered, or its constant or zeros where nobody enters them. */

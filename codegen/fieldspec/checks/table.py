@@ -107,6 +107,7 @@ from fieldspec.checks.triggers_writable import triggers_writable
 from fieldspec.checks.types_fit_space import types_fit_space
 from fieldspec.checks.units_known import units_known
 from fieldspec.checks.value_within_range import value_within_range
+from fieldspec.checks.varying_widths_end import varying_widths_end
 from fieldspec.checks.widths_fit_place import widths_fit_place
 from fieldspec.checks.wire_numbers_match import wire_numbers_match
 from fieldspec.checks.words_match_type import words_match_type
@@ -215,6 +216,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("types_fit_space", types_fit_space),
     ("units_known", units_known),
     ("value_within_range", value_within_range),
+    ("varying_widths_end", varying_widths_end),
     ("widths_fit_place", widths_fit_place),
     ("wire_numbers_match", wire_numbers_match),
     ("words_match_type", words_match_type),

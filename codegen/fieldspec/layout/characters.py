@@ -9,7 +9,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 
-_TEXT_KEYS = ("encoding", "padding", "align", "terminator")
+_TEXT_KEYS = ("encoding", "padding", "align", "terminator", "varies")
 _HELP = "leave this output out for the device: name the others after --to"
 
 
@@ -24,7 +24,7 @@ def character_refusals(
         fact.place.path: (fact, value)
         for layout in versions
         for fact, value in _values(layout)
-        if value is not None and (value.digits or value.text_form is not None)
+        if value is not None and (value.digits or value.text_form is not None or value.width)
     }
     return [(_of_digits if value.digits else _of_text)(fact, reader, for_controllers) for fact, value in facts.values()]
 

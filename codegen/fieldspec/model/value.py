@@ -172,7 +172,8 @@ class Value:
     orders of its link. `digits` is the form of the digits that it is sent as, empty for a binary number; `places` is
     how many of them follow a point. `scale_by` names the register with the exponent of a scale that is read from the
     device, else it is empty; `unit` then begins with that power of ten. `text_form` is how a text is sent, None for
-    ASCII that is filled up with zeros behind it.
+    ASCII that is filled up with zeros behind it. `width` is the most bytes of a value that varies in width, else
+    it is 0; `size` is then that of the image that codecs work on, with leading zeros and a sign, or zeros after a text.
     """
 
     type: Primitive
@@ -196,6 +197,7 @@ class Value:
     places: int = 0
     scale_by: str = ""
     text_form: TextForm | None = None
+    width: int = 0
 
     @property
     def quantity_unit(self) -> str:
@@ -231,6 +233,11 @@ class Value:
     def has_words(self) -> bool:
         """Whether it consists of several words of 16 bits, whose order matters."""
         return self.type.is_number and self.size > 2 and self.size % 2 == 0 and not self.has_characters
+
+    @property
+    def least_width(self) -> int:
+        """The fewest bytes of a value that varies in width: one digit, or no character."""
+        return 1 if self.digits else 0
 
     @property
     def has_order(self) -> bool:

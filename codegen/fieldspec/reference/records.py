@@ -9,6 +9,7 @@ from typing import Any
 import construct
 
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.widths import WidthError, data_of, image_of, place_in_data
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_bytes, digits_number, digits_text
 from fieldspec.model.text_form import decoded_text, encoding_title, text_bytes, text_fault, text_form_title
@@ -138,6 +139,8 @@ def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) 
         if chosen is None:
             raise CodecError("unknown_value", f"{by.name} chooses nothing that may follow", offset + by.offset)
         record = chosen
+    if record.spans:
+        return _decoded_image(record, data, device, offset)
     _check_length(record, len(data), offset)
     parsed = record_struct(record).parse(data)
     values: Values = {}
@@ -145,6 +148,24 @@ def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) 
         values[field.name] = _decoded_field(field, parsed[field.name], device, offset)
     _check_measures(record, values, offset)
     return values
+
+
+def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: int) -> Values:
+    """The values of a record whose fields vary in width. Raises CodecError with the place in the data."""
+    try:
+        image, fields = image_of(record.spans, data)
+    except WidthError as error:
+        raise CodecError(error.reason, _width_text(error), offset + error.at) from None
+    try:
+        return decoded(record.image, image, device)
+    except CodecError as error:
+        at = None if error.offset is None else offset + place_in_data(record.spans, fields, error.offset)
+        raise CodecError(error.reason, error.detail, at) from None
+
+
+def _width_text(error: WidthError) -> str:
+    texts = {"incomplete": "has no end", "wrong_length": "is followed by more bytes"}
+    return f"{error.name} {texts.get(error.reason, 'is not in its form')}"
 
 
 def _check_length(record: RecordLayout, length: int, offset: int) -> None:
@@ -255,7 +276,12 @@ def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> 
         if measured is not None:
             raw[field.name] = _in_range(field.name, field.value, measured)
     data: bytes = record_struct(record).build(raw)
-    return data
+    if not record.spans:
+        return data
+    try:
+        return data_of(record.spans, data)
+    except WidthError as error:
+        raise CodecError(error.reason, f"{error.name} has the character that ends it") from None
 
 
 def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device) -> Any:

@@ -11,6 +11,7 @@ from fieldspec.backends.c.fields import case_member, count_member, greatest_coun
 from fieldspec.backends.c.naming import member
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.widths import data_of
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_bytes
 from fieldspec.model.text_form import UTF_16, text_bytes
@@ -148,7 +149,7 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
             value = _fixed_value(field)
         for item in value if field.is_list else [value]:
             data += record_bytes(field.record, item) if field.record else _element_bytes(field, item)
-    return data
+    return data_of(record.spans, data) if record.spans else data
 
 
 def _fixed_value(field: FieldLayout) -> Any:

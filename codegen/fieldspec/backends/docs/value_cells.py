@@ -59,7 +59,8 @@ def _with(lines: list[Line], marks: Line) -> Cell:
 def type_lines(value: Value) -> list[Line]:
     """The type, with its length where the type has none, and the order of its bytes where it has one of its own."""
     kind = value.type.kind
-    size = f" of {many(value.size, 'byte')}" if kind in (Kind.TEXT, Kind.BYTES) else ""
+    most = "at most " if value.width else ""
+    size = f" of {most}{many(value.size, 'byte')}" if kind in (Kind.TEXT, Kind.BYTES) else ""
     lines: list[Line] = [(code(value.type.name), text_piece(size))]
     if value.digits:
         lines.append((text_piece(f"sent as {digits_text(value)}"),))

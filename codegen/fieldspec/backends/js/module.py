@@ -47,6 +47,7 @@ IMPORTS = {
         "textOf",
         "within",
     ),
+    "widths": ("narrowedImage", "readImage"),
 }
 """The helpers of the runtime by module."""
 

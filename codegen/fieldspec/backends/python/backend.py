@@ -52,6 +52,7 @@ RUNTIME = (
     "_texts",
     "_typing",
     "_values",
+    "_widths",
     "errors",
     "many",
     "transports",

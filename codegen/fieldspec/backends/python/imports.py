@@ -81,6 +81,7 @@ _SHARED = {
     "_subcodes": "Answers Subcodes",
     "_texts": "FormedText text_form",
     "_values": "Boolean Bytes Closed Constant Double Float Number Open Setting Text Trigger Word",
+    "_widths": "Widths",
 }
 _CLIENT = {
     "_client": "Link Session",

@@ -99,6 +99,7 @@ def value_facts(value: Value) -> list[str]:
     """The facts of a value in a docstring: scale and unit, ranges, special values, initial value."""
     facts = [digits_text(value)] if value.digits else []
     facts += [text_form_title(value)] if value.text_form is not None else []
+    facts += [f"at most {value.width} bytes"] if value.width and not value.digits else []
     facts += [quantity(value)] if quantity(value) else []
     if value.ranges is not None:
         facts.append(value.ranges.text())
