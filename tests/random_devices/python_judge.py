@@ -137,7 +137,9 @@ class Python:
         head: dict[str, Any] = {}
         for part in shape.header:
             if part.is_argument:
-                head[part.name] = raw(decoded.station if part.role == "unit_address" else getattr(decoded, part.name))
+                head[part.name] = raw(
+                    decoded.unit_address if part.role == "unit_address" else getattr(decoded, part.name)
+                )
         error = self.layout.links[link].link.exception_response
         refusal = error is not None and hasattr(decoded, "exception")
         content = decoded.exception if refusal else decoded.message
