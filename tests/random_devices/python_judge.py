@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import sys
+from keyword import iskeyword
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -107,7 +108,7 @@ class Python:
             assert part.value is not None
             if part.value.flags:
                 value = class_of(self.module, part.value.flags, "Flags")(value)
-            named[part.name] = value
+            named[part.name + "_" * iskeyword(part.name)] = value
         return first, named
 
     def _frame_of(self, path: tuple[str, ...], head: dict[str, Any], content: Any, error: bool, code: Any) -> bytes:
@@ -138,7 +139,9 @@ class Python:
         for part in shape.header:
             if part.is_argument:
                 head[part.name] = raw(
-                    decoded.unit_address if part.role == "unit_address" else getattr(decoded, part.name)
+                    decoded.unit_address
+                    if part.role == "unit_address"
+                    else getattr(decoded, part.name + "_" * iskeyword(part.name))
                 )
         error = self.layout.links[link].link.exception_response
         refusal = error is not None and hasattr(decoded, "exception")
