@@ -12,6 +12,7 @@ import pytest
 import pyvisa
 
 from fieldspec.reference import CodecError, codec
+from fieldspec.testing import simulation
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, link_of, module_of
 from serial_lines import SECONDS, Line, serial_line
@@ -98,6 +99,21 @@ def test_pyvisa_reads_the_lines_of_changing_width_that_the_generated_codec_sends
         number, drift, title = line.split(",")
         assert (Decimal(number), int(drift), title, rest) == (Decimal(weight).scaleb(-2), -7, "T\xfcr", "010")
         assert number == str(Decimal(weight).scaleb(-2))
+
+
+def test_pyvisa_reads_and_writes_the_parameters_of_a_simulated_device_as_text() -> None:
+    with simulation("weigher", ports={"lines": "pty"}, folder=str(TEST_SPECS)) as device:
+        manager = pyvisa.ResourceManager("@py")
+        opened: Any = manager.open_resource(f"ASRL{device.places['lines']}::INSTR")
+        opened.read_termination = opened.write_termination = "\r\n"
+        opened.timeout = 1000 * SECONDS
+        assert opened.query("P1") == "P1=30000"
+        assert opened.query("Q2=-0120") == "Q2"
+        assert opened.query("P0002") == "P2=-120"
+        assert device.value("parameters/settings/zero_offset") == -120
+        device.set(**{"parameters/settings/zero_offset": 4999})
+        assert opened.query("P2").partition("=")[2] == "4999"
+        manager.close()
 
 
 NUMBERS = {

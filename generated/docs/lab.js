@@ -348,8 +348,8 @@ function canBytes({ identifier, data, isExtended = false }) {
   return Uint8Array.from([...head, data.length, 0, 0, 0, ...data]);
 }
 
-const NAMES = { ascii: "ASCII", latin_1: "Latin-1", utf_8: "UTF-8", utf_16: "UTF-16" };
-const CHARACTERS = { 0x00: "a zero", 0x20: "a space", 0x0a: "a line feed", 0x0d: "a carriage return" };
+const ENCODING_NAMES = { ascii: "ASCII", latin_1: "Latin-1", utf_8: "UTF-8", utf_16: "UTF-16" };
+const CHARACTER_NAMES = { 0x00: "a zero", 0x20: "a space", 0x0a: "a line feed", 0x0d: "a carriage return" };
 const LONE_SURROGATE = /[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/;
 const UTF_8 = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
 const USUAL = { encoding: "ascii" };
@@ -357,7 +357,7 @@ const USUAL = { encoding: "ascii" };
 const unitOf = ({ encoding }) => (encoding === "utf_16" ? 2 : 1);
 
 function characterName(code) {
-  return CHARACTERS[code] ?? `the character 0x${code.toString(16).toUpperCase().padStart(2, "0")}`;
+  return CHARACTER_NAMES[code] ?? `the character 0x${code.toString(16).toUpperCase().padStart(2, "0")}`;
 }
 
 /** The codes that a text has at each place: bytes, or numbers of 16 bits. */
@@ -413,7 +413,7 @@ function decodedText(form, bytes, little) {
 function textFault(form, size, text) {
   const { encoding, padding = 0, isRight = false, terminator } = form;
   const units = unitsOfText(form, text);
-  if (units === null) return ["unknown_value", `has characters that are not ${NAMES[encoding]}`];
+  if (units === null) return ["unknown_value", `has characters that are not ${ENCODING_NAMES[encoding]}`];
   if (text.includes("\0")) return ["unknown_value", "has a zero, which ends a text"];
   if (terminator !== undefined) {
     if (units.includes(terminator)) return ["unknown_value", `has ${characterName(terminator)}, which ends the text`];
@@ -1585,7 +1585,7 @@ const COUNTS = ["integer", "boolean"];
 function bytesAgain(value, field, row) {
   const own = field.value;
   const alike = own.kind === value.kind || (COUNTS.includes(own.kind) && COUNTS.includes(value.kind));
-  if (value.size === field.size && (alike || (own.kind !== "float" && value.kind !== "float"))) {
+  if (!own.digits && value.size === field.size && (alike || (own.kind !== "float" && value.kind !== "float"))) {
     return [row.raw, own.order ?? "big", Boolean(own.swapped)];
   }
   const [low, high] = alike && isWhole(row.number) ? typeBounds(value) : [1, 0];

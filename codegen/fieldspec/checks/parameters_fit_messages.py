@@ -28,7 +28,7 @@ def parameters_fit_messages(device: Device) -> Iterator[Diagnostic]:
         for value in (field.value, *(case.value for case in cases(field))):
             if value is not None and value.parameter is not None and value.parameter.part in _VALUES:
                 for parameter_set in device.sets(value.parameter.set):
-                    carriers.setdefault(parameter_set.name, []).append((value.size, field))
+                    carriers.setdefault(parameter_set.name, []).append((value.number_size(value.size), field))
     for parameter_set in device.parameters.values():
         known = carriers.get(parameter_set.name, [])
         sizes = {size for size, _ in known}

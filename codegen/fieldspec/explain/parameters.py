@@ -164,7 +164,8 @@ def _again(value: Value, field: FieldLayout, row: ExplanationRow) -> tuple[bytes
     """The bytes of a row as bytes of another value, with their order; None if they cannot be read as it."""
     own = field.primitive
     alike = own.kind is value.type.kind or (own.kind in _COUNTS and value.type.kind in _COUNTS)
-    if value.size == field.size and (alike or Kind.FLOAT not in (own.kind, value.type.kind)):
+    is_binary = field.value is not None and not field.value.digits
+    if is_binary and value.size == field.size and (alike or Kind.FLOAT not in (own.kind, value.type.kind)):
         return row.raw, field.order, field.swapped
     if alike and isinstance(row.number, int) and value.type.low <= row.number <= value.type.high:
         return int(row.number).to_bytes(value.size, "big", signed=value.type.signed), "big", False

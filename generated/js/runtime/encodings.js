@@ -1,5 +1,5 @@
-const NAMES = { ascii: "ASCII", latin_1: "Latin-1", utf_8: "UTF-8", utf_16: "UTF-16" };
-const CHARACTERS = { 0x00: "a zero", 0x20: "a space", 0x0a: "a line feed", 0x0d: "a carriage return" };
+const ENCODING_NAMES = { ascii: "ASCII", latin_1: "Latin-1", utf_8: "UTF-8", utf_16: "UTF-16" };
+const CHARACTER_NAMES = { 0x00: "a zero", 0x20: "a space", 0x0a: "a line feed", 0x0d: "a carriage return" };
 const LONE_SURROGATE = /[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/;
 const UTF_8 = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
 const USUAL = { encoding: "ascii" };
@@ -7,7 +7,7 @@ const USUAL = { encoding: "ascii" };
 const unitOf = ({ encoding }) => (encoding === "utf_16" ? 2 : 1);
 
 function characterName(code) {
-  return CHARACTERS[code] ?? `the character 0x${code.toString(16).toUpperCase().padStart(2, "0")}`;
+  return CHARACTER_NAMES[code] ?? `the character 0x${code.toString(16).toUpperCase().padStart(2, "0")}`;
 }
 
 /** The codes that a text has at each place: bytes, or numbers of 16 bits. */
@@ -63,7 +63,7 @@ export function decodedText(form, bytes, little) {
 export function textFault(form, size, text) {
   const { encoding, padding = 0, isRight = false, terminator } = form;
   const units = unitsOfText(form, text);
-  if (units === null) return ["unknown_value", `has characters that are not ${NAMES[encoding]}`];
+  if (units === null) return ["unknown_value", `has characters that are not ${ENCODING_NAMES[encoding]}`];
   if (text.includes("\0")) return ["unknown_value", "has a zero, which ends a text"];
   if (terminator !== undefined) {
     if (units.includes(terminator)) return ["unknown_value", `has ${characterName(terminator)}, which ends the text`];
