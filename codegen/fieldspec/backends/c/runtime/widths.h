@@ -2,8 +2,8 @@
 
 /** A field of a record whose values vary in width. Codecs work on an image, in which each has all bytes that it may have. */
 typedef struct device_width {
-    uint32_t size; /**< The bytes in the image. */
-    uint32_t most; /**< The most bytes that are sent; 0 where those of the image are. */
+    size_t size; /**< The bytes in the image. */
+    size_t most; /**< The most bytes that are sent; 0 where those of the image are. */
     uint16_t end; /**< The byte that follows; 0x100 where nothing does. */
     uint8_t form; /**< 1 for a text, else the letter for 10 among digits, and 0 where they are decimal. */
     uint8_t places; /**< How many digits follow a point. */
