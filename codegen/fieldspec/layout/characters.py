@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 
 _TEXT_KEYS = ("encoding", "padding", "align", "terminator", "varies")
-_HELP = "leave this output out for the device: name the others after --to"
 
 
 def character_refusals(
@@ -34,7 +33,7 @@ def _of_digits(fact: Fact, reader: str, for_controllers: bool) -> Diagnostic:
         "plc_numbers_binary" if for_controllers else "output_numbers_binary",
         f"{fact.name} is sent as digits, which {reader} does not convert",
         fact.place["digits"],
-        help=_HELP,
+        help=LEAVE_OUT,
     )
 
 
@@ -44,7 +43,7 @@ def _of_text(fact: Fact, reader: str, for_controllers: bool) -> Diagnostic:
         "plc_texts_ascii" if for_controllers else "output_texts_ascii",
         f"{fact.name} is not ASCII filled up with zeros behind it, and {reader} converts no other text",
         fact.place[key],
-        help=_HELP,
+        help=LEAVE_OUT,
     )
 
 
