@@ -6,8 +6,8 @@ from functools import cache
 from pathlib import Path
 
 from fieldspec.diagnostics import has_errors
+from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.layout.digits import digits_refusals
 from fieldspec.reading.project import DeviceSpec, read
 
 SPECS = Path(__file__).parent.parent / "specs"
@@ -38,7 +38,7 @@ def all_layouts() -> list[DeviceLayout]:
 
 def has_digits(layout: DeviceLayout) -> bool:
     """Whether numbers of a device are sent as digits, which several outputs refuse."""
-    return bool(digits_refusals([layout], ""))
+    return bool(character_refusals([layout], ""))
 
 
 def newest(root: Path, device: str) -> DeviceLayout:

@@ -28,6 +28,7 @@ REFUSALS = {
     "wide_floats": "plc_reals_fit",
     "absent_reals": "plc_reals_present",
     "digits": "plc_numbers_binary",
+    "formed_texts": "plc_texts_ascii",
     "other_frames": "plc_frames_supported",
     "can_frames": "plc_frames_supported",
     "byte_registers": "plc_spaces_supported",

@@ -88,6 +88,15 @@ def test_every_record_of_the_made_up_devices_has_a_layout_in_every_memory(
             assert ("plc_images_exact" in ran.out) == (ran.code == 1)
 
 
+def test_digits_are_bytes_and_what_varies_in_width_has_no_layout(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
+    assert "weight[3]" in run("layout", "weigher", "checkpoint", "--target", "c").out
+    ran = run("layout", "weigher", "measure_response", "--target", "c")
+    assert (ran.code, "weight varies in width" in ran.err) == (2, True)
+
+
 def test_cells_without_content_are_empty(run: CommandLine) -> None:
     lines = run("layout", "hiwin-e", "111", "--target", "tc3:2").lines
     assert lines[0].startswith("telegram_111")

@@ -348,6 +348,199 @@ function canBytes({ identifier, data, isExtended = false }) {
   return Uint8Array.from([...head, data.length, 0, 0, 0, ...data]);
 }
 
+const ENCODING_NAMES = { ascii: "ASCII", latin_1: "Latin-1", utf_8: "UTF-8", utf_16: "UTF-16" };
+const CHARACTER_NAMES = { 0x00: "a zero", 0x20: "a space", 0x0a: "a line feed", 0x0d: "a carriage return" };
+const LONE_SURROGATE = /[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/;
+const UTF_8 = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
+const USUAL = { encoding: "ascii" };
+
+const unitOf = ({ encoding }) => (encoding === "utf_16" ? 2 : 1);
+
+function characterName(code) {
+  return CHARACTER_NAMES[code] ?? `the character 0x${code.toString(16).toUpperCase().padStart(2, "0")}`;
+}
+
+/** The codes that a text has at each place: bytes, or numbers of 16 bits. */
+function unitsOf(form, bytes, little) {
+  if (unitOf(form) === 1) return bytes;
+  return Array.from({ length: bytes.length / 2 }, (_, at) => bytes[2 * at + (little ? 1 : 0)] * 256 + bytes[2 * at + (little ? 0 : 1)]);
+}
+
+/** The characters of units; null for those that the encoding does not have. */
+function textOfUnits({ encoding }, units) {
+  if (encoding === "utf_8") {
+    try {
+      return UTF_8.decode(Uint8Array.from(units));
+    } catch {
+      return null;
+    }
+  }
+  let text = "";
+  for (const unit of units) text += String.fromCharCode(unit);
+  if (encoding === "ascii" && units.some((unit) => unit > 0x7f)) return null;
+  return encoding === "utf_16" && LONE_SURROGATE.test(text) ? null : text;
+}
+
+/** The units of a text; null for characters that the encoding does not have. */
+function unitsOfText({ encoding }, text) {
+  if (LONE_SURROGATE.test(text)) return null;
+  if (encoding === "utf_8") return [...new TextEncoder().encode(text)];
+  const units = Array.from({ length: text.length }, (_, at) => text.charCodeAt(at));
+  const most = { ascii: 0x7f, latin_1: 0xff, utf_16: 0xffff }[encoding];
+  return units.some((unit) => unit > most) ? null : units;
+}
+
+/**
+ * The characters of the bytes of a text in a form, in UTF-16 with the low byte first where `little`; null for bytes
+ * that are none. Without a form, a text is ASCII that is filled up with zeros behind it.
+ */
+function decodedText(form, bytes, little) {
+  const { padding = 0, isRight = false, terminator } = form ?? USUAL;
+  const units = unitsOf(form ?? USUAL, bytes, little);
+  let [first, last] = [0, units.length];
+  if (terminator !== undefined) {
+    last = units.indexOf(terminator);
+    if (last < 0) return null;
+  } else {
+    while (!isRight && last > first && units[last - 1] === padding) last--;
+    while (isRight && last > first && units[first] === padding) first++;
+  }
+  const text = textOfUnits(form ?? USUAL, units.slice(first, last));
+  return form !== undefined && text !== null && text.includes("\0") ? null : text;
+}
+
+/** Why a text cannot be sent in `size` bytes of a form: a reason and words; null where it can. */
+function textFault(form, size, text) {
+  const { encoding, padding = 0, isRight = false, terminator } = form;
+  const units = unitsOfText(form, text);
+  if (units === null) return ["unknown_value", `has characters that are not ${ENCODING_NAMES[encoding]}`];
+  if (text.includes("\0")) return ["unknown_value", "has a zero, which ends a text"];
+  if (terminator !== undefined) {
+    if (units.includes(terminator)) return ["unknown_value", `has ${characterName(terminator)}, which ends the text`];
+  } else if (units.at(isRight ? 0 : -1) === padding) {
+    const place = isRight ? "begins" : "ends";
+    return ["unknown_value", `${place} with ${characterName(padding)}, which fills the text up`];
+  }
+  const room = size - (terminator === undefined ? 0 : unitOf(form));
+  const taken = units.length * unitOf(form);
+  return taken > room ? ["wrong_length", `has ${room} bytes, not ${taken}`] : null;
+}
+
+/** The `size` bytes of a text that has no fault. */
+function textBytes(form, size, text, little) {
+  const { padding = 0, isRight = false, terminator } = form;
+  const units = [...unitsOfText(form, text), ...(terminator === undefined ? [] : [terminator])];
+  const filler = new Array(Math.floor(size / unitOf(form)) - units.length).fill(padding);
+  const all = isRight ? [...filler, ...units] : [...units, ...filler];
+  if (unitOf(form) === 1) return Uint8Array.from(all);
+  return Uint8Array.from(all.flatMap((unit) => (little ? [unit & 255, unit >> 8] : [unit >> 8, unit & 255])));
+}
+
+const DIGITS_OF = { decimal: /^[0-9]*$/, upper_hex: /^[0-9A-F]*$/, lower_hex: /^[0-9a-f]*$/ };
+
+const latinText = (bytes) => Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+const latinBytes = (text) => Uint8Array.from(text, (character) => character.charCodeAt(0));
+
+/** What is sent of the bytes in the image of a value: no leading zeros, and a sign only below zero. */
+function narrowedBytes({ form, hasSign }, image) {
+  const text = latinText(image);
+  if (form === "text") return latinBytes(text.replace(/\0+$/, ""));
+  const digits = (hasSign ? text.slice(1) : text).replace(/^0+(?=[0-9A-Fa-f])/, "");
+  const isNegative = hasSign && text[0] === "-" && /[^0.]/.test(digits);
+  return latinBytes((isNegative ? "-" : "") + digits);
+}
+
+/** The bytes in the image of a value; null for bytes that are none of it. */
+function widenedBytes(field, bytes) {
+  const { form, size, most, places = 0, hasSign = false } = field;
+  let text = latinText(bytes);
+  if (text.length > most) return null;
+  if (form === "text") return text.includes("\0") ? null : latinBytes(text.padEnd(size, "\0"));
+  let sign = hasSign ? "+" : "";
+  if (hasSign && (text[0] === "+" || text[0] === "-")) {
+    sign = text[0];
+    text = text.slice(1);
+  }
+  const point = places ? text.indexOf(".") : -1;
+  const whole = point < 0 ? text : text.slice(0, point);
+  const fraction = point < 0 ? "" : text.slice(point + 1);
+  if (whole === "" || (point >= 0 && fraction === "") || fraction.length > places) return null;
+  if (!DIGITS_OF[form].test(whole + fraction)) return null;
+  const room = most - (places ? places + 1 : 0);
+  const behind = places ? `.${fraction.padEnd(places, "0")}` : "";
+  const image = latinBytes(sign + whole.replace(/^0+(?=.)/, "").padStart(room, "0") + behind);
+  return narrowedBytes(field, image).length <= most ? image : null;
+}
+
+/** Where a field ends that begins at a byte; undefined where its bytes, or its end, are missing. */
+function stopOf({ size, most, end }, bytes, at) {
+  if (most === undefined) return at + size <= bytes.length ? at + size : undefined;
+  if (end === undefined) return bytes.length;
+  const stop = bytes.indexOf(end, at);
+  return stop < 0 ? undefined : stop;
+}
+
+/**
+ * The fields of a record whose values vary in width, as far as the data go: where they are, and their bytes in the
+ * image, in which each value has all the bytes that it may have; null for bytes that are none of the value.
+ */
+function extentsOf(fields, bytes) {
+  const extents = [];
+  let start = 0;
+  for (const field of fields) {
+    const stop = stopOf(field, bytes, start);
+    if (stop === undefined) return extents;
+    const piece = bytes.subarray(start, stop);
+    extents.push({ start, stop, image: field.most === undefined ? piece : widenedBytes(field, piece) });
+    start = stop;
+  }
+  return extents;
+}
+
+/** What `read(image, start, end)` makes of the image of a record. Throws CodecError with the place in the data. */
+function readImage(fields, read, bytes, offset, end) {
+  const data = bytes.subarray(offset, end);
+  const extents = extentsOf(fields, data);
+  const unfit = extents.findIndex(({ image }) => image === null);
+  if (unfit >= 0) throw new CodecError("unknown_value", `${fields[unfit].name} is not in its form`, offset + extents[unfit].start);
+  if (extents.length < fields.length) throw new CodecError("incomplete", `${fields[extents.length].name} has no end`, end);
+  const stop = extents.at(-1).stop;
+  if (stop < data.length) throw new CodecError("wrong_length", `${fields.at(-1).name} is followed by more bytes`, offset + stop);
+  const image = Uint8Array.from(extents.flatMap((extent) => [...extent.image]));
+  try {
+    return read(image, 0, image.length);
+  } catch (error) {
+    if (!(error instanceof CodecError) || error.offset === null) throw error;
+    throw new CodecError(error.reason, error.detail, offset + placeInData(fields, extents, error.offset));
+  }
+}
+
+/** The byte in the data for a byte of the image. */
+function placeInData(fields, extents, at) {
+  let first = 0;
+  for (const [number, { size, most }] of fields.entries()) {
+    if (at < first + size) return extents[number].start + (most === undefined ? at - first : 0);
+    first += size;
+  }
+  return extents.at(-1).stop;
+}
+
+/** What is sent of an image. Throws CodecError for a text that has the byte which would end it. */
+function narrowedImage(fields, image) {
+  const pieces = [];
+  let at = 0;
+  for (const field of fields) {
+    const piece = image.subarray(at, at + field.size);
+    at += field.size;
+    const bytes = field.most === undefined ? piece : narrowedBytes(field, piece);
+    if (field.most !== undefined && field.end !== undefined && bytes.includes(field.end)) {
+      throw new CodecError("unknown_value", `${field.name} has the character that ends it`);
+    }
+    pieces.push(...bytes);
+  }
+  return Uint8Array.from(pieces);
+}
+
 /** Whether a raw value is a whole number; truth values are. A floating-point number is one by its value alone. */
 function isWhole(number) {
   return typeof number === "bigint" || typeof number === "boolean" || Number.isInteger(number);
@@ -503,7 +696,7 @@ function sameValue(left, right) {
 function valueText(value, isFloat = false) {
   if (typeof value === "boolean") return value ? "True" : "False";
   if (typeof value === "number" && (isFloat || !Number.isInteger(value))) return floatText(value);
-  if (value instanceof Uint8Array) return `b${quotedText(latinOf(value))}`;
+  if (value instanceof Uint8Array) return `b${quotedText(latinOf(value), BEYOND_ASCII)}`;
   if (typeof value === "string") return quotedText(value);
   if (Array.isArray(value)) return `[${value.map((item) => valueText(item, isFloat)).join(", ")}]`;
   if (value instanceof Map) return `{${[...value].map(([key, item]) => `${quotedText(key)}: ${valueText(item)}`).join(", ")}}`;
@@ -512,13 +705,20 @@ function valueText(value, isFloat = false) {
 
 const SPELLED = { "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t" };
 
-function quotedText(text) {
+const BEYOND_ASCII = /[^\x20-\x7e]/;
+const UNPRINTABLE = /[\p{C}\p{Z}]/u;
+
+function escapedCharacter(code) {
+  const [letter, digits] = code < 0x100 ? ["x", 2] : code < 0x10000 ? ["u", 4] : ["U", 8];
+  return `\\${letter}${code.toString(16).padStart(digits, "0")}`;
+}
+
+function quotedText(text, escaped = UNPRINTABLE) {
   const quote = text.includes("'") && !text.includes('"') ? '"' : "'";
   const inner = Array.from(text, (char) => {
     if (char === quote) return `\\${char}`;
     if (SPELLED[char]) return SPELLED[char];
-    const code = char.charCodeAt(0);
-    return code < 0x20 || code > 0x7e ? `\\x${DIGITS[code & 0xff].toLowerCase()}` : char;
+    return char !== " " && escaped.test(char) ? escapedCharacter(char.codePointAt(0)) : char;
   });
   return quote + inner.join("") + quote;
 }
@@ -849,8 +1049,9 @@ function decodeValue(device, value, bytes, order, swapped, reserved) {
   if (reserved) return decoded(number);
   if (value.kind === "boolean") return decodedBoolean(device, value, number);
   if (value.kind === "text") {
-    if (bytes.some((byte) => byte > 0x7f)) return judged(decoded(bytes), false, "ASCII", "unknown_value");
-    return decoded(latinOf(bytes).replace(/\0+$/, ""));
+    const text = decodedText(value.textForm, bytes, order !== "big");
+    if (text === null) return judged(decoded(bytes), false, value.textFormTitle ?? "ASCII", "unknown_value");
+    return decoded(text);
   }
   if (value.kind === "float") return decodedFloat(value, number);
   if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");
@@ -1411,7 +1612,7 @@ const COUNTS = ["integer", "boolean"];
 function bytesAgain(value, field, row) {
   const own = field.value;
   const alike = own.kind === value.kind || (COUNTS.includes(own.kind) && COUNTS.includes(value.kind));
-  if (value.size === field.size && (alike || (own.kind !== "float" && value.kind !== "float"))) {
+  if (!own.digits && value.size === field.size && (alike || (own.kind !== "float" && value.kind !== "float"))) {
     return [row.raw, own.order ?? "big", Boolean(own.swapped)];
   }
   const [low, high] = alike && isWhole(row.number) ? typeBounds(value) : [1, 0];
@@ -1657,6 +1858,10 @@ class ExplainedBody {
 
   explainFields() {
     let at = this.start;
+    if (this.record.spans) {
+      this.explainVarying();
+      return;
+    }
     for (const [number, field] of this.record.fields.entries()) {
       if (field.cases) {
         this.rows.push(this.undecidedRow(field, at));
@@ -1672,6 +1877,26 @@ class ExplainedBody {
       }
     }
     if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
+  }
+
+  /** Adds the rows of a record whose values vary in width. */
+  explainVarying() {
+    const { fields, spans } = this.record;
+    const extents = extentsOf(spans, this.data.subarray(this.start, this.end));
+    let at = this.start;
+    for (const [number, { start, stop, image }] of extents.entries()) {
+      const field = fields[number];
+      at = this.start + start;
+      if (spans[number].most === undefined) this.explainField(field, at, field.count ?? 0);
+      else {
+        const varying = { raw: this.data.subarray(at, this.start + stop), image, form: spans[number].formText };
+        this.values.set(field.name, this.explainValue(field, field.name, at, 0, true, varying));
+      }
+      at = this.start + stop;
+    }
+    const missing = fields[extents.length];
+    if (missing) this.rows.push(this.wrongRow(missing, at, "incomplete", `${missing.name} has no end`));
+    else if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
   }
 
   /** How many elements a field should have: as many as fit if their number is free. */
@@ -1737,10 +1962,14 @@ class ExplainedBody {
     return values;
   }
 
-  explainValue(field, path, at, index, isTop) {
+  /** Adds the row of a value. Of one that varies in width, `varying` has the bytes, those in the image, and its form. */
+  explainValue(field, path, at, index, isTop, varying) {
     const { value } = field;
-    const raw = this.data.subarray(at, at + field.size);
-    let read = decodeValue(this.device, value, raw, value.order ?? "big", value.swapped, field.reserved);
+    const raw = varying?.raw ?? this.data.subarray(at, at + field.size);
+    const image = varying ? varying.image : raw;
+    let read = image === null
+      ? judged(decoded(raw), false, varying.form, "unknown_value")
+      : decodeValue(this.device, value, image, value.order ?? "big", value.swapped, field.reserved);
     const { number } = read;
     if (isTop) read = this.measured(field, this.repeated(field, read));
     const known = (name) => (this.values.has(name) ? this.values.get(name) : this.asked.get(name));
@@ -1756,7 +1985,8 @@ class ExplainedBody {
     const other = this.record.named.get(name);
     if (!other || other.cases) return read;
     const room = Math.floor((this.end - this.start - other.offset) / other.size);
-    const items = other.isList ? Math.max(0, Math.min(this.countOf(other), room)) : 1;
+    const most = this.record.spans ? this.countOf(other) : Math.max(0, Math.min(this.countOf(other), room));
+    const items = other.isList ? most : 1;
     const should = of === "bytes" ? items * other.size : items;
     return judged(read, sameValue(read.number, should), should, "wrong_measure");
   }
@@ -2845,6 +3075,11 @@ function joinedBytes(series) {
 /** The bytes of one value. Throws CodecError where no codec takes it. */
 function bytesOfValue(device, name, value, raw) {
   const { kind, size, swapped, order = "big" } = value;
+  if (value.textForm && typeof raw === "string") {
+    const fault = textFault(value.textForm, size, raw);
+    if (fault !== null) throw new CodecError(fault[0], `${name} ${fault[1]}`);
+    return textBytes(value.textForm, size, raw, order !== "big");
+  }
   if (kind === "text" || kind === "bytes") {
     const bytes = typeof raw === "string" ? Uint8Array.from(raw, (char) => char.charCodeAt(0)) : raw;
     if (typeof raw === "string" && /[^\x00-\x7f]/.test(raw)) throw new CodecError("unknown_value", `${name} has characters that are not ASCII`);
@@ -2914,7 +3149,7 @@ function encodeRecord(device, record, values) {
   if (!form) throw new CodecError("unknown_value", `${record.selector} is ${values.get(record.selector)}, which chooses nothing that may follow`);
   const known = new Map();
   for (const field of form.fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
-  return joinedBytes(form.fields.map((field) => {
+  const bytes = joinedBytes(form.fields.map((field) => {
     if (!field.measures) return joinedBytes(known.get(field.name).map((item) => bytesOfElement(device, field, item)));
     const [of, name] = field.measures;
     const other = form.named.get(name);
@@ -2922,6 +3157,7 @@ function encodeRecord(device, record, values) {
     const number = inRange(field.name, field.value, of === "bytes" ? items * other.size : items);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
+  return form.spans ? narrowedImage(form.spans, bytes) : bytes;
 }
 
 /** The values of the elements of a field: those entered, or its constant or zeros where nobody enters them. */

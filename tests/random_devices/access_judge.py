@@ -28,10 +28,12 @@ def _has_read_only(record: RecordLayout) -> bool:
     )
 
 
-def _has_digits(record: RecordLayout) -> bool:
-    """Whether a number of a record, or of a record in it, is sent as digits, which have no columns."""
+def _has_characters(record: RecordLayout) -> bool:
+    """Whether a record, or one in it, has digits, or texts in a form of their own, which have no columns."""
     return any(
-        _has_digits(field.record) if field.record is not None else field.value is not None and bool(field.value.digits)
+        _has_characters(field.record)
+        if field.record is not None
+        else field.value is not None and bool(field.value.digits or field.value.text_form)
         for field in record.fields
     )
 
@@ -61,7 +63,7 @@ class Access(Python):
         for query in queries:
             if query.kind in ("register", "parameter") and query.values is None:
                 self._assert_quantity(query)
-            if query.kind != "record" or query.values is not None or _has_digits(query.shape):
+            if query.kind != "record" or query.values is not None or _has_characters(query.shape):
                 continue
             if query.shape.size and query.shape.selector is None:
                 self._assert_columns(query)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fieldspec.backends.c.backend import header
 from fieldspec.backends.c.delimiters import is_wrapped
+from fieldspec.backends.c.encoded_texts import text_capacity
 from fieldspec.backends.c.fields import case_member, count_member, members
 from fieldspec.backends.c.frames import header_parts
 from fieldspec.backends.c.naming import Naming, frame_member, member
@@ -215,7 +216,7 @@ class Driver:
     def _declared(self, value: Value) -> str:
         """The variable that functions of a value take: one of a closed enum has the type of the enum."""
         if value.type.kind is Kind.TEXT:
-            return f"char content[{value.size + 1}];"
+            return f"char content[{text_capacity(value) + 1}];"
         if value.type.kind is Kind.BYTES:
             return f"uint8_t content[{value.size}];"
         kind = accessed_type(self.naming, self.layout.device, value)

@@ -167,15 +167,26 @@ def _access(draft: Draft, operation: str, space: str, most: int, unit: str) -> S
     return draft.fact(request=[address, *sized], response=[], accesses=access)
 
 
+_PARAMETER_DIGITS: dict[str, tuple[Spec, ...]] = {
+    "u16": ({"digits": "upper_hex", "length": 4}, {"digits": "bcd", "length": 2}),
+    "u32": ({"digits": "lower_hex", "length": 8}, {"digits": "decimal", "length": 9, "varies": True}),
+    "i32": ({"digits": "decimal", "length": 10}, {"digits": "decimal", "length": 9, "varies": True}),
+}
+"""How values of parameters may be sent as digits, by their types."""
+
+
 def _parameter_messages(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
     """The messages that read and write the parameters of a set by their numbers."""
     parameter_set = draft.pick(draft.spec["parameters"])
     name = parameter_set.get("space") or parameter_set["name"]
-    number = draft.fact(type="u16", parameter={"set": name, "part": "number"})
-    if draft.chance(40):
+    is_text = draft.chance(35)
+    sent = {"digits": "upper_hex", "length": 4} if is_text else {}
+    number = draft.fact(type="u16", parameter={"set": name, "part": "number"}, **sent)
+    if not is_text and draft.chance(40):
         return _with_codes(draft, _messages_of_bytes(draft, name, number), codes, links)
     kind = draft.pick(("u16", "u32", "i32"))
-    value = draft.fact(type=kind, parameter={"set": name, "part": "value", "number": number["name"]})
+    sent = draft.pick(_PARAMETER_DIGITS[kind]) if is_text else {}
+    value = draft.fact(type=kind, parameter={"set": name, "part": "value", "number": number["name"]}, **sent)
     drawn = [draft.fact(request=[number], response=[number, value]), draft.fact(request=[number, value], response=[])]
     return _with_codes(draft, drawn, codes, links)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import Draft, RecordDraft, Spec
-from random_devices.drawn_values import size_of, value
+from random_devices.drawn_values import size_of, value, varying_value
 
 
 def records(draft: Draft) -> list[Spec]:
@@ -53,11 +53,13 @@ def fixed_field(draft: Draft, place: str = "field") -> tuple[Spec, int]:
 
 def body(draft: Draft, place: str = "field") -> list[Spec]:
     """The fields of a request or a response."""
-    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted", "short"))
+    form = draft.pick(("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line"))
     if form == "empty":
         return []
     if form == "short":
         return [_short_field(draft) for _ in range(draft.number(1, 3))]
+    if form == "line":
+        return _line(draft)
     fields = [draft.bounded(fixed_field(draft)[0], 4) for _ in range(draft.number(0 if form != "fixed" else 1, 4))]
     if form == "repeat":
         return [*fields, _repeated(draft, fields)]
@@ -76,6 +78,22 @@ def _short_field(draft: Draft) -> Spec:
     if draft.chance(25):
         keys["const"] = draft.number(0, 255)
     return draft.fact(**keys)
+
+
+def _line(draft: Draft) -> list[Spec]:
+    """Values that vary in width with what separates them, between other fields."""
+    fields: list[Spec] = []
+    for number in range(draft.number(1, 4)):
+        if number and draft.chance(80):
+            fields.append(draft.fact(type="u8", const=draft.pick((0x2C, 0x3B, 0x20, 0x2F, 0x0A))))
+        elif number:
+            fields.append(draft.fact(type="u8", const=0x3A))
+            fields.append(fixed_field(draft)[0])
+        fields.append(draft.fact(**varying_value(draft)))
+    if draft.chance(30):
+        fields.append(draft.fact(type="u8", const=0x0D))
+        fields += [fixed_field(draft)[0] for _ in range(draft.number(0, 2))]
+    return fields
 
 
 def _limits(draft: Draft) -> str:

@@ -22,7 +22,9 @@ def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:
         keys["length"] = draft.number(1, 12)
         if place in ("register", "table"):
             keys["length"] += keys["length"] % 2
-        if draft.chance(20):
+        if place in ("field", "register", "signal", "table") and draft.chance(40):
+            _text_form(draft, keys)
+        elif draft.chance(20):
             keys["characters"] = draft.number(1, keys["length"])
     elif kind == "bytes":
         keys["length"] = draft.number(1, 9)
@@ -160,6 +162,50 @@ def _digits(draft: Draft, place: str) -> Spec:
         if use == "sentinel":
             _sentinels(draft, keys, low, high)
     return keys
+
+
+def varying_value(draft: Draft) -> Spec:
+    """A text, or a number of digits, of as many bytes as it needs."""
+    if draft.chance(25):
+        encoding = {"encoding": draft.pick(("ascii", "latin_1", "utf_8"))} if draft.chance(60) else {}
+        return {"type": "text", "length": draft.number(1, 9), "varies": True, **encoding}
+    form = draft.pick(("decimal", "decimal", "decimal", "upper_hex", "lower_hex"))
+    size = draft.number(1, 9)
+    places = draft.number(1, 3) if form == "decimal" and size > 2 and draft.chance(50) else 0
+    places = min(places, size - 2)
+    count = size - (places > 0)
+    is_signed = form == "decimal" and draft.chance(50)
+    high = (10 if form == "decimal" else 16) ** count - 1
+    low = 1 - 10 ** (count - 1) if is_signed else 0
+    bits = next(bits for bits in (8, 16, 32, 64) if high < 1 << (bits - is_signed))
+    keys: Spec = {"type": f"{'i' if is_signed else 'u'}{bits}", "digits": form, "length": size, "varies": True}
+    if places > 0:
+        keys["places"] = places
+    use = draft.pick(("bare", "range", "scaled", "enum", "sentinel"))
+    if use == "enum":
+        _enum(draft, keys, low, high)
+    elif use != "bare":
+        if use != "range":
+            _scale(draft, keys, "field")
+        _range(draft, keys, low, high, "field", use == "sentinel")
+        if use == "sentinel":
+            _sentinels(draft, keys, low, high)
+    return keys
+
+
+def _text_form(draft: Draft, keys: Spec) -> None:
+    """How a text is sent that is not ASCII filled up with zeros."""
+    keys["encoding"] = draft.pick(("ascii", "latin_1", "utf_8", "utf_16"))
+    if keys["encoding"] == "utf_16":
+        keys["length"] += keys["length"] % 2
+    if draft.chance(50):
+        keys["padding"] = draft.pick(("nul", "space"))
+    if draft.chance(30):
+        keys["align"] = draft.pick(("left", "right"))
+    if draft.chance(30) and keys["length"] > 2 and keys.get("align") != "right":
+        keys["terminator"] = draft.pick((0x00, 0x0D, 0x20, 0x7F))
+    if keys["encoding"] == "utf_16" and draft.chance(40):
+        keys["byte_order"] = draft.pick(("little", "big"))
 
 
 def _float(draft: Draft, keys: Spec, place: str) -> None:

@@ -16,6 +16,15 @@ _LONGEST = 12
 """Elements of a list that are made beyond the least number, so that frames stay short."""
 
 
+_CHARACTERS = {
+    "ascii": string.printable,
+    "latin_1": "AZ  \t\x7f\x80\xe4\xff",
+    "utf_8": "AZ  \r\xe4\u20ac\U0001f600",
+    "utf_16": "AZ  \r\xe4\u0d00\u2020\ufffd\U0001f600",
+}
+"""Characters of texts by their encodings: such as end and fill up texts are among them."""
+
+
 def is_computed(field: FieldLayout) -> bool:
     """Whether encoders fill a field themselves."""
     constant = field.value is not None and field.value.const is not None
@@ -60,7 +69,8 @@ def number_or_text(layout: DeviceLayout, value: Value | None, dice: random.Rando
     kind = value.type.kind
     if kind is Kind.TEXT:
         length = dice.randint(0, value.size) if dice.random() < 0.95 else value.size + 1
-        return "".join(dice.choice(string.printable) for _ in range(length))
+        characters = string.printable if value.text_form is None else _CHARACTERS[value.text_form.encoding]
+        return "".join(dice.choice(characters) for _ in range(length))
     if kind is Kind.BYTES:
         return dice.randbytes(value.size)
     if kind is Kind.BOOLEAN:

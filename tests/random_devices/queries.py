@@ -116,7 +116,7 @@ def flat_value(value: Value, raw: Any) -> str:
     if kind is Kind.FLOAT:
         return "nan;" if math.isnan(raw) else struct.pack(">f" if value.size == 4 else ">d", raw).hex() + ";"
     if kind is Kind.TEXT:
-        return raw.partition("\0")[0].encode("ascii").hex() + ";"
+        return raw.partition("\0")[0].encode("utf-8").hex() + ";"
     if kind is Kind.BYTES:
         return bytes(raw).hex() + ";"
     return f"{int(raw)};"

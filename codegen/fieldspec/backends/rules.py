@@ -20,6 +20,14 @@ Example: `{name: data, type: bytes, length: 4, parameter: {set: objects, part: v
 
 Cure: Exclude the output for the device (`--to`), or state the type of the field.
 """,
+    "output_texts_ascii": """Every text is ASCII, filled up with zeros behind it, in dissectors, queries and word maps.
+
+Why: these outputs do not convert encodings, so they would show other characters, or spaces that are no part of a text.
+
+Example: a field with `type: text, length: 8, padding: space`.
+
+Cure: Exclude the output for the device (`--to`), or state the text as `bytes`.
+""",
     "wireshark_frames_unescaped": """The frames that a dissector shows have the bytes that are sent.
 
 Why: the dissector does not undo escapes, so it would show other values than the frame has.

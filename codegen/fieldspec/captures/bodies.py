@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import takewhile
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +13,10 @@ from fieldspec.captures.decoders import Decoders, ValueColumns
 from fieldspec.captures.verdicts import INCOMPLETE, OK, REFUSED, UNKNOWN_VALUE, WRONG_LENGTH, WRONG_MEASURE
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.widths import WidthError, extents, image_of
+
+_UNFIT = {"incomplete": INCOMPLETE, "unknown_value": UNKNOWN_VALUE, "wrong_length": WRONG_LENGTH}
+"""The verdicts of bodies whose values vary in width."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +61,7 @@ class BodyReader:
     def __init__(self, record: RecordLayout, decoders: Decoders, emits: bool) -> None:
         self.record, self.decoders, self.emits = record, decoders, emits
         self.slots = list(slots(record)) if record.selector is None else []
+        self.image = BodyReader(record.image, decoders, emits) if record.spans else None
         self.chosen = {id(each): BodyReader(each, decoders, emits) for each in record.chosen.values()}
 
     def read(
@@ -65,6 +71,10 @@ class BodyReader:
 
         A verdict that is not yet another one becomes that of the first fault.
         """
+        if self.image is not None:
+            image, sizes = self._images(buffer, at, size, verdict)
+            yield from self.image._fields(image, np.arange(len(at)) * self.image.record.least, sizes, verdict)
+            return
         if self.record.selector is None:
             yield from self._fields(buffer, at, size, verdict)
             return
@@ -85,6 +95,24 @@ class BodyReader:
         long = np.zeros(len(at), np.bool_) if self.record.most is None else size > self.record.most
         blame(verdict, ~decided & long, WRONG_LENGTH)
         blame(verdict, ~decided, UNKNOWN_VALUE)
+
+    def _images(
+        self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+    ) -> tuple[Bytes, Numbers]:
+        """The images of bodies whose values vary in width, one after the other, and how far each goes."""
+        images = []
+        sizes = np.zeros(len(at), np.int64)
+        for row, (first, length) in enumerate(zip(at.tolist(), size.tolist(), strict=True)):
+            data = buffer[first : first + max(length, 0)].tobytes()
+            try:
+                image, _ = image_of(self.record.spans, data)
+            except WidthError as error:
+                known = list(takewhile(lambda extent: extent.image is not None, extents(self.record.spans, data)))
+                image = b"".join(extent.image or b"" for extent in known)
+                blame_rows(verdict, np.array([row]), _UNFIT[error.reason])
+            sizes[row] = len(image)
+            images.append(image.ljust(self.record.image.least, b"\0"))
+        return np.frombuffer(b"".join(images), np.uint8), sizes
 
     def _fields(
         self, buffer: Bytes, at: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]

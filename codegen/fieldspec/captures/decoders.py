@@ -20,6 +20,7 @@ from fieldspec.explain.values import decode_value, number_of
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_bytes
 from fieldspec.model.ranges import Ranges
+from fieldspec.model.text_form import decoded_text
 from fieldspec.model.value import Kind, Value
 
 UNSEEN = -2
@@ -280,9 +281,10 @@ class Decoder:
     def _character_text(self, data: bytes) -> tuple[int, int]:
         if self.type.kind is Kind.BYTES or self.reserved:
             return self.texts.place(data.hex(" ").upper()), OK
-        if any(byte > 0x7F for byte in data):
+        text = decoded_text(self.value, self.order, data)
+        if text is None:
             return self.texts.place(data.hex(" ").upper()), UNKNOWN_VALUE
-        return self.texts.place(data.rstrip(b"\0").decode("ascii")), OK
+        return self.texts.place(text), OK
 
 
 def within(numbers: npt.NDArray[np.int64] | npt.NDArray[np.uint64], ranges: Ranges) -> Mask:

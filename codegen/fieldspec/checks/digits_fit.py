@@ -75,8 +75,6 @@ def _use(fact: Fact, value: Value) -> str:
     """What a value is for that outputs read as a binary number; empty for other values."""
     if value.const is not None:
         return "is a constant"
-    if value.parameter is not None:
-        return "belongs to a numbered parameter"
     if isinstance(fact, Field) and fact.measures is not None:
         return f"contains the size of {fact.measures.field}"
     return "is reserved" if getattr(fact, "reserved", False) else ""

@@ -1,11 +1,11 @@
 """A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers. A
-floating-point number has no scale. Texts and bytes have no byte order, range or scale. Only a number of
-several words has a word order, and only a text, bytes and digits have a `length`.
+floating-point number has no scale. Texts and bytes have no range or scale, and only UTF-16 has a byte order. Only a
+number of several words has a word order, and only a text, bytes and digits have a `length`.
 
 Why: a key that no output can apply must not look as if it had an effect. A reader would rely on a limit or a
 name that no codec knows.
 
-Example: `enum: mode` on an `f32`, or `byte_order: little` on a `text`.
+Example: `enum: mode` on an `f32`, or `byte_order: little` on `bytes`.
 
 Cure: Remove the key, or correct the type.
 """
@@ -44,7 +44,7 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
         kind = value.type.kind
         more = _OF_BITS if value.type.name == BIT else ()
         for key in (*_UNFIT.get(kind, ()), *more):
-            if _has(value, key):
+            if _has(value, key) and not (key == "byte_order" and value.has_order):
                 text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
                 yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, _HELP[kind])
         if value.type.is_number and not value.digits and "length" in fact.place:

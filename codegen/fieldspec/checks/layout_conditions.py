@@ -8,9 +8,18 @@ from fieldspec.checks.messages_complete import messages_complete
 from fieldspec.checks.records_finite import records_finite
 from fieldspec.checks.references_resolve import references_resolve
 from fieldspec.checks.repeat_last import repeat_last
+from fieldspec.checks.varying_widths_end import varying_widths_end
 from fieldspec.model.device import Device
 
-_CHECKS = (references_resolve, records_finite, repeat_last, choices_complete, links_complete, messages_complete)
+_CHECKS = (
+    references_resolve,
+    records_finite,
+    repeat_last,
+    choices_complete,
+    links_complete,
+    messages_complete,
+    varying_widths_end,
+)
 LAYOUT_CONDITIONS = tuple(check.__name__ for check in _CHECKS)
 """The checks without which a device has no layout."""
 

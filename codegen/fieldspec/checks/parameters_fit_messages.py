@@ -31,7 +31,7 @@ def parameters_fit_messages(device: Device) -> Iterator[Diagnostic]:
                 if value.type.kind is Kind.BYTES:
                     continue  # parameter_bytes_complete judges them
                 for parameter_set in device.sets(value.parameter.set):
-                    carriers.setdefault(parameter_set.name, []).append((value.size, field))
+                    carriers.setdefault(parameter_set.name, []).append((value.number_size(value.size), field))
     for parameter_set in device.parameters.values():
         known = carriers.get(parameter_set.name, [])
         sizes = {size for size, _ in known}

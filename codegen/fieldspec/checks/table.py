@@ -103,10 +103,12 @@ from fieldspec.checks.subindices_match_elements import subindices_match_elements
 from fieldspec.checks.table_fields_readable import table_fields_readable
 from fieldspec.checks.tasks_complete import tasks_complete
 from fieldspec.checks.text_fits_words import text_fits_words
+from fieldspec.checks.texts_fit import texts_fit
 from fieldspec.checks.triggers_writable import triggers_writable
 from fieldspec.checks.types_fit_space import types_fit_space
 from fieldspec.checks.units_known import units_known
 from fieldspec.checks.value_within_range import value_within_range
+from fieldspec.checks.varying_widths_end import varying_widths_end
 from fieldspec.checks.widths_fit_place import widths_fit_place
 from fieldspec.checks.wire_numbers_match import wire_numbers_match
 from fieldspec.checks.words_match_type import words_match_type
@@ -211,10 +213,12 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("table_fields_readable", table_fields_readable),
     ("tasks_complete", tasks_complete),
     ("text_fits_words", text_fits_words),
+    ("texts_fit", texts_fit),
     ("triggers_writable", triggers_writable),
     ("types_fit_space", types_fit_space),
     ("units_known", units_known),
     ("value_within_range", value_within_range),
+    ("varying_widths_end", varying_widths_end),
     ("widths_fit_place", widths_fit_place),
     ("wire_numbers_match", wire_numbers_match),
     ("words_match_type", words_match_type),

@@ -17,7 +17,7 @@ from fieldspec.checks.finding import finding, label, plural
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.value import Kind
+from fieldspec.model.value import Kind, Value
 
 
 def text_fits_words(device: Device) -> Iterator[Diagnostic]:
@@ -25,16 +25,22 @@ def text_fits_words(device: Device) -> Iterator[Diagnostic]:
         if value.characters is not None and value.type.kind is not Kind.TEXT:
             text = f"{fact.name} is {value.type.name}, which has no characters"
             yield finding("text_fits_words", fact.place, "characters", text, "use the type `text`")
-        elif value.characters is not None and value.characters > value.size:
+        elif value.characters is not None and value.characters > _most(value):
             text = f"{fact.name} can have {value.characters} characters, but has {plural(value.size, 'byte')}"
             help = "correct the characters or the size"
             yield finding("text_fits_words", fact.place, "characters", text, help, _size(fact))
-        if isinstance(value.default, str) and value.type.kind is Kind.TEXT:
+        if isinstance(value.default, str) and value.type.kind is Kind.TEXT and value.text_form is None:
             length = len(value.default.encode())
             if length > value.size:
                 text = f"the default of {fact.name} takes {length} bytes, but it has {value.size}"
                 help = "correct the default or the size"
                 yield finding("text_fits_words", fact.place, "default", text, help, _size(fact))
+
+
+def _most(value: Value) -> int:
+    """How many characters a text may have."""
+    form = value.text_form
+    return value.size if form is None else form.room(value.size) // form.unit
 
 
 def _size(fact: Fact) -> Label:

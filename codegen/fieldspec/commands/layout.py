@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from fieldspec.commands import layout_cache
 from fieldspec.commands.frame_options import number_of
 from fieldspec.commands.terminal import print_blocks, print_findings
-from fieldspec.commands.usage import unknown
+from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.fact import Fact
@@ -52,6 +52,9 @@ def _matching_records(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordL
     if not meant:
         raise unknown(f"record of {layout.device.id}", name, {word for candidate in known for word in candidate[2]})
     for record, fact, _ in meant:
+        if record.spans:
+            varying = next(span.name for span in record.spans if span.value is not None)
+            raise UsageError(f"{record.name} has no layout: {varying} varies in width")
         for decided, chosen in choices(record):
             yield chosen, fact, f"{record.name}, {decided}" if decided else record.name
 

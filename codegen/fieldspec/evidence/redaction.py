@@ -18,6 +18,7 @@ from fieldspec.live.reading import all_occupants, is_bit
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import RegisterAccess
 from fieldspec.model.registers import Parameter
+from fieldspec.model.text_form import text_bytes
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.frames import Decoded, codec
 from fieldspec.reference.parameters import stated_bytes
@@ -264,7 +265,7 @@ def _filler(value: Value | None, size: int, order: str, swapped: bool) -> bytes:
     if value is None or value.size != size:
         return bytes(size)
     if value.type.kind is Kind.TEXT:
-        return b"X" * size
+        return text_bytes(value, order, "X" * size)
     least = min((low for low, _ in _intervals(value)), key=abs, default=0)
     if value.type.kind is Kind.INTEGER and least:
         return bytes(value_construct(value, order, swapped).build(least))

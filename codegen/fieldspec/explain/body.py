@@ -12,6 +12,7 @@ from fieldspec.explain.values import DecodedValue, Meaning, decimal_text, decode
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.values import Raw
+from fieldspec.layout.widths import extents, value_form
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import Message
@@ -89,6 +90,9 @@ class Body:
 
     def _rows(self) -> Iterator[ExplanationRow]:
         at = self.start
+        if self.record.spans:
+            yield from self._varying_rows()
+            return
         for number, field in enumerate(self.record.fields):
             if field.cases:
                 yield self._undecided(field, at)
@@ -101,6 +105,25 @@ class Body:
                 yield self._missing(number, at)
                 return
         if at < self.end:
+            yield surplus_row(self.spot, at, self.data[at : self.end])
+
+    def _varying_rows(self) -> Iterator[ExplanationRow]:
+        """The rows of a record whose values vary in width."""
+        fields = self.record.fields
+        at = self.start
+        known = extents(self.record.spans, self.data[self.start : self.end])
+        for field, span, extent in zip(fields, self.record.spans, known, strict=False):
+            at = self.start + extent.start
+            if span.value is None:
+                yield from self._field(field, at, field.count or 0)
+            else:
+                sent = self.data[at : self.start + extent.stop]
+                rows, self.values[field.name] = self._value(field, field.name, at, 0, True, (sent, extent.image))
+                yield from rows
+            at = self.start + extent.stop
+        if len(known) < len(fields):
+            yield self._wrong(fields[len(known)], at, "incomplete", f"{fields[len(known)].name} has no end")
+        elif at < self.end:
             yield surplus_row(self.spot, at, self.data[at : self.end])
 
     def _count(self, field: FieldLayout) -> int:
@@ -174,11 +197,23 @@ class Body:
             values[field.name] = elements if field.is_list else elements[0]
         return rows, values
 
-    def _value(self, field: FieldLayout, path: str, at: int, index: int, top: bool) -> tuple[list[ExplanationRow], Raw]:
+    def _value(
+        self,
+        field: FieldLayout,
+        path: str,
+        at: int,
+        index: int,
+        top: bool,
+        varying: tuple[bytes, bytes | None] | None = None,
+    ) -> tuple[list[ExplanationRow], Raw]:
+        """The rows of one value; `varying` are the bytes of one that varies in width: as sent, and in the image."""
         assert field.value is not None
-        raw = self.data[at : at + field.size]
+        raw, image = varying or (self.data[at : at + field.size], self.data[at : at + field.size])
         device = self.layout.device
-        read = decode_value(device, field.value, raw, field.order, field.swapped, field.field.reserved)
+        if image is None:
+            read = DecodedValue(raw).judged(False, value_form(field.value), "unknown_value")
+        else:
+            read = decode_value(device, field.value, image, field.order, field.swapped, field.field.reserved)
         number = read.number
         assert number is not None
         if top:
@@ -195,6 +230,7 @@ class Body:
             return read
         start = self.start + other.offset
         items = max(0, min(self._count(other), (self.end - start) // other.size)) if other.is_list else 1
+        items = (other.count or 0) if self.record.spans else items
         should = items * other.size if measure.of == "bytes" else items
         return read.judged(read.number == should, should, "wrong_measure")
 

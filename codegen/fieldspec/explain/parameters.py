@@ -179,7 +179,8 @@ def _again(
     if field.carries_bytes:
         return (row.raw[:size], *Orders(field.order, device.word_order).of(value)) if size == value.size else None
     alike = own.kind is value.type.kind or (own.kind in _COUNTS and value.type.kind in _COUNTS)
-    if value.size == field.size and (alike or Kind.FLOAT not in (own.kind, value.type.kind)):
+    is_binary = field.value is not None and not field.value.digits
+    if is_binary and value.size == field.size and (alike or Kind.FLOAT not in (own.kind, value.type.kind)):
         return row.raw, field.order, field.swapped
     if alike and isinstance(row.number, int) and value.type.low <= row.number <= value.type.high:
         return int(row.number).to_bytes(value.size, "big", signed=value.type.signed), "big", False

@@ -12,6 +12,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_number, digits_text
 from fieldspec.model.enums import Bit, Enum, Flags, State
 from fieldspec.model.ranges import Ranges
+from fieldspec.model.text_form import decoded_text, encoding_title, text_form_title
 from fieldspec.model.value import Kind, Value
 
 _MOST_PLACES, _MOST_DIGITS, _ROUNDED_DIGITS = 6, 8, 6
@@ -136,9 +137,10 @@ def decode_value(
     if kind is Kind.BOOLEAN:
         return _boolean(device, value, number)
     if kind is Kind.TEXT:
-        if any(byte > 0x7F for byte in data):
-            return DecodedValue(data).judged(False, "ASCII", "unknown_value")
-        return DecodedValue(data.rstrip(b"\0").decode("ascii"))
+        characters = decoded_text(value, order, data)
+        if characters is None:
+            return DecodedValue(data).judged(False, text_form_title(value) or encoding_title(value), "unknown_value")
+        return DecodedValue(characters)
     if isinstance(number, float):
         return _float(value, number)
     if value.digits and isinstance(number, bytes):

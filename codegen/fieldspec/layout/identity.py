@@ -64,6 +64,8 @@ def _value(value: Value | None) -> Words:
         _part(value.parameter),
         *((value.write_ranges,) if value.write_ranges is not None else ()),
         *((value.digits, value.places) if value.digits else ()),
+        *((value.text_form,) if value.text_form is not None else ()),
+        *(("width", value.width) if value.width else ()),
     )
 
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import takewhile
 
 from fieldspec import classes
 from fieldspec.classes import TYPE_CHECKING, dataclass, replace
+from fieldspec.layout.widths import Span
 from fieldspec.model.enums import Enum
 from fieldspec.model.record import Case, Choice, Field, Record
 from fieldspec.model.registers import Register
@@ -79,6 +81,7 @@ class RecordLayout:
 
     `most` is None if nothing bounds the size. If the last field has cases, another field, the `selector`, decides its
     type, and `chosen` has the same record by the values of the selector, with the type that this value decides.
+    `spans` are those of all fields where some vary in width; offsets and sizes of fields are then those in the image.
     """
 
     record: Record
@@ -89,6 +92,23 @@ class RecordLayout:
     most: int | None
     selector: FieldLayout | None = None
     chosen: Mapping[int, RecordLayout] = classes.field(default_factory=dict)
+    spans: tuple[Span, ...] = ()
+
+    @property
+    def image(self) -> RecordLayout:
+        """The record as codecs have it where fields vary in width: each has all the bytes that it may have."""
+        size = sum(span.size for span in self.spans)
+        return replace(self, spans=(), size=size, least=size, most=size) if self.spans else self
+
+    @property
+    def first_bytes(self) -> int:
+        """The bytes before the first value that varies in width, or all where none does."""
+        return sum(span.size for span in takewhile(lambda span: span.value is None, self.spans))
+
+    def has_place(self, field: FieldLayout) -> bool:
+        """Whether a field begins at the same byte in all data: none before it varies in width."""
+        at = next((other.offset for other in self.fields if other.value is not None and other.value.width), None)
+        return at is None or field.offset <= at
 
     def named(self, name: str) -> FieldLayout | None:
         """The field with a name, None if there is none."""
@@ -197,6 +217,8 @@ def _fixed(
             repeated = field_layout
         else:
             at += size * count
+    if any(field.value is not None and field.value.width for field in fields):
+        return _varying(record, tuple(fields))
     if repeated is None:
         return RecordLayout(record, record.name, tuple(fields), at, at, at)
     repeat = repeated.field.repeat
@@ -214,6 +236,19 @@ def _sizes(record: Record, field: Field, enums: Mapping[str, Enum]) -> Mapping[i
         return {}
     members = ((enum.named(name), case.bytes) for case in part.sizes.cases for name in case.when)
     return {member.value: size for member, size in members if member is not None}
+
+
+def _varying(record: Record, fields: tuple[FieldLayout, ...]) -> RecordLayout:
+    """The layout of a record of which some fields vary in width."""
+    spans = []
+    for field, following in zip(fields, (*fields[1:], None), strict=True):
+        varies = field.value is not None and field.value.width > 0
+        end = following.value.const if following is not None and following.value is not None else None
+        size = field.size * (field.count or 0)
+        spans.append(Span(field.name, size, field.value if varies else None, end if varies else None))
+    least = sum(span.size if span.value is None else span.value.least_width for span in spans)
+    most = sum(span.size if span.value is None else span.value.width for span in spans)
+    return RecordLayout(record, record.name, fields, None, least, most, spans=tuple(spans))
 
 
 @dataclass(frozen=True, slots=True)

@@ -67,5 +67,9 @@ def subcode(messages: Sequence[MessageLayout], direction: str) -> Subcode | None
 
 
 def _constants(record: RecordLayout) -> dict[Place, int]:
-    constants = (constant_at(field.field, field.offset, field.order) for field in record.fields if not field.cases)
+    constants = (
+        constant_at(field.field, field.offset, field.order)
+        for field in record.fields
+        if not field.cases and record.has_place(field)
+    )
     return dict(place_and_number for place_and_number in constants if place_and_number is not None)

@@ -15,6 +15,7 @@ from fieldspec.live.client import Client, RefusedError
 from fieldspec.live.writing import WriteError
 from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Parameter, ParameterSet
+from fieldspec.model.text_form import text_bytes
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.parameters import bytes_of_value, carries, value_of_bytes
 from fieldspec.reference.records import CodecError, encoded_value, value_construct
@@ -252,7 +253,7 @@ def _bytes_of(signal: Signal, raw: Any) -> bytes:
     if isinstance(raw, int) and is_binary:
         return (int(raw) & ((1 << 8 * value.size) - 1)).to_bytes(value.size, order)
     if isinstance(raw, str):
-        return raw.encode("ascii", "replace").ljust(value.size, b"\0")
+        return text_bytes(value, signal.order, raw)
     return bytes(value_construct(value, signal.order, signal.swapped).build(raw))
 
 

@@ -31,6 +31,16 @@ def digit_count(value: Value) -> int:
     return value.size - has_sign(value) - (value.places > 0)
 
 
+def digits_letters(value: Value) -> bytes:
+    """The characters that may be digits of a value."""
+    return _CHARACTERS[value.digits]
+
+
+def widest_digits(value: Value) -> int:
+    """How many digits a number that varies in width has at most, without those behind the point."""
+    return value.width - (value.places + 1 if value.places else 0)
+
+
 def digit_bounds(value: Value) -> tuple[int, int]:
     """The least and the greatest number that the digits of a value can express."""
     count = max(digit_count(value), 0)
@@ -38,6 +48,9 @@ def digit_bounds(value: Value) -> tuple[int, int]:
         high = 16**count - 1
         return (-(high + 1) // 2, high // 2) if value.type.signed else (0, high)
     high = 10**count - 1
+    if value.width:
+        # The sign is sent below zero only, and takes the place of a digit.
+        return (1 - 10 ** max(count - 1, 0) if has_sign(value) else 0), high
     return (-high if has_sign(value) else 0), high
 
 
@@ -82,7 +95,18 @@ def digits_bytes(value: Value, number: int) -> bytes:
 def digits_text(value: Value) -> str:
     """How people call the digits: `5 decimal digits, 2 of them after a point, with a sign`."""
     name = {"decimal": "decimal", BCD: "BCD"}.get(value.digits, "hexadecimal")
+    if value.width:
+        return _varying_text(value, name)
     count = digit_count(value)
     places = f", {value.places} of them after a point" if value.places else ""
     case = {"upper_hex": " in upper case", "lower_hex": " in lower case"}.get(value.digits, "")
     return f"{count} {name} digit{'s' * (count != 1)}{case}{places}{', with a sign' if has_sign(value) else ''}"
+
+
+def _varying_text(value: Value, name: str) -> str:
+    """`1 to 8 characters: decimal digits, 2 places after a point, a sign below zero`"""
+    case = {"upper_hex": " in upper case", "lower_hex": " in lower case"}.get(value.digits, "")
+    places = f", {value.places} place{'s' * (value.places != 1)} after a point" if value.places else ""
+    sign = ", a sign below zero" if has_sign(value) else ""
+    least = 1 + (value.places + 1 if value.places else 0)
+    return f"{least} to {value.width} characters: {name} digits{case}{places}{sign}"

@@ -41,12 +41,14 @@ class RecordSizes:
         if field.choice is not None:
             return tuple(sorted({case.value.size for case in field.choice.cases}))
         if field.value is not None:
-            return (field.value.size,)
+            return () if field.value.width else (field.value.size,)
         both = self._bounds.get(field.record)
         return (both[0],) if both is not None and both[0] == both[1] and field.record not in self._open else ()
 
     def field(self, field: Field) -> tuple[int, int] | None:
         """The least and the most bytes of a field, None where nothing decides them."""
+        if field.value is not None and field.value.width:
+            return field.value.least_width, field.value.width
         sizes = self.elements(field)
         both = (sizes[0], sizes[-1]) if sizes else self._bounds.get(field.record)
         if both is None:

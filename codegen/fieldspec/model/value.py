@@ -9,6 +9,7 @@ from fieldspec.classes import TYPE_CHECKING, attributes, dataclass, replace
 from fieldspec.model.digits import BCD, digit_bounds
 from fieldspec.model.fact import Citation, Fact
 from fieldspec.model.ranges import Ranges
+from fieldspec.model.text_form import UTF_16, TextForm
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -190,7 +191,9 @@ class Value:
     written. `enum` and `flags` are names, or empty. `byte_order` and `word_order` are empty where the value has the
     orders of its link. `digits` is the form of the digits that it is sent as, empty for a binary number; `places` is
     how many of them follow a point. `scale_by` names the register with the exponent of a scale that is read from the
-    device, else it is empty; `unit` then begins with that power of ten.
+    device, else it is empty; `unit` then begins with that power of ten. `text_form` is how a text is sent, None for
+    ASCII that is filled up with zeros behind it. `width` is the most bytes of a value that varies in width, else
+    it is 0; `size` is then that of the image that codecs work on, with leading zeros and a sign, or zeros after a text.
     """
 
     type: Primitive
@@ -213,6 +216,8 @@ class Value:
     digits: str = ""
     places: int = 0
     scale_by: str = ""
+    text_form: TextForm | None = None
+    width: int = 0
 
     @property
     def quantity_unit(self) -> str:
@@ -248,6 +253,18 @@ class Value:
     def has_words(self) -> bool:
         """Whether it consists of several words of 16 bits, whose order matters."""
         return self.type.is_number and self.size > 2 and self.size % 2 == 0 and not self.has_characters
+
+    @property
+    def least_width(self) -> int:
+        """The fewest bytes of a value that varies in width: one digit, or no character."""
+        return 1 if self.digits else 0
+
+    @property
+    def has_order(self) -> bool:
+        """Whether the order of its bytes matters."""
+        if self.text_form is not None and self.text_form.encoding == UTF_16:
+            return True
+        return self.type.size > 1 and not self.has_characters
 
     @property
     def has_characters(self) -> bool:

@@ -20,6 +20,7 @@ CONSTRUCTS = {
     "absent_reals": "sentinels of floating-point numbers that are no number",
     "booleans": "booleans",
     "texts": "texts and bytes",
+    "formed_texts": "texts in other encodings than ASCII, and with a padding or an end of their own",
     "text_lists": "lists of texts",
     "closed_enums": "closed enums",
     "open_enums": "open enums",
@@ -81,6 +82,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
         capabilities["wide_lists"] = refused("the halves of an element cannot stand beside each other: plc_numbers_fit")
         capabilities["odd_numbers"] = lossy("of 24 bits are exact; wider ones are refused: plc_numbers_fit")
     capabilities["digits"] = refused("there are no functions that convert them: plc_numbers_binary")
+    capabilities["formed_texts"] = refused("there are no functions that convert them: plc_texts_ascii")
     if not dialect.nested_arrays:
         capabilities["text_lists"] = refused("there are no arrays of arrays: plc_arrays_flat")
     if not dialect.enums:

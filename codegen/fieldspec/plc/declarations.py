@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
+from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.digits import digits_refusals
 from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.enums import Flags
 from fieldspec.model.fact import Fact
@@ -78,7 +78,7 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     with_spaces, space_findings = with_supported_spaces(layout, dialect)
     supported, frame_findings = with_supported_links(with_spaces, dialect)
     narrowed_layout, findings = narrowed(supported, dialect)
-    binary_findings = digits_refusals([with_spaces], dialect.title, for_controllers=True)
+    binary_findings = character_refusals([with_spaces], dialect.title, for_controllers=True)
     if binary_findings or any(signal.value.digits for signal in layout.device.signals.values()):
         narrowed_layout, _ = narrowed(without_digits(supported), dialect)
     findings += [*absent_reals(with_spaces, dialect), *binary_findings]

@@ -77,6 +77,15 @@ Example: a field with `type: u16, digits: decimal, length: 5`.
 
 Cure: Exclude the output for the device (`--to`), or state the digits as a text.
 """,
+    "plc_texts_ascii": """Every text is ASCII that is filled up with zeros behind it.
+
+Why: the functions of controllers copy the bytes of a text, so other encodings, spaces and terminators would be read as
+characters of the text.
+
+Example: a field with `type: text, length: 8, padding: space`.
+
+Cure: Exclude the output for the device (`--to`), or state the text as `bytes`.
+""",
     "plc_reals_fit": """Floating-point numbers have 32 bits.
 
 Why: dialects differ in what a conversion between 64 bits and LREAL does, and the functions do not compute it.

@@ -59,10 +59,10 @@ class Struct:
 def wire_type(value: Value) -> Type:
     """The type with as many bytes as a value has on the wire: whole numbers for numbers, bit strings for bits.
 
-    A number of a width that no type has is its bytes.
+    A number of a width that no type has is its bytes, and so is one that is sent as digits.
     """
     kind = value.type.kind
-    if kind in (Kind.TEXT, Kind.BYTES) or value.type.is_odd:
+    if kind in (Kind.TEXT, Kind.BYTES) or value.type.is_odd or value.digits:
         return sequence(value.size, BYTE)
     if kind is Kind.FLOAT:
         return REAL

@@ -9,8 +9,10 @@ from typing import Any
 import construct
 
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.widths import WidthError, data_of, image_of, place_in_data
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_bytes, digits_number, digits_text
+from fieldspec.model.text_form import decoded_text, encoding_title, text_bytes, text_fault, text_form_title
 from fieldspec.model.value import Kind, Value
 
 
@@ -70,6 +72,8 @@ def value_construct(value: Value | None, order: str, swapped: bool) -> construct
     """One value as a construct."""
     assert value is not None
     kind, size = value.type.kind, value.size
+    if value.text_form is not None:
+        return _Text(value, order)
     if kind in (Kind.TEXT, Kind.BYTES):
         return construct.Bytes(size)
     if value.digits:
@@ -105,6 +109,20 @@ class _Digits(construct.Adapter):  # type: ignore[misc]
         return _words_turned(data) if self.swapped else data
 
 
+class _Text(construct.Adapter):  # type: ignore[misc]
+    """A text in a form of its own; bytes that are none are parsed as None, and bytes are built as they are."""
+
+    def __init__(self, value: Value, order: str) -> None:
+        super().__init__(construct.Bytes(value.size))
+        self.value, self.order = value, order
+
+    def _decode(self, data: bytes, context: Any, path: str) -> str | None:
+        return decoded_text(self.value, self.order, data)
+
+    def _encode(self, text: str | bytes, context: Any, path: str) -> bytes:
+        return text_bytes(self.value, self.order, text) if isinstance(text, str) else text
+
+
 def _words_turned(data: bytes) -> bytes:
     return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
 
@@ -121,6 +139,8 @@ def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) 
         if chosen is None:
             raise CodecError("unknown_value", f"{by.name} chooses nothing that may follow", offset + by.offset)
         record = chosen
+    if record.spans:
+        return _decoded_image(record, data, device, offset)
     _check_length(record, len(data), offset)
     parsed = record_struct(record).parse(data)
     values: Values = {}
@@ -128,6 +148,24 @@ def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) 
         values[field.name] = _decoded_field(field, parsed[field.name], device, offset)
     _check_measures(record, values, offset)
     return values
+
+
+def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: int) -> Values:
+    """The values of a record whose fields vary in width. Raises CodecError with the place in the data."""
+    try:
+        image, fields = image_of(record.spans, data)
+    except WidthError as error:
+        raise CodecError(error.reason, _width_text(error), offset + error.at) from None
+    try:
+        return decoded(record.image, image, device)
+    except CodecError as error:
+        at = None if error.offset is None else offset + place_in_data(record.spans, fields, error.offset)
+        raise CodecError(error.reason, error.detail, at) from None
+
+
+def _width_text(error: WidthError) -> str:
+    texts = {"incomplete": "has no end", "wrong_length": "is followed by more bytes"}
+    return f"{error.name} {texts.get(error.reason, 'is not in its form')}"
 
 
 def _check_length(record: RecordLayout, length: int, offset: int) -> None:
@@ -170,9 +208,7 @@ def decoded_value(name: str, value: Value | None, raw: Any, device: Device, at: 
             raise CodecError("unknown_value", f"{name} is {raw}, neither 0 nor 1", at)
         return bool(raw)
     if kind is Kind.TEXT:
-        if any(byte > 0x7F for byte in raw):
-            raise CodecError("unknown_value", f"{name} holds bytes that are not ASCII", at)
-        return raw.rstrip(b"\0").decode("ascii")
+        return _decoded_text(name, value, raw, at)
     if kind is Kind.BYTES:
         return bytes(raw)
     if raw is None:
@@ -182,6 +218,14 @@ def decoded_value(name: str, value: Value | None, raw: Any, device: Device, at: 
     if value.enum and not _is_known(device, value, raw):
         raise CodecError("unknown_value", f"{name} is {raw}, which {value.enum} does not list", at)
     return raw
+
+
+def _decoded_text(name: str, value: Value, raw: str | bytes | None, at: int | None) -> str:
+    """The characters of a text, which the construct has read where it has a form of its own."""
+    text = decoded_text(value, "big", raw) if isinstance(raw, bytes) else raw
+    if text is None:
+        raise CodecError("unknown_value", f"{name} is no text in {text_form_title(value) or encoding_title(value)}", at)
+    return text
 
 
 def _is_known(device: Device, value: Value, raw: int) -> bool:
@@ -232,7 +276,12 @@ def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> 
         if measured is not None:
             raw[field.name] = _in_range(field.name, field.value, measured)
     data: bytes = record_struct(record).build(raw)
-    return data
+    if not record.spans:
+        return data
+    try:
+        return data_of(record.spans, data)
+    except WidthError as error:
+        raise CodecError(error.reason, f"{error.name} has the character that ends it") from None
 
 
 def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device) -> Any:
@@ -278,8 +327,13 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
     """One value as raw number or bytes, refused where it is out of range. Raises CodecError."""
     assert value is not None
     kind = value.type.kind
+    if kind is Kind.TEXT and isinstance(raw_value, str):
+        fault = text_fault(value, "big", raw_value)
+        if fault is not None:
+            raise CodecError(fault[0], f"{name} {fault[1]}")
+        return raw_value if value.text_form is not None else text_bytes(value, "big", raw_value)
     if kind in (Kind.TEXT, Kind.BYTES):
-        data = _text_bytes(name, raw_value) if isinstance(raw_value, str) else _bytes(name, raw_value)
+        data = _bytes(name, raw_value)
         if len(data) > value.size or (kind is Kind.BYTES and len(data) != value.size):
             raise CodecError("wrong_length", f"{name} has {value.size} bytes, not {len(data)}")
         return data.ljust(value.size, b"\0")
@@ -294,15 +348,6 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
     if value.enum and not _is_known(device, value, int(raw_value)):
         raise CodecError("unknown_value", f"{name} is {raw_value}, which {value.enum} does not list")
     return _in_range(name, value, int(raw_value))
-
-
-def _text_bytes(name: str, text: str) -> bytes:
-    """The characters of a text. Raises CodecError, also for a zero, which ends the text where it is read."""
-    if not text.isascii():
-        raise CodecError("unknown_value", f"{name} holds characters that are not ASCII")
-    if "\0" in text:
-        raise CodecError("unknown_value", f"{name} holds a zero, which ends a text")
-    return text.encode("ascii")
 
 
 def _bytes(name: str, data: Any) -> bytes:

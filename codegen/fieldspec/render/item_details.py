@@ -173,7 +173,8 @@ def _signal(layout: DeviceLayout, signal: Signal) -> Details:
                         None,
                     )
                     way = link.direction_name(direction) if link else direction
-                    yield "lies in", f"{message.name} {way}, byte {field.offset}{_words(field.field.word_span)}"
+                    at = f", byte {field.offset}" if message.data(direction).has_place(field) else ""
+                    yield "lies in", f"{message.name} {way}{at}{_words(field.field.word_span)}"
     for conversion in layout.device.conversions.values():
         if signal.name in conversion.signals:
             yield "share of", f"{references_text(layout.device, conversion)}: {conversion.name}"

@@ -47,14 +47,15 @@ def field_table(record: RecordLayout, base: int | None = None) -> Block:
     """The fields of a record with their places and values; `base` is the address of the first word."""
     if not record.fields:
         return Line("no data")
-    rows = [row for field in record.fields for row in _rows(field, base)]
+    rows = [row for field in record.fields for row in _rows(field, base, record.has_place(field))]
     headings = ("at" if base is None else "address", "type", "name", "label", "unit", "range", "default", "names")
     return narrowed(Table(headings, tuple(rows)))
 
 
-def _rows(field: FieldLayout, base: int | None) -> Iterator[tuple[str, ...]]:
-    """The row of a field, or of the types that it has by cases."""
+def _rows(field: FieldLayout, base: int | None, has_place: bool) -> Iterator[tuple[str, ...]]:
+    """The row of a field, or of the types that it has by cases; behind a value that varies in width it has no place."""
     at = f"+{field.offset}" if base is None else f"0x{base + field.offset // 2:04X}"
+    at = at if has_place else ""
     label = " ".join(text for text in (field.field.printed_name, field.field.label) if text)
     name = "reserved" if field.field.reserved and not field.name else field.name
     choice = field.field.choice

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 
 from fieldspec.behaviour.part import AXIS_PROPERTIES
 from fieldspec.classes import TYPE_CHECKING
+from fieldspec.model.text_form import text_fault
 from fieldspec.simulator.faults import FaultError, fault_of
 from fieldspec.simulator.simulation import Simulation
 
@@ -65,7 +66,10 @@ def _set(simulation: Simulation, command: Mapping[str, Any]) -> dict[str, Any]:
             raise CommandError(f"the device has no signal {name!r}")
         for cell in cells:
             if isinstance(value, str) and cell.value is not None and cell.value.type.letter == "s":
-                cell.write(value.encode("ascii", "replace"))
+                fault = text_fault(cell.value, "big", value) if cell.value.text_form is not None else None
+                if fault is not None:
+                    raise CommandError(f"{name} {fault[1]}")
+                cell.write(value if cell.value.text_form is not None else value.encode("ascii", "replace"))
                 continue
             raw = engine.raw(cell, value)
             if isinstance(value, str) and not raw and engine.names_nothing(cell, value):

@@ -10,6 +10,7 @@ from fieldspec.explain.registers import Occupant, Span, occupants
 from fieldspec.explain.values import number_of
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.registers import Parameter, ParameterSet
+from fieldspec.model.text_form import text_bytes
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.records import value_construct
 
@@ -31,7 +32,7 @@ def default_raw(value: Value) -> Raw:
     """The raw value at delivery where nothing else states it: the default, the constant, 0, or what is nearest to 0."""
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
         text = value.default if isinstance(value.default, str) else ""
-        return text.encode("ascii", "replace").ljust(value.size, b"\0")[: value.size]
+        return text if value.text_form is not None else text_bytes(value, "big", text)
     if isinstance(value.default, int):
         return value.default
     if value.const is not None:
@@ -105,6 +106,8 @@ class Memory:
 
     def bytes_of(self, value: Value, raw: Raw, order: str, swapped: bool) -> bytes:
         """The bytes of a raw value; a number that is too great for its type is cut to the type's bounds."""
+        if isinstance(raw, str):
+            return text_bytes(value, order, raw)
         if isinstance(raw, bytes):
             return raw.ljust(value.size, b"\0")[: value.size]
         if value.type.kind is not Kind.FLOAT and isinstance(raw, int | float | Decimal):

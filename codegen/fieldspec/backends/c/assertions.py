@@ -139,7 +139,7 @@ def _expect_member(naming: Naming, field: FieldLayout, target: Expression, item:
 
 
 def _data(item: Any) -> bytes:
-    return item.encode("ascii") if isinstance(item, str) else bytes(item)
+    return item.encode("utf-8") if isinstance(item, str) else bytes(item)
 
 
 def _real_bits(field: FieldLayout, item: Any) -> Literal:

@@ -119,7 +119,7 @@ def _is_exact(record: RecordLayout) -> bool:
     kinds += [case.value.type.kind for field in record.fields for case in field.cases]
     inner = [_is_exact(field.record) for field in record.fields if field.record is not None]
     reserved = any(field.field.reserved for field in record.fields)
-    return not reserved and Kind.TEXT not in kinds and all(inner)
+    return not reserved and not record.spans and Kind.TEXT not in kinds and all(inner)
 
 
 def _flag(holds: bool) -> Literal:

@@ -73,6 +73,7 @@ from fieldspec.backends.c.values import (
     store,
     store_constant,
 )
+from fieldspec.backends.c.widths import decode_widths, encode_widths
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.device import Device
 
@@ -91,21 +92,33 @@ def declare_record(naming: Naming, device: Device, record: RecordLayout, about: 
     else:
         declarations.append(comment("It has no values, so it needs no struct."))
     checks: Body = ()
+    varying, record = record, record.image
     if is_packed(record):
         checks = check_members(naming, device, record)
         declarations += [BLANK, *declare_packing(naming, record, checks)]
+    writing = comment(f"Writes {name}: {size}.", "`length` receives the number of bytes written.")
+    reading = comment(f"Reads {name} from exactly {size}.")
+    if varying.spans:
+        about_image = "in which each value has all the bytes that it may have"
+        return [
+            *declarations,
+            *(BLANK, comment(f"Writes the image of {name}, {about_image}.")),
+            _encode_function(naming, device, record, bool(checks), "encode_image"),
+            *(BLANK, writing, encode_widths(naming, varying)),
+            *(BLANK, comment(f"Reads the image of {name}, {about_image}.")),
+            _decode_function(naming, device, record, "decode_image"),
+            *(BLANK, reading, decode_widths(naming, varying)),
+        ]
     return [
         *declarations,
-        BLANK,
-        comment(f"Writes {name}: {size}.", "`length` receives the number of bytes written."),
-        _encode_function(naming, device, record, bool(checks)),
-        BLANK,
-        comment(f"Reads {name} from exactly {size}."),
-        _decode_function(naming, device, record),
+        *(BLANK, writing, _encode_function(naming, device, record, bool(checks))),
+        *(BLANK, reading, _decode_function(naming, device, record)),
     ]
 
 
-def _encode_function(naming: Naming, device: Device, record: RecordLayout, checked: bool) -> Function:
+def _encode_function(
+    naming: Naming, device: Device, record: RecordLayout, checked: bool, verb: str = "encode"
+) -> Function:
     """`codec_status point_encode(const point *in, uint8_t *out, size_t capacity, size_t *length)`"""
     parameters = [
         Variable(OUTPUT_BYTES, "out"),
@@ -129,11 +142,11 @@ def _encode_function(naming: Naming, device: Device, record: RecordLayout, check
     else:
         body += [discard("out"), discard("capacity"), assign(dereference(LENGTH), ZERO)]
     body.append(return_ok(naming))
-    name = naming.function("record", record.name, "encode")
+    name = naming.function("record", record.name, verb)
     return Function(status_type(naming), name, tuple(parameters), tuple(body), function_locals(naming))
 
 
-def _decode_function(naming: Naming, device: Device, record: RecordLayout) -> Function:
+def _decode_function(naming: Naming, device: Device, record: RecordLayout, verb: str = "decode") -> Function:
     """`codec_status point_decode(const uint8_t *in, size_t length, point *out)`"""
     parameters = [Variable(INPUT_BYTES, "in"), Variable(SIZE_TYPE, "length")]
     if members(record):
@@ -147,7 +160,7 @@ def _decode_function(naming: Naming, device: Device, record: RecordLayout) -> Fu
     if not contains(tuple(body), IN):
         body.insert(0, discard("in"))
     body.append(return_ok(naming))
-    name = naming.function("record", record.name, "decode")
+    name = naming.function("record", record.name, verb)
     return Function(status_type(naming), name, tuple(parameters), tuple(body), function_locals(naming))
 
 

@@ -65,7 +65,7 @@ def runtime_macros() -> list[str]:
 
 def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     """The functions for the numbers, texts and characters that the device has."""
-    kinds = {wire.kind for wire in _wire_values(layout)}
+    usual_texts = any(wire.kind is Kind.TEXT and wire.value.text_form is None for wire in _wire_values(layout))
     reals = {wire.size for wire in _wire_values(layout) if wire.kind is Kind.FLOAT}
     characters = any(link.link.encoding == "hex_ascii" for link in layout.links.values())
     parts = [
@@ -74,11 +74,14 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
         "signed",
         *(["float"] if 4 in reals else []),
         *(["double"] if 8 in reals else []),
-        *(["text"] if Kind.TEXT in kinds else []),
+        *(["text"] if usual_texts else []),
         *(["hexadecimal"] if characters else []),
     ]
     odd = [[copy_runtime(naming, "odd_numbers.h", part)] for part in _odd_accesses(layout)]
     digits = digits_parts([wire.value for wire in _wire_values(layout) if wire.value.digits])
+    encoded = any(wire.value.text_form is not None for wire in _wire_values(layout))
+    odd += [[copy_runtime(naming, "encoded_texts.h", "encoded_texts")]] * encoded
+    odd += [[copy_runtime(naming, "widths.h", "widths")]] * any(record.spans for record in all_records(layout))
     more = odd + [[copy_runtime(naming, "digits.h", part)] for part in digits]
     return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + more
 

@@ -11,8 +11,10 @@ from fieldspec.backends.c.fields import case_member, count_member, greatest_coun
 from fieldspec.backends.c.naming import member
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.widths import data_of
 from fieldspec.model.device import Device
 from fieldspec.model.digits import digits_bytes
+from fieldspec.model.text_form import UTF_16, text_bytes
 from fieldspec.model.value import Kind, Value
 
 ValuePicker = Callable[[Device, Value], Any]
@@ -80,6 +82,8 @@ def low_value(device: Device, value: Value) -> Any:
 
 def high_value(device: Device, value: Value) -> Any:
     """A value that is as different from it as can be."""
+    if value.text_form is not None:
+        return text_sample(value)
     if value.type.kind is Kind.TEXT:
         return "".join(chr(0x41 + at % 26) for at in range(value.size))
     if value.type.kind is Kind.BYTES:
@@ -87,6 +91,14 @@ def high_value(device: Device, value: Value) -> Any:
     if value.type.kind is Kind.FLOAT:
         return -1.5 if value.ranges is None else float(value.ranges.high)
     return legal_numbers(device, value)[-1]
+
+
+def text_sample(value: Value) -> str:
+    """The longest text of a form, of characters that are not ASCII where the encoding has them."""
+    form = value.text_form
+    assert form is not None
+    letters, size = {"latin_1": ("\xc4", 1), "utf_8": ("\xc4", 2), UTF_16: ("\u03a9", 2)}.get(form.encoding, ("A", 1))
+    return letters * (form.room(value.size) // size)
 
 
 def legal_numbers(device: Device, value: Value) -> list[int]:
@@ -137,7 +149,7 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
             value = _fixed_value(field)
         for item in value if field.is_list else [value]:
             data += record_bytes(field.record, item) if field.record else _element_bytes(field, item)
-    return data
+    return data_of(record.spans, data) if record.spans else data
 
 
 def _fixed_value(field: FieldLayout) -> Any:
@@ -169,6 +181,8 @@ def _element_bytes(field: FieldLayout, item: Any) -> bytes:
 def value_bytes(value: Value, order: str, swapped: bool, item: Any) -> bytes:
     """The bytes of a value in an order."""
     kind = value.type.kind
+    if value.text_form is not None and isinstance(item, str):
+        return text_bytes(value, order, item)
     if kind in (Kind.TEXT, Kind.BYTES):
         data = item.encode("ascii") if isinstance(item, str) else bytes(item)
         return data.ljust(value.size, b"\0")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.backends.c.digits import digits_call, digits_test, load_digits
+from fieldspec.backends.c.encoded_texts import load_text, store_text, text_bytes_test, text_capacity, text_test
 from fieldspec.backends.c.enums import enum_implies_range, enum_type, unknown_value_test
 from fieldspec.backends.c.expressions import (
     IN,
@@ -103,7 +104,7 @@ def declare_value(wire: WireValue, name: str, count: int | None = None, const: b
     """The member, parameter or variable that has a value, or `count` of them: `char name[count][33]`"""
     dimensions = (decimal(count),) if count is not None else ()
     if wire.kind is Kind.TEXT:
-        dimensions = (*dimensions, decimal(wire.size + 1))
+        dimensions = (*dimensions, decimal(text_capacity(wire.value) + 1))
     elif wire.kind is Kind.BYTES:
         dimensions = (*dimensions, decimal(wire.size))
     return Variable(Type(type_name(wire.value), const=const), name, dimensions)
@@ -223,6 +224,8 @@ def _float_out_of_range_test(value: Value, ranges: Ranges, number: Expression) -
 
 def load_value(naming: Naming, wire: WireValue, source: Expression, target: Expression) -> Body:
     """`target = load_u16_be(in + 4);`: moves the value at `source` to `target` without a check."""
+    if wire.value.text_form is not None:
+        return (load_text(naming, wire.value, wire.order, source, target),)
     if wire.kind is Kind.TEXT:
         end = Assignment(Element(target, decimal(wire.size)), _NUL)
         return copy_bytes(naming, target, source, unsigned(wire.size)), end
@@ -240,6 +243,8 @@ def check_loaded(naming: Naming, device: Device, wire: WireValue, source: Expres
     """Refuses what was loaded from `source` to `target`: a wrong constant, or a value that the type does not have."""
     if wire.value.const is not None:
         return check_constant(naming, wire, source)
+    if wire.value.text_form is not None:
+        return refuse(naming, negate(text_bytes_test(naming, wire.value, wire.order, source)), "err_unknown_value")
     if wire.kind is Kind.TEXT:
         ascii_test = Call(naming.own("is_ascii"), (source, unsigned(wire.size)))
         return refuse(naming, negate(ascii_test), "err_unknown_value")
@@ -284,9 +289,11 @@ def check_constant(naming: Naming, wire: WireValue, source: Expression) -> Body:
 
 def check_stored(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
     """Refuses the value `source`, which is to be written: unknown to its closed enum, or out of its range."""
+    if wire.value.text_form is not None:
+        return refuse(naming, negate(text_test(naming, wire.value, wire.order, source)), "err_unknown_value")
     if wire.kind is Kind.TEXT:
-        text_test = Call(naming.own("is_text"), (source, unsigned(wire.size)))
-        return refuse(naming, negate(text_test), "err_unknown_value")
+        ascii_test = Call(naming.own("is_text"), (source, unsigned(wire.size)))
+        return refuse(naming, negate(ascii_test), "err_unknown_value")
     if wire.kind not in (Kind.INTEGER, Kind.FLOAT):
         return ()
     return _check_known(naming, device, wire, source) + _check_range(naming, device, wire, source)
@@ -304,6 +311,8 @@ def _check_range(naming: Naming, device: Device, wire: WireValue, source: Expres
 
 def store_value(naming: Naming, wire: WireValue, source: Expression, target: Expression) -> Body:
     """`store_u16_be(out + 4, in->speed);`: writes the value `source` at `target` without a check."""
+    if wire.value.text_form is not None:
+        return (store_text(naming, wire.value, wire.order, source, target),)
     if wire.kind is Kind.TEXT:
         return (call(naming.own("put_text"), target, source, unsigned(wire.size)),)
     if wire.kind is Kind.BYTES:

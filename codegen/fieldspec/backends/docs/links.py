@@ -22,9 +22,10 @@ from fieldspec.backends.docs.document import (
     text_piece,
 )
 from fieldspec.backends.docs.link_settings import address_facts, serial_facts
+from fieldspec.backends.docs.positions import Position, varying_starts
 from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
-from fieldspec.classes import dataclass, replace
+from fieldspec.classes import replace
 from fieldspec.explain.values import decimal_text
 from fieldspec.layout.frame import LinkLayout, PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
@@ -40,31 +41,6 @@ COLUMNS = (
     TableColumn("Meaning", "wide"),
     TableColumn("Source", "source"),
 )
-
-
-@dataclass(frozen=True, slots=True)
-class Position:
-    """A place in a frame: `fixed` bytes and so many times the steps, as in `3 + 16k`."""
-
-    fixed: int
-    steps: tuple[tuple[int, str], ...] = ()
-
-    def shifted(self, offset: int) -> Position:
-        """The place `offset` bytes further."""
-        return Position(self.fixed + offset, self.steps)
-
-    def stepped(self, size: int, letter: str) -> Position:
-        """The place of each of several elements."""
-        return Position(self.fixed, (*self.steps, (size, letter)))
-
-    def text(self, length: int, start: int = 0, width: int = 1) -> str:
-        """`4`, `4..7`, `3 + 16k`: bytes, or characters where each byte is `width` of them behind `start`."""
-        first = start + self.fixed * width
-        last = first + length * width - 1
-        steps = "".join(f" + {size * width if size * width > 1 else ''}{letter}" for size, letter in self.steps)
-        if first == last:
-            return f"{first}{steps}"
-        return f"({first}..{last}){steps}" if steps else f"{first}..{last}"
 
 
 def _bits(part: PartLayout) -> str:
@@ -178,8 +154,9 @@ class FrameTable:
 
     def _body(self, record: RecordLayout | None) -> Iterator[TableRow]:
         if record is not None:
-            for field in record.fields:
-                yield from field_rows(self, field, Position(self.shape.header_size), field.name, "k")
+            starts = varying_starts(record) if record.spans else [Position(0)] * len(record.fields)
+            for field, start in zip(record.fields, starts, strict=True):
+                yield from field_rows(self, field, start.shifted(self.shape.header_size), field.name, "k")
             return
         place = code(f"from {self.start + self.shape.header_size * self.width}")
         for part in self.link.link.parts(self.direction):
@@ -203,6 +180,8 @@ class FrameTable:
     def field_row(self, field: FieldLayout, position: Position, path: str, elements: str) -> TableRow:
         """The row of a field, or of each of its elements."""
         place = position.text(field.size, self.start, self.width)
+        if field.value is not None and field.value.width:
+            place = f"from {position.text(1, self.start, self.width)}"
         cells = field_cells(self.context, field, path, elements, self.marks)
         return TableRow((cell(code(place)), *cells), self._anchor(field.field))
 
@@ -296,6 +275,8 @@ def length_text(around: int, record: RecordLayout) -> str:
     if record.chosen:
         most = f" to {around + record.most}" if record.most is not None else " or more"
         return f"{around + record.least}{most} bytes"
+    if record.spans:
+        return f"{around + record.least} to {around + (record.most or 0)} bytes"
     last = record.fields[-1]
     step = f"{last.size}n" if last.size > 1 else "n"
     repeat = last.field.repeat

@@ -23,6 +23,7 @@ from fieldspec.explain.values import decimal_text, in_unit, range_in_unit
 from fieldspec.model.digits import digits_text
 from fieldspec.model.enums import Enum, Member
 from fieldspec.model.fact import Fact
+from fieldspec.model.text_form import text_form_title
 from fieldspec.model.value import Kind, Value
 
 # An enum with more members than this is not written out in the rows that use it.
@@ -58,10 +59,13 @@ def _with(lines: list[Line], marks: Line) -> Cell:
 def type_lines(value: Value) -> list[Line]:
     """The type, with its length where the type has none, and the order of its bytes where it has one of its own."""
     kind = value.type.kind
-    size = f" of {many(value.size, 'byte')}" if kind in (Kind.TEXT, Kind.BYTES) else ""
+    most = "at most " if value.width else ""
+    size = f" of {most}{many(value.size, 'byte')}" if kind in (Kind.TEXT, Kind.BYTES) else ""
     lines: list[Line] = [(code(value.type.name), text_piece(size))]
     if value.digits:
         lines.append((text_piece(f"sent as {digits_text(value)}"),))
+    if value.text_form is not None:
+        lines.append((text_piece(text_form_title(value)),))
     if value.characters is not None:
         lines.append((text_piece(f"{value.characters} characters at most"),))
     if value.byte_order:

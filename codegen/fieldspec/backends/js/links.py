@@ -344,6 +344,8 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> str:
     if record.size is not None:
         return f"{{ length: {around + record.size}, size: 0 }}"
     tail = record.fields[-1]
+    if record.spans:
+        return f"{{ length: {around + record.first_bytes}, size: -2 }}" if frame.end else "{ length: 0, size: -1 }"
     measures = [
         field
         for field in record.fields

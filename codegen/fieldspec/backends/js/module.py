@@ -35,16 +35,19 @@ IMPORTS = {
         "booleanOf",
         "doubleBitsOf",
         "doubleOf",
+        "encodedTextOf",
         "floatOf",
         "listLength",
         "numberOf",
         "putBytes",
+        "putEncodedText",
         "putText",
         "setBits",
         "signed48",
         "textOf",
         "within",
     ),
+    "widths": ("narrowedImage", "readImage"),
 }
 """The helpers of the runtime by module."""
 

@@ -33,7 +33,7 @@ HELPERS = _words(
     " delimiterFramer device"
     " floatOf frame frames knownKeys lengthFramer link listLength message noMessage numberOf parameter"
     " parameterSet putBytes putText record refusedMember refusedNumber register registerArray spans table textOf unit"
-    " wordsOf wrongNumber crc16 crcOf totalOf lrc sum8"
+    " encodedTextOf narrowedImage putEncodedText readImage wordsOf wrongNumber crc16 crcOf totalOf lrc sum8"
 )
 
 

@@ -20,6 +20,13 @@ def read_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
 def checked_read(record: RecordLayout, name: str, names: Names) -> list[str]:
     """The function of a record that looks at the size, reads the fields, and compares what measures other fields."""
     lines = [f"checkSize({literal(record.name)}, {record.least}, {most_bytes(record)}, o, end);"]
+    if record.spans:
+        lines = [f"return readImage(widths{name}, image{name}, b, o, end);"]
+        image = ["  " + line for line in _measured_read(record.image, f"read{name}", names)]
+        return [
+            *(f"function image{name}(b, o, end) {{", *image, "}"),
+            *(f"function check{name}(b, o, end) {{", *(f"  {line}" for line in lines), "}"),
+        ]
     if record.selector is not None:
         lines.append(f"return select{name}(b, o, end);")
     else:

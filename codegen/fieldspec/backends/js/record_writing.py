@@ -9,6 +9,7 @@ from fieldspec.backends.js.members import Member, members_of, shapes_of, slot_of
 from fieldspec.backends.js.record_reading import CHOOSES_NOTHING
 from fieldspec.backends.js.text import literal
 from fieldspec.backends.js.values import place, throw_wrong_number
+from fieldspec.backends.js.widths import write_widths
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Kind
 
@@ -16,6 +17,8 @@ from fieldspec.model.value import Kind
 def write_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
     """The functions that write the layouts of a record and count their bytes, and those that select a layout."""
     lines: list[str] = []
+    if record.spans:
+        return [*_write_fields(record, f"writeImage{name}", names), *write_widths(record, name)]
     for suffix, shape in shapes_of(record):
         lines += _write_fields(shape, f"write{name}{suffix}", names)
         if shape.size is None:

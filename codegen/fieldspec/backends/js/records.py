@@ -11,6 +11,7 @@ from fieldspec.backends.js.record_reading import checked_read, read_functions
 from fieldspec.backends.js.record_writing import write_functions
 from fieldspec.backends.js.text import comment, literal, object_of
 from fieldspec.backends.js.units import unit_of
+from fieldspec.backends.js.widths import width_table
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.value import Value
 from fieldspec.names import Name
@@ -25,6 +26,7 @@ def declare_record(record: RecordLayout, name: str, names: Names, head: str) -> 
         if member.field.value is not None and (text := unit_of(member.field.value, member.field.size))
     }
     code = [
+        *width_table(record, name),
         *read_functions(record, name, names),
         *write_functions(record, name, names),
         *checked_read(record, name, names),

@@ -9,6 +9,7 @@ from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.digits import has_sign
 from fieldspec.model.ranges import merged
+from fieldspec.model.text_form import UTF_16
 from fieldspec.model.value import Kind, Value
 
 INLINE = 6
@@ -181,6 +182,9 @@ class Slot:
         kind, name = self.value.type.kind, literal(self.name)
         at = place(base, offset)
         if kind is Kind.TEXT:
+            if self.value.text_form is not None:
+                call = f"encodedTextOf({name}, b, {at}, {self.value.size}, {self._text_form})"
+                return Reading((), call, throws=True)
             return Reading((), f"textOf({name}, b, {at}, {self.size})", throws=True)
         if kind is Kind.BYTES:
             return Reading((), f"b.slice({at}, {place(base, offset + self.size)})")
@@ -213,6 +217,8 @@ class Slot:
         kind, name = self.value.type.kind, literal(self.name)
         at = place(base, offset)
         if kind is Kind.TEXT:
+            if self.value.text_form is not None:
+                return [f"putEncodedText({name}, {variable}, b, {at}, {self.value.size}, {self._text_form});"]
             return [f"putText({name}, {variable}, b, {at}, {self.size});"]
         if kind is Kind.BYTES:
             return [f"putBytes({name}, {variable}, b, {at}, {self.size});"]
@@ -255,6 +261,18 @@ class Slot:
         allowed = literal(ranges.text() if ranges else f"{low}..{high}")
         arguments = f"{name}, {variable}, {self.digits(low)}, {self.digits(high)}, {allowed}"
         yield f"if (!({' && '.join(tests)})) throw refusedNumber({arguments});"
+
+    @property
+    def _text_form(self) -> str:
+        """The form of a text: `{ encoding: "utf_16", padding: 32, little: true }`"""
+        form = self.value.text_form
+        assert form is not None
+        parts = [f"encoding: {literal(form.encoding)}"]
+        parts += [f"padding: {form.padding}"] if form.padding else []
+        parts += ["isRight: true"] if form.is_right else []
+        parts += [f"terminator: {form.terminator}"] if form.terminator is not None else []
+        parts += ["little: true"] if form.encoding == UTF_16 and self.order != "big" else []
+        return f"{{ {', '.join(parts)} }}"
 
     def constant(self, number: int, base: str, offset: int) -> list[str]:
         """The statements that write a number that is known."""

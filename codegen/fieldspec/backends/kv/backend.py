@@ -9,8 +9,8 @@ from fieldspec.backends.kv.areas import Area, areas
 from fieldspec.backends.kv.dialect import KV, WordDialect
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.digits import digits_refusals
 from fieldspec.model.enums import Enum, Flags
 from fieldspec.names import stem
 from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, lossy, refused
@@ -41,8 +41,8 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Values that are sent as digits, which instructions do not read as numbers."""
-    return digits_refusals(versions, "a word map")
+    """Values that are sent as digits and texts in a form of their own, which instructions do not convert."""
+    return character_refusals(versions, "a word map")
 
 
 def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[int, str], AreaRows]) -> AreaRows:
@@ -86,6 +86,7 @@ _NOT_EXACT = {
     "powers": lossy(_TABLE),
     "conversions": refused("are formulas, which a map of words has not"),
     "digits": refused("instructions do not read them as numbers: output_numbers_binary"),
+    "formed_texts": refused("instructions copy their bytes: output_texts_ascii"),
     "ranges": lossy(_TABLE),
     "constants": lossy(_TABLE),
     "code_texts": refused("are no words: see the output for operator panels"),

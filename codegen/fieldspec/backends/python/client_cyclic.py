@@ -70,13 +70,15 @@ def cyclic_view(names: ClientNames, operands: Operands, link: LinkLayout, exchan
 def initial_bytes(record: RecordLayout) -> bytes:
     """The bytes of a request in which everything is 0 but constants and initial values.
 
-    Raises NoTask for a number whose words are exchanged.
+    Raises NoTask for a number whose words are exchanged, or that is sent as digits.
     """
     data = bytearray(record.size or 0)
     for field in record.fields:
         value = field.value
         if value is None:
             continue
+        if value.digits or value.text_form is not None:
+            raise NoTask(f"{field.name} is sent as characters")
         number = value.const if isinstance(value.const, int) else value.default
         if isinstance(number, int) and not isinstance(number, bool) and not field.is_list:
             if field.swapped:

@@ -324,8 +324,10 @@ def framer(
     arguments.append(f"extents={{{rows}\n{' ' * 12}}}")
     if refusal is not None and link.link.exception_response is not None and link.link.exception_response.flag:
         arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_extent(link, frame, refusal)}"]
-    open_ended = [name for name, code, _ in carried if code is not None and extents[code][2] < 0]
+    ends = {name: extents[code][2] for name, code, _ in carried if code is not None}
+    open_ended = [name for name, end in ends.items() if end == -1]
     about.append("Code and count of the repeated part determine where a frame ends; an unknown code is garbage.")
+    about += ["The end delimiter ends frames whose values vary in width."] * (-2 in ends.values())
     if open_ended:
         about.append(f"No part of {', '.join(open_ended)} determines its length: only `idle` ends such a frame.")
     return "_CodeFramer", arguments, docstring(about, 8)
@@ -377,10 +379,11 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple
     if record.size is not None:
         return around + record.size, 0, 0, 0
     tail = record.fields[-1]
+    if record.spans and frame.end:
+        return around + record.first_bytes, 0, -2, 0
     measures = [field for field in record.fields if _measures(field, tail, frame)]
-    # One byte is read faster than two.
-    measure = min(measures, key=lambda field: field.size, default=None)
-    if measure is None or measure.field.measures is None or tail.cases:
+    measure = min(measures, key=lambda field: field.size, default=None)  # one byte is read faster than two
+    if measure is None or measure.field.measures is None or tail.cases or record.spans:
         return 0, 0, -1, 0
     unit = 1 if measure.field.measures.of == "bytes" else tail.size
     return around + tail.offset, frame.header_size + measure.offset, measure.size, unit

@@ -79,7 +79,9 @@ _SHARED = {
     ),
     "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
     "_subcodes": "Answers Subcodes",
+    "_texts": "FormedText text_form",
     "_values": "Boolean Bytes Closed Constant Double Float Number Open Setting Text Trigger Word",
+    "_widths": "Widths",
 }
 _CLIENT = {
     "_client": "Link Session",

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from fieldspec.backends.python.registers import value_expression
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
-from fieldspec.backends.python.writing import digits_form, tuple_of
+from fieldspec.backends.python.writing import digits_form, text_form, tuple_of
 from fieldspec.layout.record import CaseLayout, RecordLayout
 from fieldspec.model.value import Kind
 
@@ -91,6 +91,10 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
             f"    raise _no_boolean({title}, {raw}, {at})",
             f"{owner}.{field.name} = {raw} == 1",
         ]
+    if field.kind is Kind.TEXT and field.value.text_form is not None:
+        function = "texts" if field.is_list else "text"
+        form = text_form(field.value, field.field.order)
+        return [f"{owner}.{field.name} = {form}.{function}({title}, {raw}, {at})"]
     if field.kind is Kind.TEXT:
         call = f"_texts({title}, {raw}, {at}, {size})" if field.is_list else f"_text({title}, {raw}, {at})"
         return [f"{owner}.{field.name} = {call}"]

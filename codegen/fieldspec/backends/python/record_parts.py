@@ -17,8 +17,8 @@ from fieldspec.model.value import Kind, Primitive
 
 
 def column_lines(shaped: RecordShape) -> list[str]:
-    """One expression for each field; none for records of variable length, with reserved fields only, or with digits."""
-    if shaped.record.size is None or shaped.selector is not None or _has_digits(shaped.record):
+    """One expression for each field; none for records of variable length, of reserved fields or with characters."""
+    if shaped.record.size is None or shaped.selector is not None or _has_characters(shaped.record):
         return []
     return [
         f"Column({', '.join([literal(field.name) if field.stored else literal(''), *_arguments(shaped, field)])})"
@@ -27,12 +27,12 @@ def column_lines(shaped: RecordShape) -> list[str]:
     ]
 
 
-def _has_digits(record: RecordLayout) -> bool:
-    """Whether a number of a record, or of a record within it, is sent as digits."""
-    return any(
-        _has_digits(field.record) if field.record is not None else field.value is not None and bool(field.value.digits)
-        for field in record.fields
-    )
+def _has_characters(record: RecordLayout) -> bool:
+    """Whether a number of a record is sent as digits, or a text has a form of its own; also in a record within it."""
+    if any(field.record is not None and _has_characters(field.record) for field in record.fields):
+        return True
+    values = [field.value for field in record.fields if field.value is not None]
+    return any(value.digits or value.text_form is not None for value in values)
 
 
 def _is_column(field: FieldLayout) -> bool:

@@ -21,6 +21,8 @@ from fieldspec.backends.python.text import chained, docstring, filled, literal, 
 from fieldspec.backends.python.writing import conditions, fixed, measured, pairs, refusal, values, within
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.record import RecordLayout
+from fieldspec.layout.widths import Span
+from fieldspec.model.digits import has_sign
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +96,7 @@ class RecordView:
     match_args: list[str]
     constructor: ConstructorView
     size: int | None
+    widths: str = ""
     columns: tuple[str, ...] = ()
 
 
@@ -136,6 +139,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         match_args=_quoted("__match_args__", names),
         constructor=constructor_view(stored, scaled),
         size=record.size,
+        widths=f"{upper}_WIDTHS" if record.spans else "",
     )
 
 
@@ -145,7 +149,25 @@ def _declared(shaped: RecordShape, upper: str) -> list[str]:
         return choice_lines(f"{upper}_STRUCT", shaped.record, shaped.fields, letters, shaped.order)
     if shaped.tail is not None:
         return [f"{upper}_STRUCT = _Repeated({literal(letters)}, {literal(shaped.tail.letters)})"]
-    return filled(f"{upper}_PACK, {upper}_UNPACK = _packing(", [literal(letters)], ")", 0)
+    packing = filled(f"{upper}_PACK, {upper}_UNPACK = _packing(", [literal(letters)], ")", 0)
+    return [*packing, *_widths(shaped.record, upper)]
+
+
+def _widths(record: RecordLayout, upper: str) -> list[str]:
+    """The definition of the fields of a record whose values vary in width; nothing for others."""
+    if not record.spans:
+        return []
+    fields = [f"({literal(span.name)}, {_width(span)})" for span in record.spans]
+    return filled(f"{upper}_WIDTHS = _Widths(", [literal(record.name), *fields], ")", 0)
+
+
+def _width(span: Span) -> str:
+    """The bytes of a field, or what the runtime knows of a value that varies in width."""
+    value = span.value
+    if value is None:
+        return str(span.size)
+    end = "-" if span.end is None else str(span.end)
+    return literal(f"{value.digits or 'text'} {value.width} {value.places} {'+' if has_sign(value) else '-'} {end}")
 
 
 def _pack(shaped: RecordShape, upper: str) -> str:
@@ -159,7 +181,7 @@ def _pack(shaped: RecordShape, upper: str) -> str:
 
 def _read(shaped: RecordShape, upper: str) -> tuple[list[str], list[str]]:
     """Lines that create an empty `record` and unpack the bytes, and lines that take the raw values from a tuple."""
-    record, tail, struct = shaped.record, shaped.tail, f"{upper}_STRUCT"
+    record, tail, struct = shaped.record.image, shaped.tail, f"{upper}_STRUCT"
     new_record, bounds = "record = _new(cls)", f"{record.least}, {record.most}"
     wrong = f"    raise _wrong_length({literal(record.name)}, len(data), {bounds}"
     if shaped.selector is not None:

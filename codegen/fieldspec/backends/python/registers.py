@@ -9,13 +9,14 @@ from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.scaling import quantity, ratio
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal
-from fieldspec.backends.python.writing import digits_letters, pairs, tuple_of
+from fieldspec.backends.python.writing import digits_letters, pairs, text_letters, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.address_space import BIT
 from fieldspec.model.digits import digits_text
 from fieldspec.model.ranges import Ranges
+from fieldspec.model.text_form import text_form_title
 from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
 
@@ -35,6 +36,8 @@ def value_expression(value: Value, size: int, order: str, swapped: bool, words: 
 
 def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any_answer: bool) -> str:
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
+        if value.text_form is not None:
+            return f'_FormedText("{size}s", {value.size}, {literal(text_letters(value, order))})'
         kind = "_Text" if value.type.kind is Kind.TEXT else "_Bytes"
         return f'{kind}("{size}s", {value.size})'
     letter, narrow = value.type.letter or value.type.name, value.size < size
@@ -95,6 +98,8 @@ def _ranges(value: Value) -> Ranges | None:
 def value_facts(value: Value) -> list[str]:
     """The facts of a value in a docstring: scale and unit, ranges, special values, initial value."""
     facts = [digits_text(value)] if value.digits else []
+    facts += [text_form_title(value)] if value.text_form is not None else []
+    facts += [f"at most {value.width} bytes"] if value.width and not value.digits else []
     facts += [quantity(value)] if quantity(value) else []
     if value.ranges is not None:
         facts.append(value.ranges.text())

@@ -79,6 +79,8 @@ def _element_lines(field: Slots, value: str) -> list[str]:
     if field.field.record is not None:
         return []
     size = field.field.size
+    if field.kind is Kind.TEXT and field.value.text_form is not None:
+        return [f"{text_form(field.value, field.field.order)}.fits({value})"]
     if field.kind is Kind.TEXT:
         # A zero ends the text where it is read.
         return [f"len({value}) <= {size}", f'"\\0" not in {value}']
@@ -162,6 +164,8 @@ def values(field: Slots, expression: str) -> list[str]:
 def _item(field: Slots, expression: str) -> str:
     if field.field.record is not None:
         return f"{expression}.encode()"
+    if field.kind is Kind.TEXT and field.value.text_form is not None:
+        return f"{text_form(field.value, field.field.order)}.data({expression})"
     if field.kind is Kind.TEXT:
         return f'{expression}.encode("ascii")'
     raw = f"{expression}.raw" if field.value.flags and not field.deferred else expression
@@ -187,6 +191,19 @@ def digits_letters(value: Value, order: str, swapped: bool) -> str:
 def digits_form(value: Value, order: str, swapped: bool) -> str:
     """The expression of what reads and writes the digits of a value."""
     return f"_digits({literal(digits_letters(value, order, swapped))})"
+
+
+def text_letters(value: Value, order: str) -> str:
+    """What the runtime knows of a text in a form of its own: its encoding, its bytes, what fills it up and ends it."""
+    form = value.text_form
+    assert form is not None
+    end = "-" if form.terminator is None else str(form.terminator)
+    return f"{form.codec(order)} {value.size} {form.padding} {end} {'right' if form.is_right else 'left'}"
+
+
+def text_form(value: Value, order: str) -> str:
+    """The expression of what reads and writes a text in a form of its own."""
+    return f"_text_form({literal(text_letters(value, order))})"
 
 
 def measured(field: Slots, other: Slots, expression: str, decided: str) -> str:
@@ -216,6 +233,8 @@ def _refusing(field: Slots) -> tuple[str, list[str]]:
     if field.field.record is not None:
         return "_refused_record", [field.element_type]
     size, primitive = str(field.field.size), field.value.type
+    if field.kind is Kind.TEXT and field.value.text_form is not None:
+        return f"{text_form(field.value, field.field.order)}.refused", []
     if field.kind is Kind.TEXT:
         return "_refused_text", [size]
     if field.kind is Kind.BYTES:

@@ -199,6 +199,8 @@ def _idle_field(device: Device, field: FieldLayout) -> Raw:
 
 def _idle(device: Device, value: Value, trigger: bool = False) -> Raw:
     """The raw value at rest: 0 if writing starts something, else the initial value, else the least legal one."""
+    if value.text_form is not None:
+        return ""
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
         return bytes(value.size)
     if trigger:

@@ -13,8 +13,8 @@ from fieldspec.backends.wireshark.registers import parameter_sets, register_data
 from fieldspec.backends.wireshark.text import Data, comment, line_text, table
 from fieldspec.backends.wireshark.values import enum_data, word_data
 from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
+from fieldspec.layout.characters import character_refusals
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.digits import digits_refusals
 from fieldspec.names import Name, stem
 
 RUNTIME = ("numbers", "checksums", "values", "registers", "parameters", "records", "frames", "streams", "start")
@@ -40,7 +40,7 @@ def shared() -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """Links whose bytes are escaped, values of digits, parameters in bytes: a dissector would show other values."""
+    """Escaped links, digits, texts in a form of their own, parameters in bytes: other values would be shown."""
     links = {link.name: link.link for layout in versions for link in layout.links.values()}
     carriers = {
         (message.name, direction, field.name): field
@@ -70,7 +70,7 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
         )
         for name, link in links.items()
         if link.escape is not None
-    ] + [*unread, *digits_refusals(versions, "the dissector")]
+    ] + [*unread, *character_refusals(versions, "the dissector")]
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:

@@ -13,6 +13,7 @@ from fieldspec.model.enums import Bit, Flags
 from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Field
 from fieldspec.model.registers import Table
+from fieldspec.model.text_form import TextForm, text_form_title
 from fieldspec.model.units import DeclaredUnit
 from fieldspec.model.value import Conversion, Primitive, Value
 
@@ -60,12 +61,14 @@ def _of(value: Value | None) -> str:
     digits = f" as {value.digits} digits" if value.digits else ""
     places = f" with {value.places} places" if value.places else ""
     size = "" if value.type.size and not digits else f" of {value.size} bytes"
-    return f"{value.type.name}{digits}{places}{size}"
+    size = f" of at most {value.width} bytes" if value.width else size
+    form = f" in {text_form_title(value)}" if value.text_form is not None else ""
+    return f"{value.type.name}{digits}{places}{size}{form}"
 
 
-def _encoding(value: Value) -> tuple[Primitive, str, int]:
+def _encoding(value: Value) -> tuple[Primitive, str, int, TextForm | None, int]:
     """What the bytes of a value are read as."""
-    return value.type, value.digits, value.places
+    return value.type, value.digits, value.places, value.text_form, value.width
 
 
 def _content(field: Field, record: str) -> tuple[str, str]:
@@ -246,7 +249,7 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def _ordered(value: Value, key: str) -> bool:
-    return value.has_words if key == "word_order" else value.type.size > 1 and not value.has_characters
+    return value.has_words if key == "word_order" else value.has_order
 
 
 def _order(value: Value, device: Device, key: str) -> str:

@@ -7,6 +7,7 @@ from fieldspec.explain.script.literals import Data
 from fieldspec.explain.script.values import fact_data, stated, value_data
 from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.widths import Span, span_data, value_form
 from fieldspec.model.device import Device
 from fieldspec.model.record import RegisterAccess
 
@@ -21,6 +22,7 @@ def record_data(record: RecordLayout, words: str) -> dict[str, Data]:
         "least": record.least,
         **stated({"most": record.most, "size": record.size}),
         "fields": [_field(field, words) for field in record.fields],
+        **stated({"spans": [_span(span) for span in record.spans]}),
         **stated(
             {
                 "selector": record.selector.name if record.selector is not None else "",
@@ -28,6 +30,11 @@ def record_data(record: RecordLayout, words: str) -> dict[str, Data]:
             }
         ),
     }
+
+
+def _span(span: Span) -> dict[str, Data]:
+    """The width of a field; of a value that varies in width what people call its form."""
+    return {**span_data(span), **({"formText": value_form(span.value)} if span.value is not None else {})}
 
 
 def _field(field: FieldLayout, words: str) -> dict[str, Data]:

@@ -12,6 +12,7 @@ from fieldspec.model.digits import digits_text, has_sign
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.model.fact import Fact
 from fieldspec.model.ranges import Ranges
+from fieldspec.model.text_form import encoding_title, text_form_title
 from fieldspec.model.value import Value
 
 if TYPE_CHECKING:
@@ -51,9 +52,10 @@ def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str
             "kind": value.type.kind.value,
             "size": value.size,
             "signed": value.type.signed,
-            "order": order if value.size > 1 and value.type.is_number else "",
+            "order": order if value.size > 1 and (value.type.is_number or value.text_form is not None) else "",
             "swapped": swapped,
             **_digits(value),
+            **_text_form(value),
             "const": value.const,
             "enum": value.enum,
             "flags": value.flags,
@@ -87,6 +89,20 @@ def _digits(value: Value) -> dict[str, Data]:
         "low": value.low,
         "high": value.high,
     }
+
+
+def _text_form(value: Value) -> dict[str, Data]:
+    """The form of a text and what it is called; nothing for the usual form."""
+    form = value.text_form
+    if form is None:
+        return {}
+    data: dict[str, Data] = {
+        "encoding": form.encoding,
+        "padding": form.padding,
+        "isRight": form.is_right,
+        "terminator": form.terminator,
+    }
+    return {"textForm": stated(data), "textFormTitle": text_form_title(value), "encodingTitle": encoding_title(value)}
 
 
 def _scale(scale: Decimal | Fraction, offset: Decimal) -> dict[str, Data]:

@@ -23,6 +23,7 @@ _KEYS = {
     "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits"}),
     "plain": VALUE_KEYS
     - {"length", "characters", "digits", "places", "sentinels", "parameter", "default", "unit_default"}
+    - {"encoding", "padding", "align", "terminator", "varies"}
     | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except those of every fact."""

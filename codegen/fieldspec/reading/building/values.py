@@ -7,6 +7,7 @@ from decimal import Decimal
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.model.fact import ScalarValue
 from fieldspec.model.ranges import Ranges
+from fieldspec.model.text_form import text_form
 from fieldspec.model.value import (
     PRIMITIVES,
     Conversion,
@@ -51,9 +52,11 @@ def value(entry: Entry, type_name: str = "", words: int | None = None, takes_dig
         if entry.value(key) is not None:
             text = f"a quantity depends on what the device has in {scale_by}"
             entry.refuse("wrong_form", key, text, f"state `{key.removeprefix('unit_')}`, in counts")
+    size = _size(entry, primitive, words, digits)
+    varies = entry.flag("varies") and takes_digits
     return Value(
         type=primitive,
-        size=_size(entry, primitive, words, digits),
+        size=size + (varies and primitive.signed and digits == "decimal"),
         characters=entry.integer("characters"),
         byte_order=entry.text("byte_order"),
         scale=scale,
@@ -72,6 +75,10 @@ def value(entry: Entry, type_name: str = "", words: int | None = None, takes_dig
         digits=digits,
         places=entry.integer("places") or 0,
         scale_by=scale_by,
+        text_form=text_form(
+            entry.text("encoding"), entry.text("padding"), entry.text("align"), entry.integer("terminator")
+        ),
+        width=size if varies else 0,
     )
 
 

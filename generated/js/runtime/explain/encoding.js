@@ -1,4 +1,6 @@
+import { textBytes, textFault } from "../encodings.js";
 import { CodecError } from "../error.js";
+import { narrowedImage } from "../widths.js";
 import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
 import { memberOf } from "./device.js";
@@ -21,6 +23,11 @@ function joinedBytes(series) {
 /** The bytes of one value. Throws CodecError where no codec takes it. */
 function bytesOfValue(device, name, value, raw) {
   const { kind, size, swapped, order = "big" } = value;
+  if (value.textForm && typeof raw === "string") {
+    const fault = textFault(value.textForm, size, raw);
+    if (fault !== null) throw new CodecError(fault[0], `${name} ${fault[1]}`);
+    return textBytes(value.textForm, size, raw, order !== "big");
+  }
   if (kind === "text" || kind === "bytes") {
     const bytes = typeof raw === "string" ? Uint8Array.from(raw, (char) => char.charCodeAt(0)) : raw;
     if (typeof raw === "string" && /[^\x00-\x7f]/.test(raw)) throw new CodecError("unknown_value", `${name} has characters that are not ASCII`);
@@ -90,7 +97,7 @@ export function encodeRecord(device, record, values) {
   if (!form) throw new CodecError("unknown_value", `${record.selector} is ${values.get(record.selector)}, which chooses nothing that may follow`);
   const known = new Map();
   for (const field of form.fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
-  return joinedBytes(form.fields.map((field) => {
+  const bytes = joinedBytes(form.fields.map((field) => {
     if (!field.measures) return joinedBytes(known.get(field.name).map((item) => bytesOfElement(device, field, item)));
     const [of, name] = field.measures;
     const other = form.named.get(name);
@@ -98,6 +105,7 @@ export function encodeRecord(device, record, values) {
     const number = inRange(field.name, field.value, of === "bytes" ? items * other.size : items);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
+  return form.spans ? narrowedImage(form.spans, bytes) : bytes;
 }
 
 /** The values of the elements of a field: those entered, or its constant or zeros where nobody enters them. */

@@ -1,7 +1,8 @@
 import {
   decimalOf, decimalProduct, decimalQuotient, decimalRounded, decimalSum, decimalText, floatText, isWhole,
 } from "./numbers.js";
-import { intervalsText, isWithin, latinOf, sameValue, valueText } from "./texts.js";
+import { decodedText } from "../encodings.js";
+import { intervalsText, isWithin, sameValue, valueText } from "./texts.js";
 import { memberOf, unsignedOf } from "./device.js";
 import { digitsNumber } from "./digits.js";
 
@@ -100,8 +101,9 @@ export function decodeValue(device, value, bytes, order, swapped, reserved) {
   if (reserved) return decoded(number);
   if (value.kind === "boolean") return decodedBoolean(device, value, number);
   if (value.kind === "text") {
-    if (bytes.some((byte) => byte > 0x7f)) return judged(decoded(bytes), false, "ASCII", "unknown_value");
-    return decoded(latinOf(bytes).replace(/\0+$/, ""));
+    const text = decodedText(value.textForm, bytes, order !== "big");
+    if (text === null) return judged(decoded(bytes), false, value.textFormTitle ?? "ASCII", "unknown_value");
+    return decoded(text);
   }
   if (value.kind === "float") return decodedFloat(value, number);
   if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");

@@ -105,17 +105,22 @@ export function lengthFramer(shape) {
 /**
  * The framer of frames whose code decides their length. `extents` has for each code the length of the frame without its
  * repeated part, then offset, size and order of the part that measures it, and the bytes of each unit of the measure; a
- * size of 0 where the length is fixed, and of -1 where nothing measures the repeated part.
+ * size of 0 where the length is fixed, and of -1 where nothing measures the repeated part. With a size of -2, the frame
+ * ends with the next end delimiter, and has at least that length.
  */
 export function codeFramer(shape) {
   const { code, extents, flag, refusal, longest } = shape;
-  const { start } = shape.parts;
-  return new Framer(shape, (bytes, at) => {
-    if (!begins(bytes, at, start)) return 0;
-    at += start.length;
+  const { start, end } = shape.parts;
+  return new Framer(shape, (bytes, from) => {
+    if (!begins(bytes, from, start)) return 0;
+    const at = from + start.length;
     const number = readPart(bytes, at + code.offset, code);
     const extent = number & flag ? refusal : extents[number];
     if (extent === undefined || foreign(shape, bytes, at)) return 0;
+    if (extent.size === -2) {
+      const stop = find(bytes, from + extent.length - end.length, end);
+      return stop < 0 ? -1 : stop + end.length - from;
+    }
     if (extent.size <= 0) return extent.size === 0 ? extent.length : -1;
     if (at + extent.offset + extent.size > bytes.length) return -1;
     const length = extent.length + readPart(bytes, at + extent.offset, extent) * extent.unit;

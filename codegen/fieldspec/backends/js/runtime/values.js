@@ -1,3 +1,4 @@
+import { decodedText, textBytes, textFault } from "./encodings.js";
 import { CodecError, printed, refusedList } from "./error.js";
 
 const FLOAT = new DataView(new ArrayBuffer(8));
@@ -95,6 +96,24 @@ export function putText(name, value, bytes, offset, size) {
     if (code === 0 && at < value.length) throw new CodecError("unknown_value", `${name} has a zero, which ends a text`);
     bytes[offset + at] = code;
   }
+}
+
+/** The text of bytes in a form of its own. Throws CodecError for bytes that are none. */
+export function encodedTextOf(name, bytes, offset, size, form) {
+  const text = decodedText(form, bytes.subarray(offset, offset + size), form.little);
+  if (text === null) throw new CodecError("unknown_value", `${name} has bytes that are no text of its form`, offset);
+  return text;
+}
+
+/** Writes a text in a form of its own. Throws CodecError for one that the form does not have, or that is too long. */
+export function putEncodedText(name, value, bytes, offset, size, form) {
+  if (typeof value !== "string") {
+    if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
+    throw new CodecError("wrong_type", `${name} is a text, not ${printed(value)}`);
+  }
+  const fault = textFault(form, size, value);
+  if (fault !== null) throw new CodecError(fault[0], `${name} ${fault[1]}`);
+  bytes.set(textBytes(form, size, value, form.little), offset);
 }
 
 /** Writes bytes. Throws CodecError for a wrong number of them. */

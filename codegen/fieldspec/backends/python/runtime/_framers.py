@@ -195,7 +195,8 @@ class CodeFramer(Framer):
     `extents` has for each code: the length of the whole frame without its repeated part; then the offset and the
     size of the part or field that measures the repeated part, and the bytes for each unit of the measure; a size
     of 0 where the length is fixed, and of -1 where nothing measures the repeated part. Such a frame ends with the
-    silence behind it, or with another frame.
+    silence behind it, or with another frame. With a size of -2, the frame ends with the next end delimiter, and has at
+    least that length.
     """
 
     def __init__(
@@ -233,6 +234,7 @@ class CodeFramer(Framer):
         return known
 
     def _extent(self, buffer: bytearray, at: int) -> int:
+        begins = at
         if self._marked:
             if not buffer.startswith(self.frames.start, at):
                 return 0
@@ -243,6 +245,9 @@ class CodeFramer(Framer):
         if extent is None or self._foreign(buffer, at):
             return 0
         length, offset, size, unit = extent
+        if size == -2:
+            end = buffer.find(self.frames.end, begins + length - len(self.frames.end))
+            return end - begins + len(self.frames.end) if end >= 0 else -1
         if size <= 0:
             return length if size == 0 else -1
         place = at + offset

@@ -1,7 +1,8 @@
+import { extentsOf } from "../widths.js";
 import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
 import { sameValue, valueText } from "./texts.js";
 import { formOfData } from "./device.js";
-import { decodeValue, judged, meaningOf, repeatedValue } from "./values.js";
+import { decodeValue, decoded, judged, meaningOf, repeatedValue } from "./values.js";
 import { factRow, surplusRow, wrongRow } from "./rows.js";
 import { withParameter } from "./parameters.js";
 
@@ -34,6 +35,10 @@ export class ExplainedBody {
 
   explainFields() {
     let at = this.start;
+    if (this.record.spans) {
+      this.explainVarying();
+      return;
+    }
     for (const [number, field] of this.record.fields.entries()) {
       if (field.cases) {
         this.rows.push(this.undecidedRow(field, at));
@@ -49,6 +54,26 @@ export class ExplainedBody {
       }
     }
     if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
+  }
+
+  /** Adds the rows of a record whose values vary in width. */
+  explainVarying() {
+    const { fields, spans } = this.record;
+    const extents = extentsOf(spans, this.data.subarray(this.start, this.end));
+    let at = this.start;
+    for (const [number, { start, stop, image }] of extents.entries()) {
+      const field = fields[number];
+      at = this.start + start;
+      if (spans[number].most === undefined) this.explainField(field, at, field.count ?? 0);
+      else {
+        const varying = { raw: this.data.subarray(at, this.start + stop), image, form: spans[number].formText };
+        this.values.set(field.name, this.explainValue(field, field.name, at, 0, true, varying));
+      }
+      at = this.start + stop;
+    }
+    const missing = fields[extents.length];
+    if (missing) this.rows.push(this.wrongRow(missing, at, "incomplete", `${missing.name} has no end`));
+    else if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
   }
 
   /** How many elements a field should have: as many as fit if their number is free. */
@@ -114,10 +139,14 @@ export class ExplainedBody {
     return values;
   }
 
-  explainValue(field, path, at, index, isTop) {
+  /** Adds the row of a value. Of one that varies in width, `varying` has the bytes, those in the image, and its form. */
+  explainValue(field, path, at, index, isTop, varying) {
     const { value } = field;
-    const raw = this.data.subarray(at, at + field.size);
-    let read = decodeValue(this.device, value, raw, value.order ?? "big", value.swapped, field.reserved);
+    const raw = varying?.raw ?? this.data.subarray(at, at + field.size);
+    const image = varying ? varying.image : raw;
+    let read = image === null
+      ? judged(decoded(raw), false, varying.form, "unknown_value")
+      : decodeValue(this.device, value, image, value.order ?? "big", value.swapped, field.reserved);
     const { number } = read;
     if (isTop) read = this.measured(field, this.repeated(field, read));
     const known = (name) => (this.values.has(name) ? this.values.get(name) : this.asked.get(name));
@@ -133,7 +162,8 @@ export class ExplainedBody {
     const other = this.record.named.get(name);
     if (!other || other.cases) return read;
     const room = Math.floor((this.end - this.start - other.offset) / other.size);
-    const items = other.isList ? Math.max(0, Math.min(this.countOf(other), room)) : 1;
+    const most = this.record.spans ? this.countOf(other) : Math.max(0, Math.min(this.countOf(other), room));
+    const items = other.isList ? most : 1;
     const should = of === "bytes" ? items * other.size : items;
     return judged(read, sameValue(read.number, should), should, "wrong_measure");
   }

@@ -151,7 +151,7 @@ const COUNTS = ["integer", "boolean"];
 function bytesAgain(value, field, row) {
   const own = field.value;
   const alike = own.kind === value.kind || (COUNTS.includes(own.kind) && COUNTS.includes(value.kind));
-  if (value.size === field.size && (alike || (own.kind !== "float" && value.kind !== "float"))) {
+  if (!own.digits && value.size === field.size && (alike || (own.kind !== "float" && value.kind !== "float"))) {
     return [row.raw, own.order ?? "big", Boolean(own.swapped)];
   }
   const [low, high] = alike && isWhole(row.number) ? typeBounds(value) : [1, 0];

@@ -43,7 +43,7 @@ export function sameValue(left, right) {
 export function valueText(value, isFloat = false) {
   if (typeof value === "boolean") return value ? "True" : "False";
   if (typeof value === "number" && (isFloat || !Number.isInteger(value))) return floatText(value);
-  if (value instanceof Uint8Array) return `b${quotedText(latinOf(value))}`;
+  if (value instanceof Uint8Array) return `b${quotedText(latinOf(value), BEYOND_ASCII)}`;
   if (typeof value === "string") return quotedText(value);
   if (Array.isArray(value)) return `[${value.map((item) => valueText(item, isFloat)).join(", ")}]`;
   if (value instanceof Map) return `{${[...value].map(([key, item]) => `${quotedText(key)}: ${valueText(item)}`).join(", ")}}`;
@@ -52,13 +52,20 @@ export function valueText(value, isFloat = false) {
 
 const SPELLED = { "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t" };
 
-function quotedText(text) {
+const BEYOND_ASCII = /[^\x20-\x7e]/;
+const UNPRINTABLE = /[\p{C}\p{Z}]/u;
+
+function escapedCharacter(code) {
+  const [letter, digits] = code < 0x100 ? ["x", 2] : code < 0x10000 ? ["u", 4] : ["U", 8];
+  return `\\${letter}${code.toString(16).padStart(digits, "0")}`;
+}
+
+function quotedText(text, escaped = UNPRINTABLE) {
   const quote = text.includes("'") && !text.includes('"') ? '"' : "'";
   const inner = Array.from(text, (char) => {
     if (char === quote) return `\\${char}`;
     if (SPELLED[char]) return SPELLED[char];
-    const code = char.charCodeAt(0);
-    return code < 0x20 || code > 0x7e ? `\\x${DIGITS[code & 0xff].toLowerCase()}` : char;
+    return char !== " " && escaped.test(char) ? escapedCharacter(char.codePointAt(0)) : char;
   });
   return quote + inner.join("") + quote;
 }

@@ -1,0 +1,218 @@
+/* ---- encoded_texts ---- */
+
+/* Encodings are 0 for ASCII, 1 for Latin-1, 2 for UTF-8, 3 for UTF-16 with the high byte first, 4 with the low one. Texts
+ * in structs are UTF-8. `padding` fills a text up, before it where `is_right`; `end` ends it, unless it is above 0x7F. */
+
+/** The character at `*at` of UTF-8, after which `*at` is; 0xFFFFFFFF for bytes that are none. */
+static inline uint32_t device_next_utf_8(const uint8_t *in, size_t size, size_t *at)
+{
+    static const uint32_t least[] = {0u, 0x80u, 0x800u, 0x10000u};
+    uint32_t character = in[*at];
+    uint32_t more = character < 0x80u ? 0u : character < 0xE0u ? 1u : character < 0xF0u ? 2u : 3u;
+    uint32_t left;
+    *at += 1u;
+    if (more == 0u) {
+        return character;
+    }
+    if (character < 0xC2u || character > 0xF4u || size - *at < more) {
+        return 0xFFFFFFFFu;
+    }
+    character &= 0x3Fu >> more;
+    for (left = more; left > 0u; left--) {
+        uint32_t next = in[*at];
+        if ((next & 0xC0u) != 0x80u) {
+            return 0xFFFFFFFFu;
+        }
+        character = character << 6 | (next & 0x3Fu);
+        *at += 1u;
+    }
+    if (character < least[more] || character > 0x10FFFFu || (character >= 0xD800u && character <= 0xDFFFu)) {
+        return 0xFFFFFFFFu;
+    }
+    return character;
+}
+
+/** The unit at `in`: a byte, or 16 bits of UTF-16. */
+static inline uint32_t device_text_unit(const uint8_t *in, uint32_t encoding)
+{
+    if (encoding < 3u) {
+        return in[0];
+    }
+    return encoding == 3u ? (uint32_t)in[0] << 8 | in[1] : (uint32_t)in[1] << 8 | in[0];
+}
+
+/** The character at `*at` of an encoding, after which `*at` is; 0xFFFFFFFF for bytes that are none. */
+static inline uint32_t device_next_character(const uint8_t *in, size_t size, size_t *at, uint32_t encoding)
+{
+    uint32_t character, second;
+    if (encoding == 2u) {
+        return device_next_utf_8(in, size, at);
+    }
+    character = device_text_unit(in + *at, encoding);
+    *at += encoding < 3u ? 1u : 2u;
+    if (encoding < 3u) {
+        return encoding == 0u && character > 0x7Fu ? 0xFFFFFFFFu : character;
+    }
+    if (character < 0xD800u || character > 0xDFFFu) {
+        return character;
+    }
+    if (character > 0xDBFFu || size - *at < 2u) {
+        return 0xFFFFFFFFu;
+    }
+    second = device_text_unit(in + *at, encoding);
+    *at += 2u;
+    if (second < 0xDC00u || second > 0xDFFFu) {
+        return 0xFFFFFFFFu;
+    }
+    return 0x10000u + ((character & 0x3FFu) << 10 | (second & 0x3FFu));
+}
+
+/** Writes a unit and returns its bytes. */
+static inline size_t device_put_unit(uint8_t *out, uint32_t unit, uint32_t encoding)
+{
+    if (encoding < 3u) {
+        out[0] = (uint8_t)unit;
+        return 1u;
+    }
+    out[encoding == 3u ? 0 : 1] = (uint8_t)(unit >> 8);
+    out[encoding == 3u ? 1 : 0] = (uint8_t)(unit & 0xFFu);
+    return 2u;
+}
+
+/** Writes a character to at most four bytes and returns their number; 0 for one that the encoding does not have. */
+static inline size_t device_put_character(uint8_t *out, uint32_t character, uint32_t encoding)
+{
+    size_t size = 1u, at;
+    if (encoding > 2u) {
+        if (character < 0x10000u) {
+            return device_put_unit(out, character, encoding);
+        }
+        size = device_put_unit(out, 0xD7C0u + (character >> 10), encoding);
+        return size + device_put_unit(out + 2, 0xDC00u + (character & 0x3FFu), encoding);
+    }
+    if (encoding < 2u || character < 0x80u) {
+        out[0] = (uint8_t)(character & 0xFFu);
+        return character > (encoding == 0u ? 0x7Fu : 0xFFu) ? 0u : 1u;
+    }
+    size = character < 0x800u ? 2u : character < 0x10000u ? 3u : 4u;
+    for (at = size - 1u; at > 0u; at--) {
+        out[at] = (uint8_t)(0x80u | (character & 0x3Fu));
+        character >>= 6;
+    }
+    out[0] = (uint8_t)(((0xF00u >> size) & 0xF0u) | character);
+    return size;
+}
+
+/** Whether bytes are characters of an encoding; writes them to `out`, with a zero behind them, unless it is NULL. */
+static inline bool device_read_encoded_text(char *out, const uint8_t *in, size_t size, uint32_t encoding, uint8_t padding,
+                                            bool is_right, uint8_t end)
+{
+    size_t unit = encoding < 3u ? 1u : 2u;
+    size_t at = 0, last = size, length = 0, byte;
+    if (end < 0x80u) {
+        for (last = 0; last < size && device_text_unit(in + last, encoding) != end; last += unit) {
+        }
+        if (last >= size) {
+            return false;
+        }
+    } else if (is_right) {
+        while (at < last && device_text_unit(in + at, encoding) == padding) {
+            at += unit;
+        }
+    } else {
+        while (last > at && device_text_unit(in + last - unit, encoding) == padding) {
+            last -= unit;
+        }
+    }
+    while (at < last) {
+        uint8_t bytes[4];
+        uint32_t character = device_next_character(in, last, &at, encoding);
+        size_t written;
+        if (character == 0u || character == 0xFFFFFFFFu) {
+            return false;
+        }
+        written = device_put_character(bytes, character, 2u);
+        for (byte = 0; out != NULL && byte < written; byte++) {
+            out[length + byte] = (char)bytes[byte];
+        }
+        length += written;
+    }
+    if (out != NULL) {
+        out[length] = '\0';
+    }
+    return true;
+}
+
+/** Whether bytes are characters of an encoding. */
+static inline bool device_is_encoded_text(const uint8_t *in, size_t size, uint32_t encoding, uint8_t padding, bool is_right,
+                                          uint8_t end)
+{
+    return device_read_encoded_text(NULL, in, size, encoding, padding, is_right, end);
+}
+
+/** Reads a text without a check; it is empty where the bytes are none. */
+static inline void device_load_encoded_text(char *out, const uint8_t *in, size_t size, uint32_t encoding, uint8_t padding,
+                                            bool is_right, uint8_t end)
+{
+    if (!device_read_encoded_text(out, in, size, encoding, padding, is_right, end)) {
+        out[0] = '\0';
+    }
+}
+
+/** Whether a text of at most `capacity` bytes can be sent in `size` bytes; writes it to `out`, unless that is NULL. */
+static inline bool device_write_encoded_text(uint8_t *out, const char *text, size_t capacity, size_t size,
+                                             uint32_t encoding, uint8_t padding, bool is_right, uint8_t end)
+{
+    const uint8_t *in = (const uint8_t *)text;
+    size_t unit = encoding < 3u ? 1u : 2u;
+    size_t room = end < 0x80u ? size - unit : size;
+    size_t length = 0, total = 0, at, byte;
+    uint8_t bytes[4];
+    while (length < capacity && text[length] != '\0') {
+        length++;
+    }
+    for (at = 0; at < length;) {
+        bool is_first = at == 0u;
+        uint32_t character = device_next_utf_8(in, length, &at);
+        size_t written = character == 0xFFFFFFFFu ? 0u : device_put_character(bytes, character, encoding);
+        if (written == 0u || written > room - total || (end < 0x80u && character == end)) {
+            return false;
+        }
+        if (end > 0x7Fu && character == padding && (is_right ? is_first : at == length)) {
+            return false;
+        }
+        total += written;
+    }
+    if (out == NULL) {
+        return true;
+    }
+    for (at = 0; at < size; at += unit) {
+        (void)device_put_unit(out + at, padding, encoding);
+    }
+    out += is_right ? size - total : 0u;
+    for (at = 0; at < length;) {
+        size_t written = device_put_character(bytes, device_next_utf_8(in, length, &at), encoding);
+        for (byte = 0; byte < written; byte++) {
+            out[byte] = bytes[byte];
+        }
+        out += written;
+    }
+    if (end < 0x80u) {
+        (void)device_put_unit(out, end, encoding);
+    }
+    return true;
+}
+
+/** Whether a text of at most `capacity` bytes can be sent. */
+static inline bool device_fits_encoded_text(const char *text, size_t capacity, size_t size, uint32_t encoding,
+                                            uint8_t padding, bool is_right, uint8_t end)
+{
+    return device_write_encoded_text(NULL, text, capacity, size, encoding, padding, is_right, end);
+}
+
+/** Writes a text that can be sent, and what fills it up. */
+static inline void device_store_encoded_text(uint8_t *out, const char *text, size_t capacity, size_t size,
+                                             uint32_t encoding, uint8_t padding, bool is_right, uint8_t end)
+{
+    (void)device_write_encoded_text(out, text, capacity, size, encoding, padding, is_right, end);
+}

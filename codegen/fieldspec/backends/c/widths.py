@@ -1,0 +1,81 @@
+"""Records whose values vary in width: functions around those of their image, in which each value has all its bytes."""
+
+from __future__ import annotations
+
+from fieldspec.backends.c.declarations import Source
+from fieldspec.backends.c.fields import members
+from fieldspec.backends.c.naming import Naming
+from fieldspec.layout.record import RecordLayout
+from fieldspec.layout.widths import Span
+from fieldspec.model.digits import has_sign
+
+_FORMS = {"": 1, "decimal": 0, "upper_hex": 0x41, "lower_hex": 0x61}
+_NO_END = 0x100
+
+_ENCODE = """static inline {status} {encode}({argument}uint8_t *out, size_t capacity, size_t *length)
+{{
+{widths}
+    uint8_t image[{size}];
+    size_t image_length;
+    {status} status = {encode_image}({passed}image, sizeof image, &image_length);
+    if (status != {ok}) {{
+        return status;
+    }}
+    return {narrow}(widths, {count}u, image, out, capacity, length);
+}}
+"""
+_DECODE = """static inline {status} {decode}(const uint8_t *in, size_t length{result})
+{{
+{widths}
+    uint8_t image[{size}];
+    {status} status = {widen}(widths, {count}u, in, length, image);
+    if (status != {ok}) {{
+        return status;
+    }}
+    return {decode_image}(image, sizeof image{returned});
+}}
+"""
+
+
+def encode_widths(naming: Naming, record: RecordLayout) -> Source:
+    """`codec_status line_encode(const line *in, uint8_t *out, size_t capacity, size_t *length)`"""
+    return Source(_ENCODE.format(**_words(naming, record)))
+
+
+def decode_widths(naming: Naming, record: RecordLayout) -> Source:
+    """`codec_status line_decode(const uint8_t *in, size_t length, line *out)`"""
+    return Source(_DECODE.format(**_words(naming, record)))
+
+
+def _words(naming: Naming, record: RecordLayout) -> dict[str, str]:
+    """The names and numbers in both functions."""
+    struct = naming.type("record", record.name) if members(record) else ""
+    rows = ",\n".join(f"        {_row(span)}" for span in record.spans)
+    functions = {
+        verb: naming.function("record", record.name, verb)
+        for verb in ("encode", "decode", "encode_image", "decode_image")
+    }
+    return {
+        **functions,
+        "ok": naming.status("ok").name,
+        "status": naming.own("codec_status"),
+        "narrow": naming.own("narrow_fields"),
+        "widen": naming.own("widen_fields"),
+        "argument": f"const {struct} *in, " if struct else "",
+        "passed": "in, " if struct else "",
+        "result": f", {struct} *out" if struct else "",
+        "returned": ", out" if struct else "",
+        "widths": f"    static const {naming.own('width')} widths[] = {{\n{rows},\n    }};",
+        "size": f"{sum(span.size for span in record.spans)}u",
+        "count": str(len(record.spans)),
+    }
+
+
+def _row(span: Span) -> str:
+    """`{9u, 8u, 0x2Cu, 0x00u, 2u, true}`: the bytes in the image, the most that are sent, and the form of a value."""
+    value = span.value
+    if value is None:
+        return f"{{{span.size}u, 0u, 0x100u, 0x00u, 0u, false}}"
+    end = _NO_END if span.end is None else span.end
+    sign = "true" if has_sign(value) else "false"
+    return f"{{{span.size}u, {value.width}u, 0x{end:02X}u, 0x{_FORMS[value.digits]:02X}u, {value.places}u, {sign}}}"

@@ -1,0 +1,42 @@
+"""Places of parts and fields in a frame, as tables print them."""
+
+from __future__ import annotations
+
+from fieldspec.classes import dataclass
+from fieldspec.layout.record import RecordLayout
+
+
+@dataclass(frozen=True, slots=True)
+class Position:
+    """A place in a frame: `fixed` bytes and so many times the steps, as in `3 + 16k`."""
+
+    fixed: int
+    steps: tuple[tuple[int, str], ...] = ()
+
+    def shifted(self, offset: int) -> Position:
+        """The place `offset` bytes further."""
+        return Position(self.fixed + offset, self.steps)
+
+    def stepped(self, size: int, letter: str) -> Position:
+        """The place of each of several elements."""
+        return Position(self.fixed, (*self.steps, (size, letter)))
+
+    def text(self, length: int, start: int = 0, width: int = 1) -> str:
+        """`4`, `4..7`, `3 + 16k`: bytes, or characters where each byte is `width` of them behind `start`."""
+        first = start + self.fixed * width
+        last = first + length * width - 1
+        steps = "".join(f" + {size * width if size * width > 1 else ''}{letter}" for size, letter in self.steps)
+        if first == last:
+            return f"{first}{steps}"
+        return f"({first}..{last}){steps}" if steps else f"{first}..{last}"
+
+
+def varying_starts(record: RecordLayout) -> list[Position]:
+    """Where each field of a record begins whose values vary in width, less its offset: `3 + length of weight`."""
+    starts = []
+    position = Position(0)
+    for field, span in zip(record.fields, record.spans, strict=True):
+        starts.append(position.shifted(-field.offset))
+        varies = span.value is not None
+        position = position.stepped(1, f"length of {span.name}") if varies else position.shifted(span.size)
+    return starts

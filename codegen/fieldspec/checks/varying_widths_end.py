@@ -1,0 +1,124 @@
+"""A value that varies in width is a text, or a number of decimal or hexadecimal digits. It is a field of a message, and
+ends with the message or before a constant of one byte that it cannot have. A message with such a value has no list of
+free length, no field of several types and no field that measures it; what comes behind it has no printed place.
+
+Why: where such a value ends is seen by what follows it. Without an end that no value can have, the next value would be
+read as a part of it.
+
+Example: `{name: weight, type: u32, digits: decimal, length: 8, varies: true}` before a `u16`.
+
+Cure: State the separator as a constant, `{name: comma, type: u8, const: 0x2C}`, or remove `varies` where the manual
+prints a fixed number of characters.
+"""
+
+from __future__ import annotations
+
+import string
+from collections.abc import Iterator
+
+from fieldspec.checks.facts import values
+from fieldspec.checks.finding import finding
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.digits import BCD, digits_letters, has_sign
+from fieldspec.model.fact import Fact
+from fieldspec.model.record import Field, Message, Record
+from fieldspec.model.text_form import UTF_16
+from fieldspec.model.value import Kind, Value
+
+_CODE = "varying_widths_end"
+
+
+def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
+    messages = {id(field) for message in device.messages.values() for body in _bodies(message) for field in body.fields}
+    for fact, value in values(device):
+        if not value.width:
+            continue
+        problem = _form(value) or _place(fact, id(fact) in messages)
+        if problem:
+            yield finding(
+                _CODE, fact.place, "varies", f"{fact.name} {problem}", "remove it, and state the usual length"
+            )
+    for message in device.messages.values():
+        for body in _bodies(message):
+            yield from _of_message(message, body)
+
+
+def _bodies(message: Message) -> tuple[Record, Record]:
+    return message.request, message.response
+
+
+def _form(value: Value) -> str:
+    """Why a value has one width; empty for one that may vary."""
+    if value.type.kind is Kind.TEXT:
+        form = value.text_form
+        if form is not None and (
+            form.encoding == UTF_16 or form.is_right or form.padding or form.terminator is not None
+        ):
+            return "varies in width, and has no UTF-16, no padding and no terminator of its own"
+        return ""
+    if not value.digits or value.digits == BCD:
+        return "varies in width, which only characters do: a text, and decimal and hexadecimal digits"
+    if value.type.signed and not has_sign(value):
+        return "is a signed hexadecimal number, whose sign is in its first digit"
+    return ""
+
+
+def _place(fact: Fact, is_in_message: bool) -> str:
+    """Why a fact has one width because of where it stands; empty for a field of a message."""
+    if not isinstance(fact, Field) or not is_in_message:
+        return "is no field of a message, and has the same width everywhere"
+    if fact.count is not None or fact.repeat is not None:
+        return "is a list, whose elements have the same width"
+    return "is reserved, and has the same width everywhere" if fact.reserved else ""
+
+
+def _of_message(message: Message, body: Record) -> Iterator[Diagnostic]:
+    """The findings of the fields around those that vary in width."""
+    varying = [field for field in body.fields if field.value is not None and field.value.width]
+    if not varying:
+        return
+    for field in body.fields:
+        other = body.named(field.measures.field) if field.measures is not None else None
+        if field.repeat is not None or field.choice is not None:
+            key, what = ("repeat", "a list of free length") if field.repeat is not None else ("choice", "several types")
+            text = f"{field.name} has {what}, and {varying[0].name} varies in width"
+            yield finding(_CODE, field.place, key, text, "state one of them in a message of its own")
+        elif other in varying and other is not None:
+            text = f"{field.name} measures {other.name}, which varies in width"
+            yield finding(_CODE, field.place, "measures", text, "let a `length` in the frame count the message")
+    if message.accesses is not None:
+        text = f"{message.name} reads or writes registers, and {varying[0].name} varies in width"
+        yield finding(_CODE, varying[0].place, "varies", text, "remove it, and state the usual length")
+    at = body.fields.index(varying[0])
+    for field in body.fields[at:]:
+        for key in ("span", "word_span"):
+            if key in field.place:
+                text = f"{field.name} has no place of its own, as {varying[0].name} varies in width"
+                yield finding(_CODE, field.place, key, text, "remove it")
+    for field in varying:
+        yield from _end(body, field)
+
+
+def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
+    """The finding of a value whose end nobody sees."""
+    at = body.fields.index(field)
+    if at + 1 == len(body.fields):
+        return
+    following, value = body.fields[at + 1], field.value
+    end = following.value
+    assert value is not None
+    if end is None or end.const is None or end.type.name != "u8" or end.digits or following.count is not None:
+        text = f"{field.name} varies in width, and {following.name} is no constant of one byte"
+        help = "state what separates them: `{name: comma, type: u8, const: 0x2C}`"
+        yield finding(_CODE, field.place, "varies", text, help)
+    elif end.const in _own_bytes(value):
+        text = f"{field.name} may have the byte 0x{end.const:02X}, which would end it"
+        yield finding(_CODE, following.place, "const", text, "correct the separator")
+
+
+def _own_bytes(value: Value) -> bytes:
+    """The bytes that a value may have, and that cannot end it: for a text letters, digits and what is not ASCII."""
+    if not value.digits:
+        return bytes([0, *range(0x80, 0x100)]) + (string.ascii_letters + string.digits).encode()
+    return digits_letters(value) + (b"+-" if has_sign(value) else b"") + (b"." if value.places else b"")

@@ -1,0 +1,57 @@
+"""What outputs refuse that convert neither digits to numbers nor encodings of texts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from fieldspec.diagnostics import LEAVE_OUT, Diagnostic
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.fact import Fact
+from fieldspec.model.value import Value
+
+_TEXT_KEYS = ("encoding", "padding", "align", "terminator", "varies")
+
+
+def character_refusals(
+    versions: Sequence[DeviceLayout], reader: str, for_controllers: bool = False
+) -> list[Diagnostic]:
+    """A finding for each value that is sent as digits, and for each text in a form of its own.
+
+    `reader` is what does not convert them.
+    """
+    facts = {
+        fact.place.path: (fact, value)
+        for layout in versions
+        for fact, value in _values(layout)
+        if value is not None and (value.digits or value.text_form is not None or value.width)
+    }
+    return [(_of_digits if value.digits else _of_text)(fact, reader, for_controllers) for fact, value in facts.values()]
+
+
+def _of_digits(fact: Fact, reader: str, for_controllers: bool) -> Diagnostic:
+    return Diagnostic(
+        "plc_numbers_binary" if for_controllers else "output_numbers_binary",
+        f"{fact.name} is sent as digits, which {reader} does not convert",
+        fact.place["digits"],
+        help=LEAVE_OUT,
+    )
+
+
+def _of_text(fact: Fact, reader: str, for_controllers: bool) -> Diagnostic:
+    key = next((key for key in _TEXT_KEYS if key in fact.place), "name")
+    return Diagnostic(
+        "plc_texts_ascii" if for_controllers else "output_texts_ascii",
+        f"{fact.name} is not ASCII filled up with zeros behind it, and {reader} converts no other text",
+        fact.place[key],
+        help=LEAVE_OUT,
+    )
+
+
+def _values(layout: DeviceLayout) -> Iterator[tuple[Fact, Value | None]]:
+    """The registers and fields of a version with their values."""
+    for register in layout.registers:
+        yield register.register, register.register.value
+    bodies = (body for message in layout.messages.values() for body in message.bodies)
+    for record in (*layout.records.values(), *bodies):
+        for field in record.fields:
+            yield field.field, field.value

@@ -1,0 +1,106 @@
+import { CodecError } from "./error.js";
+
+const DIGITS_OF = { decimal: /^[0-9]*$/, upper_hex: /^[0-9A-F]*$/, lower_hex: /^[0-9a-f]*$/ };
+
+const latinText = (bytes) => Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+const latinBytes = (text) => Uint8Array.from(text, (character) => character.charCodeAt(0));
+
+/** What is sent of the bytes in the image of a value: no leading zeros, and a sign only below zero. */
+function narrowedBytes({ form, hasSign }, image) {
+  const text = latinText(image);
+  if (form === "text") return latinBytes(text.replace(/\0+$/, ""));
+  const digits = (hasSign ? text.slice(1) : text).replace(/^0+(?=[0-9A-Fa-f])/, "");
+  const isNegative = hasSign && text[0] === "-" && /[^0.]/.test(digits);
+  return latinBytes((isNegative ? "-" : "") + digits);
+}
+
+/** The bytes in the image of a value; null for bytes that are none of it. */
+function widenedBytes(field, bytes) {
+  const { form, size, most, places = 0, hasSign = false } = field;
+  let text = latinText(bytes);
+  if (text.length > most) return null;
+  if (form === "text") return text.includes("\0") ? null : latinBytes(text.padEnd(size, "\0"));
+  let sign = hasSign ? "+" : "";
+  if (hasSign && (text[0] === "+" || text[0] === "-")) {
+    sign = text[0];
+    text = text.slice(1);
+  }
+  const point = places ? text.indexOf(".") : -1;
+  const whole = point < 0 ? text : text.slice(0, point);
+  const fraction = point < 0 ? "" : text.slice(point + 1);
+  if (whole === "" || (point >= 0 && fraction === "") || fraction.length > places) return null;
+  if (!DIGITS_OF[form].test(whole + fraction)) return null;
+  const room = most - (places ? places + 1 : 0);
+  const behind = places ? `.${fraction.padEnd(places, "0")}` : "";
+  const image = latinBytes(sign + whole.replace(/^0+(?=.)/, "").padStart(room, "0") + behind);
+  return narrowedBytes(field, image).length <= most ? image : null;
+}
+
+/** Where a field ends that begins at a byte; undefined where its bytes, or its end, are missing. */
+function stopOf({ size, most, end }, bytes, at) {
+  if (most === undefined) return at + size <= bytes.length ? at + size : undefined;
+  if (end === undefined) return bytes.length;
+  const stop = bytes.indexOf(end, at);
+  return stop < 0 ? undefined : stop;
+}
+
+/**
+ * The fields of a record whose values vary in width, as far as the data go: where they are, and their bytes in the
+ * image, in which each value has all the bytes that it may have; null for bytes that are none of the value.
+ */
+export function extentsOf(fields, bytes) {
+  const extents = [];
+  let start = 0;
+  for (const field of fields) {
+    const stop = stopOf(field, bytes, start);
+    if (stop === undefined) return extents;
+    const piece = bytes.subarray(start, stop);
+    extents.push({ start, stop, image: field.most === undefined ? piece : widenedBytes(field, piece) });
+    start = stop;
+  }
+  return extents;
+}
+
+/** What `read(image, start, end)` makes of the image of a record. Throws CodecError with the place in the data. */
+export function readImage(fields, read, bytes, offset, end) {
+  const data = bytes.subarray(offset, end);
+  const extents = extentsOf(fields, data);
+  const unfit = extents.findIndex(({ image }) => image === null);
+  if (unfit >= 0) throw new CodecError("unknown_value", `${fields[unfit].name} is not in its form`, offset + extents[unfit].start);
+  if (extents.length < fields.length) throw new CodecError("incomplete", `${fields[extents.length].name} has no end`, end);
+  const stop = extents.at(-1).stop;
+  if (stop < data.length) throw new CodecError("wrong_length", `${fields.at(-1).name} is followed by more bytes`, offset + stop);
+  const image = Uint8Array.from(extents.flatMap((extent) => [...extent.image]));
+  try {
+    return read(image, 0, image.length);
+  } catch (error) {
+    if (!(error instanceof CodecError) || error.offset === null) throw error;
+    throw new CodecError(error.reason, error.detail, offset + placeInData(fields, extents, error.offset));
+  }
+}
+
+/** The byte in the data for a byte of the image. */
+function placeInData(fields, extents, at) {
+  let first = 0;
+  for (const [number, { size, most }] of fields.entries()) {
+    if (at < first + size) return extents[number].start + (most === undefined ? at - first : 0);
+    first += size;
+  }
+  return extents.at(-1).stop;
+}
+
+/** What is sent of an image. Throws CodecError for a text that has the byte which would end it. */
+export function narrowedImage(fields, image) {
+  const pieces = [];
+  let at = 0;
+  for (const field of fields) {
+    const piece = image.subarray(at, at + field.size);
+    at += field.size;
+    const bytes = field.most === undefined ? piece : narrowedBytes(field, piece);
+    if (field.most !== undefined && field.end !== undefined && bytes.includes(field.end)) {
+      throw new CodecError("unknown_value", `${field.name} has the character that ends it`);
+    }
+    pieces.push(...bytes);
+  }
+  return Uint8Array.from(pieces);
+}
