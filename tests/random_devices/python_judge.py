@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import sys
+from keyword import iskeyword
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -33,6 +34,11 @@ def module_of_device(layout: DeviceLayout, number: int) -> ModuleType:
     sys.modules[name] = module
     exec(compile(text, f"chance_{number}.py", "exec"), module.__dict__)
     return module
+
+
+def _python_name(name: str) -> str:
+    """The name of a part of a header in Python, where words of the language get an underscore."""
+    return f"{name}_" if iskeyword(name) or name == "self" else name
 
 
 class Python:
@@ -107,7 +113,7 @@ class Python:
             assert part.value is not None
             if part.value.flags:
                 value = class_of(self.module, part.value.flags, "Flags")(value)
-            named[part.name] = value
+            named[_python_name(part.name)] = value
         return first, named
 
     def _frame_of(self, path: tuple[str, ...], head: dict[str, Any], content: Any, error: bool, code: Any) -> bytes:
@@ -137,7 +143,8 @@ class Python:
         head: dict[str, Any] = {}
         for part in shape.header:
             if part.is_argument:
-                head[part.name] = raw(decoded.station if part.role == "unit_address" else getattr(decoded, part.name))
+                name = _python_name(part.name)
+                head[part.name] = raw(decoded.station if part.role == "unit_address" else getattr(decoded, name))
         error = self.layout.links[link].link.exception_response
         refusal = error is not None and hasattr(decoded, "exception")
         content = decoded.exception if refusal else decoded.message

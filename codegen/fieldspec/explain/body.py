@@ -7,8 +7,9 @@ from decimal import Context, Decimal
 
 from fieldspec.classes import replace
 from fieldspec.explain.parameters import with_parameter
+from fieldspec.explain.registers import exponent_applied
 from fieldspec.explain.row import ExplanationRow, Spot, errata_at, fact_row, surplus_row, wrong_row
-from fieldspec.explain.values import DecodedValue, Meaning, decimal_text, decode_value, in_unit
+from fieldspec.explain.values import DecodedValue, Meaning, decimal_text, decode_value, in_unit, number_of
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.values import Raw
@@ -154,7 +155,7 @@ class Body:
         """The rows and the value of one element of a field of the message."""
         if field.record is not None:
             return self._inner(field.record, path, at)
-        return self._value(field, path, at, index, top=True)
+        return self._value(field, path, at, index, self._by_exponent(field, self.record, self.start), top=True)
 
     def _inner(self, record: RecordLayout, path: str, at: int) -> tuple[list[ExplanationRow], Raw]:
         """The rows and the values of a record within the body. All of its bytes are there."""
@@ -168,17 +169,32 @@ class Body:
                 if field.record is not None:
                     more, value = self._inner(field.record, inner, place)
                 else:
-                    more, value = self._value(field, inner, place, index, top=False)
+                    own = self._by_exponent(field, record, at)
+                    more, value = self._value(field, inner, place, index, own, top=False)
                 rows += more
                 elements.append(value)
             values[field.name] = elements if field.is_list else elements[0]
         return rows, values
 
-    def _value(self, field: FieldLayout, path: str, at: int, index: int, top: bool) -> tuple[list[ExplanationRow], Raw]:
+    def _by_exponent(self, field: FieldLayout, record: RecordLayout, start: int) -> Value:
+        """The value of a field of a record, with its scale where another field beside it has the exponent."""
         assert field.value is not None
+        exponent = record.named(field.value.scale_by) if field.value.scale_by else None
+        if exponent is None or exponent.value is None:
+            return field.value
+        at = start + exponent.offset
+        if at + exponent.size > self.end:
+            return field.value
+        number = number_of(exponent.value, self.data[at : at + exponent.size], exponent.order, exponent.swapped)
+        return exponent_applied(field.value, exponent.value, number)
+
+    def _value(
+        self, field: FieldLayout, path: str, at: int, index: int, value: Value, top: bool
+    ) -> tuple[list[ExplanationRow], Raw]:
+        """The row of a field, and its number; `value` is its value with its scale."""
         raw = self.data[at : at + field.size]
         device = self.layout.device
-        read = decode_value(device, field.value, raw, field.order, field.swapped, field.field.reserved)
+        read = decode_value(device, value, raw, field.order, field.swapped, field.field.reserved)
         number = read.number
         assert number is not None
         if top:

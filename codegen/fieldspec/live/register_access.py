@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from fieldspec.classes import replace
-from fieldspec.explain.registers import exponent_applied
+from fieldspec.explain.registers import exponent_applied, exponent_of_occupant
 from fieldspec.live import writing
 from fieldspec.live.access import DumpRow, role_masks
 from fieldspec.live.reading import Reading, all_occupants, blocks, read, reading
@@ -102,15 +102,19 @@ class RegisterAccess:
         return (self._scaled(item, by_path) for item in items)
 
     def _with_exponents(self, items: Iterable[Placed]) -> list[Placed]:
-        """Items and the registers with the exponents of their scales, each once."""
+        """Items and what has the exponents of their scales, each once."""
         every = {self.path(item): item for item in items}
-        names = {occupant.value.scale_by for _, occupant in every.values()} - {"", *every}
-        return [*every.values(), *(item for item in self._items if self.path(item) in names)]
+        for space, occupant in list(every.values()):
+            exponent = exponent_of_occupant(self.layout, occupant)
+            if exponent is not None:
+                every.setdefault(exponent.path, (space, exponent))
+        return list(every.values())
 
     def _scaled(self, item: Placed, by_path: Mapping[str, Reading]) -> Reading:
         """What was read of an item, as a quantity where the exponent of its scale was read, too."""
         own, (space, occupant) = by_path[self.path(item)], item
-        exponent = by_path.get(occupant.value.scale_by)
+        place = exponent_of_occupant(self.layout, occupant)
+        exponent = by_path.get(place.path) if place is not None else None
         if exponent is None or exponent.decoded is None or own.decoded is None:
             return own
         value = exponent_applied(occupant.value, exponent.occupant.value, exponent.decoded.number)

@@ -10,7 +10,7 @@ from fieldspec.backends.js.declaration import Declaration, Names
 from fieldspec.backends.js.links import carries
 from fieldspec.backends.js.members import members_of
 from fieldspec.backends.js.text import comment, flag, literal, object_of
-from fieldspec.backends.js.units import power_unit_of, unit_of
+from fieldspec.backends.js.units import POWER_UNIT, power_unit_of, unit_of
 from fieldspec.backends.js.values import Slot
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
@@ -20,9 +20,6 @@ from fieldspec.model.address_space import BIT
 from fieldspec.model.device import Device
 from fieldspec.model.ranges import Ranges
 from fieldspec.names import Name
-
-POWER_UNIT = 'import("../runtime/index.js").PowerUnit'
-"""The type of units with an exponent, which few modules need."""
 
 
 def declare_register(layout: RegisterLayout, names: Names) -> Declaration:

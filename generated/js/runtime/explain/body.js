@@ -1,7 +1,7 @@
 import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
 import { sameValue, valueText } from "./texts.js";
 import { formOfData } from "./device.js";
-import { decodeValue, judged, meaningOf, repeatedValue } from "./values.js";
+import { decodeValue, exponentApplied, judged, meaningOf, repeatedValue } from "./values.js";
 import { factRow, surplusRow, wrongRow } from "./rows.js";
 import { withParameter } from "./parameters.js";
 
@@ -94,7 +94,7 @@ export class ExplainedBody {
 
   explainElement(field, path, at, index) {
     if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at);
-    return this.explainValue(field, path, at, index, true);
+    return this.explainValue(field, this.byExponent(field, this.record, this.start), path, at, index, true);
   }
 
   /** Adds the rows of a record within the body, of which all bytes are there. */
@@ -107,15 +107,23 @@ export class ExplainedBody {
         const place = at + field.offset + index * field.size;
         elements.push(field.record
           ? this.explainRecord(this.device.records.get(field.record), inner, place)
-          : this.explainValue(field, inner, place, index, false));
+          : this.explainValue(field, this.byExponent(field, record, at), inner, place, index, false));
       }
       values.set(field.name, field.isList ? elements : elements[0]);
     }
     return values;
   }
 
-  explainValue(field, path, at, index, isTop) {
-    const { value } = field;
+  /** The value of a field of a record, with its scale where another field beside it has the exponent. */
+  byExponent({ value }, record, start) {
+    const exponent = value.scaleBy && record.named.get(value.scaleBy);
+    const at = start + (exponent?.offset ?? 0);
+    if (!exponent || at + exponent.size > this.end) return value;
+    return exponentApplied(value, exponent.value, this.data.subarray(at, at + exponent.size));
+  }
+
+  /** Adds the row of a field, whose `value` has its scale. */
+  explainValue(field, value, path, at, index, isTop) {
     const raw = this.data.subarray(at, at + field.size);
     let read = decodeValue(this.device, value, raw, value.order ?? "big", value.swapped, field.reserved);
     const { number } = read;

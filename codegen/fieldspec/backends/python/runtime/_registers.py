@@ -9,6 +9,7 @@ from struct import pack, unpack
 
 from ._carried import RecordValue
 from ._error import CodecError
+from ._quantities import Ratio, power_of_ten
 from ._typing import TYPE_CHECKING, Generic, T
 from ._values import Value
 
@@ -136,23 +137,15 @@ class Register(Generic[T]):
             return self.value.from_unit(self.name, value)
         return self.value.from_unit(self.name, value, self._power(exponent))
 
-    def _power(self, exponent: int | None) -> tuple[int, int, int]:
+    def _power(self, exponent: int | None) -> Ratio:
         """The scale of a power of ten as a `Value` has it. Raises CodecError."""
-        if not isinstance(exponent, int) or isinstance(exponent, bool):
+        scale_by = self.scale_by
+        if scale_by is None:
             raise self._exponent_error(exponent)
-        limits = self.scale_by.ranges if self.scale_by is not None else ()
-        if not any(low <= exponent <= high for low, high in limits):
-            raise self._exponent_error(exponent)
-        return (10**exponent, 0, 1) if exponent > 0 else (1, 0, 10**-exponent)
+        return power_of_ten(self.name, scale_by.name, scale_by.ranges, exponent)
 
     def _exponent_error(self, exponent: int | None) -> CodecError:
-        if self.scale_by is None:
-            return CodecError("wrong_type", f"the scale of {self.name} has no exponent, and {exponent!r} is one")
-        name = self.scale_by.name
-        if exponent is None:
-            return CodecError("wrong_type", f"the scale of {self.name} has an exponent, which is the value of {name}")
-        allowed = ", ".join(f"{low}..{high}" for low, high in self.scale_by.ranges)
-        return CodecError("out_of_range", f"{name} is {exponent!r}, not an exponent in {allowed}")
+        return CodecError("wrong_type", f"the scale of {self.name} has no exponent, and {exponent!r} is one")
 
 
 class RegisterArray(Generic[T]):
