@@ -6,7 +6,6 @@ The models of the made-up inverter are compared with the model definitions that 
 from __future__ import annotations
 
 import csv
-import importlib
 import json
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
@@ -19,19 +18,15 @@ from sunspec2.modbus.client import SunSpecModbusClientDeviceTCP
 
 from command_line import CommandLine
 from fieldspec.cli import main
-from fieldspec.explain.registers import Occupant, Span, occupants
+from fieldspec.explain.registers import Occupant
 from fieldspec.model.value import Value
-from fieldspec.testing import SimulatedDevice, simulation
-from layouts import TEST_SPECS, newest
-from python_package import codec_error, module_of, runtime
+from fieldspec.testing import SimulatedDevice
+from layouts import TEST_SPECS
+from python_package import codec_error, runtime
+from sunspec import CLIENT, INVERTER, LAYOUT, SECONDS, address, occupant, put, simulated_inverter
 
-LAYOUT = newest(TEST_SPECS, "inverter")
-INVERTER = module_of(LAYOUT)
-CLIENT = importlib.import_module(f"{INVERTER.__name__.rpartition('.')[0]}.client")
 CodecError = codec_error()
 MODELS = {"inverter": 103, "trackers": 160}
-OCCUPANTS = list(occupants(LAYOUT, Span("", 0, 0x10000, 0, b"")))
-SECONDS = 5
 # Raw values at bounds of their types and at usual places; the last one of each type stands for "not implemented".
 RAW = {
     "u16": (0, 1, 2304, 65534, 65535),
@@ -42,12 +37,8 @@ RAW = {
 
 @pytest.fixture(scope="module")
 def device() -> Iterator[SimulatedDevice]:
-    with simulation("inverter", ports={"tcp": "tcp://127.0.0.1:0"}, folder=str(TEST_SPECS)) as running:
+    with simulated_inverter() as running:
         yield running
-
-
-def address(device: SimulatedDevice) -> tuple[str, int]:
-    return "127.0.0.1", int(device.place.rpartition(":")[2])
 
 
 @pytest.fixture(scope="module")
@@ -86,10 +77,6 @@ class Point:
         return self.value.scale_by
 
 
-def occupant(path: str) -> Occupant:
-    return next(own for own in OCCUPANTS if own.path == path)
-
-
 def points(peer: Any, group: str) -> list[Point]:
     """The registers of a group, and the fields of the modules behind it."""
     model = peer.models[MODELS[group]][0]
@@ -123,10 +110,6 @@ def module_points(modules: Any) -> list[Point]:
 
 def scaled(rows: Iterable[Point]) -> list[Point]:
     return [row for row in rows if row.exponent]
-
-
-def put(device: SimulatedDevice, path: str, raw: int) -> None:
-    device.simulation.engine.memory.write("", occupant(path), raw)
 
 
 def test_pysunspec2_knows_the_models_and_where_they_end(peer: Any) -> None:

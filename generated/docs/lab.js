@@ -1551,6 +1551,7 @@ function addFields(occupants, device, table, span) {
           value: field.value,
           skip: first & 1,
           beside,
+          element: number,
           access: table.accesses[field.name] ?? "",
           reserved: Boolean(field.reserved),
           atomic: table.atomic.includes(field.name),
@@ -1583,7 +1584,17 @@ function registerRow(device, span, occupant, spot, operation) {
   const { at, raw } = piece ?? { at: 0, raw: new Uint8Array() };
   const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
   const place = { address: occupant.address, words: occupant.words, unit: span.unit, access: occupant.access };
-  return { ...row, ...place, offset: piece ? row.offset : 0 };
+  const notes = [...row.notes, ...absence(device, span, occupant)];
+  return { ...row, ...place, notes, offset: piece ? row.offset : 0 };
+}
+
+/** The note of a field in an element that the device has not got, where the span has the count, too. */
+function absence(device, span, { outer, element }) {
+  const count = outer.countBy && device.data.registers.find(({ name }) => name === outer.countBy);
+  const piece = count && span.piece(count.address, count.value.size);
+  if (!piece) return [];
+  const number = numberOfBytes(count.value, piece.content, count.value.order ?? "big", count.value.swapped);
+  return isWhole(number) && element >= number ? [`The device has no such element: ${count.name} is ${number}.`] : [];
 }
 
 /** A value with its scale, where a field of the same element or a register has the exponent, and the span has that one, too. */

@@ -155,9 +155,19 @@ def tables(draft: Draft) -> list[Spec]:
             for field in fields:
                 if may_be_scaled(field) and "scale_by" not in field and all(exponent != own["name"] for own in fields):
                     field["scale_by"] = exponent
+        if draft.chance(40):
+            table["count_by"] = _add_count(draft, at - 4, count, table.get("space", ""))
         drawn.append(table)
         at += table["stride"] * count + 8
     return drawn
+
+
+def _add_count(draft: Draft, at: int, count: int, space: str) -> str:
+    """Adds a register with the number of elements of a table, in a group of its own."""
+    row = {"at": at, **draft.fact(type="u16", words=1, range=f"0..{count}", default=count), "access": "rw"}
+    group: Spec = {"group": draft.name(), "source": draft.source(), "rows": [row]}
+    draft.spec.setdefault("registers", []).append(group | ({"space": space} if space else {}))
+    return str(row["name"])
 
 
 def parameters(draft: Draft) -> list[Spec]:

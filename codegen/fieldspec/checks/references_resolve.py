@@ -77,6 +77,8 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
             yield from _named(register.place, "same_as", "register", register.same_as, registers)
             yield from _named(register.place, "copy_of", "register", register.copy_of, registers)
         yield from _named(register.place, "scale_by", "register", register.value.scale_by, registers)
+    for table in device.tables.values():
+        yield from _named(table.place, "count_by", "register", table.count_by, registers)
     for layer in layers(device):
         yield from _of_exponents(layer, registers)
     for parameter_set in device.parameters.values():

@@ -278,6 +278,7 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
     row = fact_row(layout.device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer)
     if not piece:
         row = replace(row, offset=0)
+    row = replace(row, notes=(*row.notes, *_absence(layout, span, occupant)))
     return replace(row, address=occupant.address, words=occupant.words, unit=span.unit, access=occupant.access)
 
 
@@ -291,11 +292,41 @@ def exponent_of_occupant(layout: DeviceLayout, occupant: Occupant) -> Occupant |
         table_layout = layout.tables[table.name]
         field = table_layout.record.named(name)
         if field is not None:
-            number = (occupant.address - table.base) // table.stride
+            number = element_number(occupant)
             path = f"{table.name}[{table.index_from + number}].{name}"
             return _field(table_layout, field, table.base + number * table.stride, 0, path)
     register = next(row for row in layout.registers if row.name == name)
     return next(_elements(register, Span(register.register.space, register.address, 1, 0, b"")))
+
+
+def element_number(occupant: Occupant) -> int:
+    """How many elements of its table are before that of a field; 0 for a register."""
+    table = occupant.outer
+    return (occupant.address - table.base) // table.stride if isinstance(table, Table) else 0
+
+
+def count_of_occupant(layout: DeviceLayout, occupant: Occupant) -> Occupant | None:
+    """The register with the number of elements that the table of a field has; None where all are there."""
+    table = occupant.outer
+    if not isinstance(table, Table) or not table.count_by:
+        return None
+    register = next(row for row in layout.registers if row.name == table.count_by)
+    return next(_elements(register, Span(register.register.space, register.address, 1, 0, b"")))
+
+
+def absent_text(count: Occupant, number: int) -> str:
+    """Why a device has not got an element: what its register of the count says."""
+    return f"The device has no such element: {count.path} is {number}."
+
+
+def _absence(layout: DeviceLayout, span: Span, occupant: Occupant) -> tuple[str, ...]:
+    """The note of a field in an element that the device has not got, where the span has the count, too."""
+    count = count_of_occupant(layout, occupant)
+    piece = span.piece(count.address, count.value.size) if count is not None else None
+    if count is None or piece is None:
+        return ()
+    number = number_of(count.value, piece.content, count.order, count.swapped)
+    return (absent_text(count, number),) if isinstance(number, int) and element_number(occupant) >= number else ()
 
 
 def _by_exponent(layout: DeviceLayout, span: Span, occupant: Occupant, value: Value) -> Value:

@@ -50,6 +50,7 @@ class SignalReading:
     words: tuple[int, ...]
     decoded: DecodedValue | None
     refusal: str = ""
+    is_absent: bool = False
 
     @property
     def path(self) -> str:

@@ -198,9 +198,26 @@ class RegisterArray(Generic[T]):
 
 
 class Table(Generic[T]):
-    """Records in an address space, `stride` words apart, by their numbers in the manual."""
+    """Records in an address space, `stride` words apart, by their numbers in the manual.
 
-    __slots__ = ("_order", "_value", "access", "base", "count", "first", "name", "record", "space", "stride", "words")
+    `count_by` is the register with the number of records that the device has, of which `count` is the greatest; it is
+    None where the device has all of them.
+    """
+
+    __slots__ = (
+        "_order",
+        "_value",
+        "access",
+        "base",
+        "count",
+        "count_by",
+        "first",
+        "name",
+        "record",
+        "space",
+        "stride",
+        "words",
+    )
 
     def __init__(
         self,
@@ -215,8 +232,9 @@ class Table(Generic[T]):
         access: str = "",
         order: str = ">",
         space: str = "",
+        count_by: Register[int] | None = None,
     ) -> None:
-        self.name, self.record, self.access, self.space = name, record, access, space
+        self.name, self.record, self.access, self.space, self.count_by = name, record, access, space, count_by
         self.base, self.words, self.stride, self.count, self.first = base, words, stride, count, first
         self._value, self._order = RecordValue(record, 2 * words), order
 
@@ -235,6 +253,14 @@ class Table(Generic[T]):
         address = self.base + (number - self.first) * self.stride
         more: dict[str, Any] = {"order": self._order, "space": self.space}
         return Register(f"{self.name}[{number}]", address, self.words, self._value, self.access, **more)
+
+    def present(self, count: int) -> list[Register[T]]:
+        """The records that a device has whose `count_by` is `count`. Raises CodecError for more than there can be."""
+        if not isinstance(count, int) or isinstance(count, bool):
+            raise CodecError("wrong_type", f"the number of records of {self.name} is a whole number, not {count!r}")
+        if not 0 <= count <= self.count:
+            raise CodecError("out_of_range", f"{self.name} has 0..{self.count} records, not {count}")
+        return [self[self.first + number] for number in range(count)]
 
     def at(self, address: int) -> Register[T] | None:
         """The element that begins at an address."""

@@ -25,7 +25,7 @@ from fieldspec.names import Name
 def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     """A register, or an array of them."""
     register, device = layout.register, names.layout.device
-    name = names.scope.take(Name.of(layout.name).upper())
+    name = names.registers[layout.name] = names.scope.take(Name.of(layout.name).upper())
     size = layout.size
     request = Slot(layout.name, register.value, size, layout.order, layout.swapped, device)
     answer = register.answer
@@ -78,14 +78,14 @@ def declare_table(layout: TableLayout, names: Names) -> Declaration:
     name = names.scope.take(Name.of(layout.name).upper())
     record = names.records[table.record]
     more = f", {{ space: {literal(device.space_name(table.space))} }}" if device.several_spaces else ""
+    more = f"{more or ', {}'}, {names.registers[table.count_by]}" if table.count_by else more
     access = table.access if layout.writable else "ro"
     call = (
         f"table({table.count}, {table.index_from}, {table.stride}, {literal(layout.name)}, 0x{table.base:04X},"
         f" {literal(access)}, {record}{more})"
     )
-    facts = (
-        f"{table.count} records of {layout.words} words, {table.stride} words apart, the first at 0x{table.base:04X}."
-    )
+    most = f"Up to {table.count}, as {names.registers[table.count_by]} says," if table.count_by else str(table.count)
+    facts = f"{most} records of {layout.words} words, {table.stride} words apart, the first at 0x{table.base:04X}."
     return Declaration(
         [f"export const {name} = /* @__PURE__ */ {call};"],
         [

@@ -67,6 +67,7 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
     ]
     conversions = [conversion_view(conversion, device, scope) for conversion in device.conversions.values()]
     registers, stated = register_views(layout, words, scope, space)
+    constants = {row.name: own.name for row, own in zip(layout.registers, registers, strict=True)}
     view: dict[str, Any] = {
         "doc": docstring(_doc(layout)),
         "identity": layout.identity,
@@ -82,7 +83,7 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         "registers": registers,
         "stated_registers": stated,
         "tables": [
-            table_view(table_layout, words, order, scope, space(table_layout.table.space))
+            table_view(table_layout, words, order, scope, constants, space(table_layout.table.space))
             for table_layout in layout.tables.values()
         ],
         "accesses": accesses,
